@@ -57,7 +57,9 @@ l3d_panel caption::panel() const {
         panel.add("bound", formatted("%.3f px, of %.3g", bound_px, *tolerance_px));
     else
         panel.add("bound", formatted("%.3f px", bound_px));
-    if (measured) {
+    if (measured && !measured->is_known) {
+        panel.add("error", "not known");
+    } else if (measured) {
         panel.add("outlines", formatted("%.3f px off", measured->outline_px));
         panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured->depth_px,
                                      std::floor(100 * measured->judged)));

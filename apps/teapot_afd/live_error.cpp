@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
 #include <utility>
 
 namespace {
@@ -20,6 +23,15 @@ double largest_of(const std::vector<float>& values) {
         if (std::isfinite(value))
             largest = std::max(largest, static_cast<double>(value));
     return largest;
+}
+
+live_result unknown(std::size_t pixels) {
+    live_result result;
+    result.is_known = false;
+    const std::vector<float> nothing(pixels, std::numeric_limits<float>::quiet_NaN());
+    result.map.depth = result.map.outline = nothing;
+    result.map.holes.assign(pixels, false);
+    return result;
 }
 
 } // namespace
@@ -75,20 +87,36 @@ void live_error::run(bool is_modest) {
             return;
         const live_task task = *task_;
         lock.unlock();
-        const shown_model model{task.model};
-        if (!view_ || view_->camera() != task.camera || view_->size() != task.size ||
-            viewed_ != model)
-            view_.emplace("", task.model, task.camera, task.size);
-        viewed_ = model;
-        std::vector<live_result> results;
-        for (const auto& distances : task.distances) {
-            auto errors = view_->errors(distances, most_distances);
-            results.push_back({largest_of(errors.outline), largest_of(errors.depth),
-                               errors.depth_share(), std::move(errors)});
-        }
+        std::vector<live_result> results = results_of(task);
         lock.lock();
         results_ = std::move(results);
         task_.reset();
         changed_.notify_all();
     }
+}
+
+/// The exact renderer gives up where the near plane cuts what reaches a million times as far.
+std::vector<live_result> live_error::results_of(const live_task& task) {
+    try {
+        return measured(task);
+    } catch (const std::exception&) {
+        std::vector<live_result> results;
+        for (const auto& distances : task.distances)
+            results.push_back(unknown(distances.size()));
+        return results;
+    }
+}
+
+std::vector<live_result> live_error::measured(const live_task& task) {
+    const shown_model model{task.model};
+    if (!view_ || view_->camera() != task.camera || view_->size() != task.size || viewed_ != model)
+        view_.emplace("", task.model, task.camera, task.size);
+    viewed_ = model;
+    std::vector<live_result> results;
+    for (const auto& distances : task.distances) {
+        auto errors = view_->errors(distances, most_distances);
+        results.push_back({true, largest_of(errors.outline), largest_of(errors.depth),
+                           errors.depth_share(), std::move(errors)});
+    }
+    return results;
 }

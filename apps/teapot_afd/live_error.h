@@ -13,6 +13,8 @@
 
 /// What was found about one picture. Units: pixels.
 struct live_result {
+    /// False where the exact renderer gave up. Then the map has nothing but NaN.
+    bool is_known = true;
     /// The largest error of an outline.
     double outline_px = 0;
     /// The largest error of a depth, as reference::depth_error_px counts it.
@@ -69,6 +71,8 @@ public:
 
 private:
     void run(bool is_modest);
+    std::vector<live_result> results_of(const live_task& task);
+    std::vector<live_result> measured(const live_task& task);
 
     /// The thread's own, and what it is of.
     std::optional<measured_view> view_;

@@ -133,6 +133,18 @@ def refuses_maps_of_half_a_picture():
         expect_equal(os.listdir(path), [])
 
 
+def says_that_an_error_is_not_known():
+    """The exact renderer gives up where the near plane cuts what reaches a million times as far."""
+    with folder() as path:
+        view = ("--eye", "-1.34,0.44,-1.74", "--target", "-0.79,1.81,-1.99", "--fov", "150", "--near", "1e-6")
+        for options in (("--shade", "error", "--legend", "off", "--antialias", "off"), ("--compare", "fd")):
+            command = HALF.command("--backend", "memory", *view, *options, "--background", "0,0,0", "--output", "o.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), options)
+            rows = harness.read_png(os.path.join(path, "o.png"))
+            if "--shade" in options:
+                expect_equal({pixel for row in rows for pixel in row}, {0, 0x606060}, "what is not known is grey")
+
+
 def picks_in_the_half_of_the_place():
     def picked(x):
         command = BOTH.command("--backend", "memory", "--compare", "fd", "--pick", "%d,150" % x, "--output", "o.png")
@@ -172,7 +184,7 @@ def main():
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
-                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
+                  says_that_an_error_is_not_known, picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
