@@ -88,13 +88,14 @@ void method_viewer::take_errors() {
     redraw();
 }
 
-void method_viewer::draw_overlay() {
-    if (measures_error() && errors_ && measured_ == now())
+void method_viewer::paint_surfaces() {
+    shows_errors_ = measures_error() && errors_ && measured_ == now();
+    if (shows_errors_)
         paint_errors();
-    l3d_pipeline_afd_viewer::draw_overlay();
 }
 
-/// Where surfaces are, and where an outline's error was measured.
+/// Where surfaces are, and where an outline's error was measured. A smooth edge ends where its
+/// pixels' centres do, which are all that is measured: it has the colour of the bound.
 void method_viewer::paint_errors() {
     constexpr std::uint32_t not_measured = 0x00606060;
     const std::vector<float> distances = l3d_distances(depth());
@@ -104,7 +105,9 @@ void method_viewer::paint_errors() {
         for (std::uint32_t& word : target.row(y)) {
             const float at_depth = errors_->depth[k], at_outline = errors_->outline[k];
             const float error = std::isnan(at_depth) ? at_outline : at_depth;
-            if (std::isfinite(distances[k]))
+            if (!std::isfinite(distances[k]))
+                word = settings().background.word(y, target.height);
+            else
                 word = std::isnan(error)
                            ? not_measured
                            : l3d_error_color(static_cast<double>(error), settings().tolerance);
@@ -113,8 +116,8 @@ void method_viewer::paint_errors() {
 }
 
 std::string method_viewer::error_scale_title() const {
-    return errors_ ? "measured error, in pixels; grey: not known"
-                   : l3d_pipeline_afd_viewer::error_scale_title();
+    return shows_errors_ ? "measured error, in pixels; grey: not known"
+                         : l3d_pipeline_afd_viewer::error_scale_title();
 }
 
 void method_viewer::take_next_method() {

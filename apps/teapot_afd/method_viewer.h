@@ -32,7 +32,7 @@ public:
     bool is_at_rest() const override;
 
 protected:
-    void draw_overlay() override;
+    void paint_surfaces() override;
     std::string error_scale_title() const override;
 
 private:
@@ -61,7 +61,8 @@ private:
     std::optional<live_error> live_; ///< begun when it is first needed
     subject begun_;                  ///< measured last, or being measured
     std::optional<reference::error_map> errors_;
-    subject measured_; ///< what errors_ are of
+    subject measured_;          ///< what errors_ are of
+    bool shows_errors_ = false; ///< the picture does, not bounds
 };
 
 /// The same settings without what their method cannot show: the wireframe, and shades that need its

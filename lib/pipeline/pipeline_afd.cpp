@@ -326,6 +326,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
 }
 
 void l3d_pipeline_afd::draw_on_top() {
+    paint_surfaces();
     if (settings_.net && !changed_.empty())
         draw_nets();
     draw_overlay();

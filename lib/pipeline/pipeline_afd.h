@@ -220,12 +220,16 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
-    /// For draw_overlay: the picture, to be written to. The next frame that
+    /// For draw_overlay and paint_surfaces: the picture, to be written to. The next frame that
     /// differs is drawn whole.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();
     }
+
+    /// Changes what the finished surface shows, before control nets are drawn over it. Called
+    /// whenever draw_overlay is.
+    virtual void paint_surfaces() {}
 
     /// Draws on top of the finished surface; timed as `overlay`. Called in frames that draw
     /// anything or that redraw() asked for.

@@ -145,6 +145,25 @@ def says_that_an_error_is_not_known():
                 expect_equal({pixel for row in rows for pixel in row}, {0, 0x606060}, "what is not known is grey")
 
 
+def draws_nets_over_measured_errors():
+    """Edges are those of the centres that are measured, and show no colour of the bound."""
+    with folder() as path:
+        def pixels_of(*arguments):
+            command = HALF.command("--backend", "memory", "--background", "0,0,0", "--legend", "off", *arguments,
+                                   "--output", "o.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+            return [pixel for row in harness.read_png(os.path.join(path, "o.png")) for pixel in row]
+
+        sharp = ("--antialias", "off")
+        nets = pixels_of("--shade", "flat", "--net", *sharp)
+        surface = pixels_of("--shade", "flat", *sharp)
+        errors = pixels_of("--shade", "error", *sharp)
+        both = pixels_of("--shade", "error", "--net", *sharp)
+        net = {pixel for pixel, bare in zip(nets, surface) if pixel != bare}
+        expect(both == [over if over in net else below for over, below in zip(nets, errors)], "no net on the errors")
+        expect(pixels_of("--shade", "error") == errors, "edges have colours of the bound")
+
+
 def picks_in_the_half_of_the_place():
     def picked(x):
         command = BOTH.command("--backend", "memory", "--compare", "fd", "--pick", "%d,150" % x, "--output", "o.png")
@@ -184,7 +203,8 @@ def main():
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
-                  says_that_an_error_is_not_known, picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
+                  says_that_an_error_is_not_known, draws_nets_over_measured_errors,
+                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
