@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The map of errors against the exact picture through a box filter: no pixel is farther off.
 #include "../dice/scene.h"
+#include "../processor_time.h"
 #include "../sanitized.h"
 #include "../scene/bodies.h"
 #include "words_of.h"
@@ -283,6 +284,18 @@ TEST(error_map, changes_no_bit_of_the_picture_and_is_null_unasked) {
     pipeline.redraw();
     pipeline.draw_event();
     EXPECT_EQ(pipeline.error_map(), nullptr);
+}
+
+/// Inside a ball, most of what the near plane cuts is beside the picture, however near that plane
+/// is. Cutting all of it would take half a minute.
+TEST(error_map, takes_no_time_for_what_is_beside_the_eye) {
+    const double before = processor_seconds();
+    const auto inside = [](double near) {
+        const reference::camera view{{0.66, 0.61, 0.38}, {0.88, -0.41, 0.27}, {0, 1, 0}, 38, near};
+        return drawn(scene(dice_tests::globe(), view, {16, 16}), 0.25).map.levels();
+    };
+    EXPECT_EQ(inside(1e-7), inside(1e-3));
+    EXPECT_LT(processor_seconds() - before, 10);
 }
 
 /// The map tells the error of any picture: a pixel that is painted over is farther off.

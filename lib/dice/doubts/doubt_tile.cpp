@@ -119,6 +119,15 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
                                b.picture_off <= plain_part * of_cell);
 }
 
+/// Whether nothing of a piece that reaches past the eye is in the tile. Most of it is far beside
+/// the picture, and would be cut until its pieces are as small as the distance of the near plane.
+bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
+    const l3d_dice_view& view = view_->view;
+    const l3d_image_box window = view.window(tile_).grown(grown_);
+    const double off = (piece.of->error_xy + window.reach() * piece.of->error_w) / near;
+    return l3d_outside(piece.net.points, window.grown(1 + off), near - piece.of->error_w, view.far);
+}
+
 /// Halves a piece until its bounds are good enough. Leaves out what reaches no cell.
 void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into) {
     const l3d_dice_view& view = view_->view;
@@ -126,6 +135,8 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
     const l3d_doubt_patch& of = *piece.of;
     const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
     if (is_too_much_ || w.most + of.error_w <= near || w.least - of.error_w >= view.far)
+        return;
+    if (w.least <= 2 * of.error_w && is_beside_all(piece, near))
         return;
     bool along_u = piece.u1 - piece.u0 >= piece.v1 - piece.v0;
     bool may_be_plain = piece.u1 - piece.u0 < least_part || piece.v1 - piece.v0 < least_part;

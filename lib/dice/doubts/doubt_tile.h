@@ -58,6 +58,7 @@ private:
     l3d_image_box box_of(const cell& c) const;
     void begin_cells(std::vector<cell>&& cells);
     void cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into);
+    bool is_beside_all(const l3d_doubt_piece& piece, double near) const;
     bool is_plain(const l3d_doubt_bounds& b) const;
     bool is_wanted(const l3d_image_box& box) const;
     template <class Visit> void for_cells(const l3d_image_box& box, const Visit& visit) const;
