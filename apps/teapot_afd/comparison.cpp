@@ -107,10 +107,15 @@ void comparison::switch_budget() {
                        : other_method_.name() + " has steps of its own");
 }
 
+/// A drag that crosses the line goes on in the half that it began in.
 void comparison::pointer_event(const l3d_event& event) {
     const halves parts(whole_->pixels().width);
+    const bool is_drag = event.type == l3d_event_type::pointer_motion && event.button != 0;
+    const bool is_right = is_drag ? drags_right_ : event.x >= parts.right_start;
+    if (event.type == l3d_event_type::button_press)
+        drags_right_ = is_right;
     l3d_event moved = event;
-    if (event.x >= parts.right_start)
+    if (is_right)
         moved.x -= parts.right_start;
     l3d_pipeline_afd_viewer::pointer_event(moved);
 }

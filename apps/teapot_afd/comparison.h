@@ -107,6 +107,7 @@ private:
     std::shared_ptr<l3d_screen> whole_;
     other_half other_;
     l3d_method_choice other_method_;
+    bool drags_right_ = false; ///< the last drag began in the right half
     bool equal_time_ = false;
     /// The right half's tolerance at equal time.
     double other_tolerance_;

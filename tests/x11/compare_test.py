@@ -84,6 +84,32 @@ def shows_both_in_a_window():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def turns_as_far_across_the_line():
+    """A drag that leaves its half for the other one is as long as one that does not."""
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, stack.enter_context(folder()), "--compare", "afd", "--background", "0,0,0",
+                    program=BOTH)
+
+        def left():
+            return [row[:320] for row in it.picture()[LOWER]]
+
+        def turned_by_drag(x, to):
+            xdotool(it.display, "mousemove", "--window", it.window, x, 130, "mousedown", "1",
+                    "mousemove", "--window", it.window, to, 130, "mouseup", "1")
+            wait_for(lambda: left() != first, "a turn")
+            turned = left()
+            xdotool(it.display, "key", "r")
+            wait_for(lambda: left() == first, "the first view")
+            return turned
+
+        it.changes("j")
+        first = left()
+        expect(turned_by_drag(310, 334) == turned_by_drag(100, 124), "another turn to the right")
+        expect(turned_by_drag(334, 310) == turned_by_drag(124, 100), "another turn to the left")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
 def shows_the_status_below_the_caption():
     """The method's name, in the first line of the left caption, can be read with the status."""
     with contextlib.ExitStack() as stack:
@@ -201,7 +227,7 @@ def hides_a_part_in_both_halves():
 def main():
     checks = Checks()
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
-                  shows_the_status_below_the_caption,
+                  turns_as_far_across_the_line, shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
                   says_that_an_error_is_not_known, draws_nets_over_measured_errors,
                   picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
