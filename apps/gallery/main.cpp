@@ -2,6 +2,7 @@
 // gallery: coloured models that turn, with smooth edges and the certified error of each frame.
 #include "shapes.h"
 #include <l3d/afd_options.h>
+#include <l3d/camera.h>
 #include <l3d/framing.h>
 #include <l3d/material.h>
 #include <l3d/panel.h>
@@ -105,7 +106,7 @@ int main(int argc, char** argv) {
                                               make_scene(first, glossy), camera, settings);
         if (!afd.places_camera()) {
             // From some 24 degrees above: the front models do not hide those behind them.
-            camera.eye = camera.target + l3d_camera::vector(0.15, 0.45, 1.0);
+            camera.eye = camera.target + l3d_upright(camera.up).at(0.15, 0.45, 1.0);
             pipeline.controls().set_home([&] {
                 return l3d_framed(camera, pipeline.screen().pixels().size(),
                                   l3d_reach_of(pipeline.scene()));

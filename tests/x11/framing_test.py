@@ -142,6 +142,19 @@ def fills_the_picture(viewer, name, content):
         return shares
 
 
+def gallery_is_seen_from_above_what_is_upright():
+    """The first of these directions is that in which the eye is while y is upright."""
+    with folder() as path:
+        for up in ("0.15,0.45,1", "0,0,1", "0,-1,0", "-1,0,0"):
+            for size in SIZES:
+                said = draw("gallery", size, "--up", up, "--report", "r.json", "--output", "o.png", cwd=path)
+                expect_equal(said, (0, b"", ""))
+                _, is_cut = share_of(harness.read_png(os.path.join(path, "o.png")))
+                with open(os.path.join(path, "r.json"), encoding="utf-8") as file:
+                    bound = json.load(file)["error_bound_px"]
+                expect(not is_cut and bound <= 0.25, up, size, is_cut, bound)
+
+
 def main():
     checks = Checks()
     shares = []
@@ -149,6 +162,7 @@ def main():
         for name, content in models.items():
             checks.run("framing.%s.%s" % (viewer, name),
                        lambda v=viewer, n=name, c=content: shares.extend(fills_the_picture(v, n, c)))
+    checks.run("framing.gallery_is_seen_from_above_what_is_upright", gallery_is_seen_from_above_what_is_upright)
     if shares:
         print("# shares of %d pictures: %.0f to %.0f %%" % (len(shares), 100 * min(shares), 100 * max(shares)))
     checks.finish()
