@@ -247,6 +247,10 @@ void comparison::measure() {
                       settings().tolerance,
                       other_.settings().tolerance,
                       other_method_.name()};
+    if (!has_exact_picture(shown(), camera(), settings())) {
+        text_.measured = other_.text.measured = std::nullopt;
+        return;
+    }
     if (settings().wireframe || now == measured_ || !live_.is_idle())
         return;
     measured_ = now;

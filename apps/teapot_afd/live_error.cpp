@@ -36,6 +36,16 @@ live_result unknown(std::size_t pixels) {
 
 } // namespace
 
+bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
+                       const l3d_afd_settings& settings) {
+    double farthest = 0;
+    for (const double x : {model.least()[0], model.most()[0]})
+        for (const double y : {model.least()[1], model.most()[1]})
+            for (const double z : {model.least()[2], model.most()[2]})
+                farthest = std::max(farthest, camera.depth_of({x, y, z}));
+    return !settings.one_sided && farthest < camera.far;
+}
+
 live_error::live_error(bool is_modest) : thread_([this, is_modest] { run(is_modest); }) {}
 
 live_error::~live_error() {

@@ -46,6 +46,11 @@ struct live_task {
     std::vector<std::vector<float>> distances;
 };
 
+/// Whether the exact renderer draws what a picture shows: it draws both sides of a model, and
+/// whatever is beyond the near plane.
+bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
+                       const l3d_afd_settings& settings);
+
 /// Compares pictures with the exact one, on a thread of its own.
 ///
 /// Lives: shares the data of a task's model. Its end waits for the comparison that is being made.

@@ -15,12 +15,13 @@ method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
     : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first),
-      has_exact_(scene.instances().size() == 1 && scene.transparent_count() == 0) {
+      is_one_model_(scene.instances().size() == 1 && scene.transparent_count() == 0) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
 }
 
-bool method_viewer::measures_error() const {
-    return settings().shade == l3d_shade::error && !settings().wireframe && has_exact_;
+bool method_viewer::measures_error() {
+    return settings().shade == l3d_shade::error && !settings().wireframe && is_one_model_ &&
+           has_exact_picture(scene().instances()[0].model(), camera(), settings());
 }
 
 method_viewer::subject method_viewer::now() {

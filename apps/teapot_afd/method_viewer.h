@@ -13,8 +13,9 @@
 
 /// With shade `error` it shows what the exact renderer measures: how far each pixel's surface is
 /// from the exact one, on a scale that ends at the tolerance. Windows show the certified bounds
-/// until that is known, and for scenes with transparent parts, which have no exact picture. Pixels
-/// that cannot be measured, at outlines and creases, are grey.
+/// until that is known. Scenes with transparent parts, one-sided ones and those that the far plane
+/// cuts have no exact picture, and show bounds. Pixels that cannot be measured, at outlines and
+/// creases, are grey.
 ///
 /// Lives: as l3d_pipeline_afd_viewer.
 class method_viewer : public l3d_pipeline_afd_viewer {
@@ -48,7 +49,7 @@ private:
     };
 
     void take_next_method();
-    bool measures_error() const;
+    bool measures_error();
     subject now();
     void measure();
     void take_errors();
@@ -57,7 +58,7 @@ private:
     /// The last one. It may be drawn twice.
     int frame_ = -1;
     l3d_method_choice method_;
-    bool has_exact_;                 ///< the scene has an exact picture
+    bool is_one_model_;              ///< that is opaque
     std::optional<live_error> live_; ///< begun when it is first needed
     subject begun_;                  ///< measured last, or being measured
     std::optional<reference::error_map> errors_;

@@ -171,6 +171,20 @@ def says_that_an_error_is_not_known():
                 expect_equal({pixel for row in rows for pixel in row}, {0, 0x606060}, "what is not known is grey")
 
 
+def measures_no_errors_of_what_is_left_out():
+    """The exact picture has both sides of everything, so what is left out on request is no error."""
+    with folder() as path:
+        def drawn(*arguments):
+            command = BOTH.command("--backend", "memory", *arguments, "--output", "o.ppm")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+            with open(os.path.join(path, "o.ppm"), "rb") as file:
+                return file.read()
+
+        for options in (("--far", "8.6"), ("--one-sided", "--eye", "0,-6,3", "--target", "0,1,0")):
+            bounds = drawn("--shade", "error", "--legend", "off", "--antialias", "off", *options)
+            expect(b"\x60\x60\x60" not in bounds, "grey is not known, but bounds are", options)
+
+
 def draws_nets_over_measured_errors():
     """Edges are those of the centres that are measured, and show no colour of the bound."""
     with folder() as path:
@@ -229,7 +243,7 @@ def main():
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   turns_as_far_across_the_line, shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
-                  says_that_an_error_is_not_known, draws_nets_over_measured_errors,
+                  says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
                   picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)
     checks.finish()
