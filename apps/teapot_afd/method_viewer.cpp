@@ -15,6 +15,7 @@ method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
     : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first),
+      fog_(settings.fog),
       is_one_model_(scene.instances().size() == 1 && scene.transparent_count() == 0) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
 }
@@ -121,13 +122,18 @@ std::string method_viewer::error_scale_title() const {
                          : l3d_pipeline_afd_viewer::error_scale_title();
 }
 
+/// No key brings fog back, so AFD has it again.
 void method_viewer::take_next_method() {
     controls().say(show_next_method(*this, method_));
+    if (settings().method.is_default())
+        settings().fog = fog_;
 }
 
 l3d_afd_settings as_method_can(l3d_afd_settings settings) {
     const bool is_afd = settings.method.is_default();
     settings.wireframe = settings.wireframe && is_afd;
+    if (!is_afd)
+        settings.fog = {};
     if ((settings.shade == l3d_shade::error && !settings.method.has_bound()) ||
         (l3d_is_inspection(settings.shade) && !is_afd))
         settings.shade = l3d_shade::lambert;

@@ -58,6 +58,7 @@ private:
     /// The last one. It may be drawn twice.
     int frame_ = -1;
     l3d_method_choice method_;
+    const l3d_fog fog_;              ///< as it was asked for
     bool is_one_model_;              ///< that is opaque
     std::optional<live_error> live_; ///< begun when it is first needed
     subject begun_;                  ///< measured last, or being measured
@@ -66,8 +67,8 @@ private:
     bool shows_errors_ = false; ///< the picture does, not bounds
 };
 
-/// The same settings without what their method cannot show: the wireframe, and shades that need its
-/// bound or exact patches.
+/// The same settings without what their method cannot show: the wireframe, fog, and shades that
+/// need its bound or exact patches.
 l3d_afd_settings as_method_can(l3d_afd_settings settings);
 
 /// Lets a pipeline draw with another method, without what that method cannot show.

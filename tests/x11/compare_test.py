@@ -185,6 +185,31 @@ def measures_no_errors_of_what_is_left_out():
             expect(b"\x60\x60\x60" not in bounds, "grey is not known, but bounds are", options)
 
 
+def draws_fog_where_a_method_has_it():
+    """AFD has, and the others draw without, beside it and after the key m, until AFD comes again."""
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        black, fog = ("--background", "0,0,0"), ("--fog", "5,9,255,0,0")
+
+        def lower(program, *arguments):
+            command = program.command("--backend", "memory", *black, *arguments, "--output", "o.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+            return harness.read_png(os.path.join(path, "o.png"))[LOWER]
+
+        both = lower(BOTH, "--compare", "fd:3", *fog)
+        expect([row[:320] for row in both] == lower(HALF, "--antialias", "off", *fog), "fog on the left")
+        expect([row[322:] for row in both] == lower(HALF, "--antialias", "off", "--method", "fd:3"), "no fog on the right")
+        it = Window(stack, path, *black, *fog, program=HALF)
+        foggy = it.changes("j")[LOWER]
+        expect_equal(it.changes("m", "j")[LOWER], lower(HALF, "--method", "fd"), "no fog of fd")
+        for _ in range(16):
+            xdotool(it.display, "key", "m")
+            if it.changes("j")[LOWER] == foggy:
+                break
+        else:
+            raise AssertionError("the fog does not come again")
+
+
 def draws_nets_over_measured_errors():
     """Edges are those of the centres that are measured, and show no colour of the bound."""
     with folder() as path:
@@ -243,7 +268,7 @@ def main():
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   turns_as_far_across_the_line, shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
-                  says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
+                  draws_fog_where_a_method_has_it, says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
                   picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)
     checks.finish()
