@@ -11,6 +11,7 @@
 #include "error_report.h"
 #include "method_viewer.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -21,17 +22,16 @@ namespace {
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
 
-/// An option that names a file. Lives: borrows what the user said of it.
-struct named_file {
+/// An option, and whether the user gave it.
+struct wish {
     const char* option;
-    const std::string& file;
+    bool is_given;
 };
 
-/// Errors: l3d_error(usage) for the first file that is wanted where none can be written.
-void refuse_files(bool none_is_written, std::initializer_list<named_file> files,
-                  const char* reason) {
-    for (const auto& [option, file] : files)
-        if (none_is_written && !file.empty())
+/// Errors: l3d_error(usage) for the first wish that is given where none can be fulfilled.
+void refuse_wishes(bool none_is_fulfilled, std::initializer_list<wish> wishes, const char* reason) {
+    for (const auto& [option, is_given] : wishes)
+        if (none_is_fulfilled && is_given)
             throw l3d_error(l3d_exit::usage, std::string(option) + ": " + reason);
 }
 
@@ -58,9 +58,6 @@ int main(int argc, char** argv) {
                           "FOLDER");
     program.options().has_result("--error-report");
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
-    const named_file pictures{"--output", program.options().common().output},
-        reports{"--report", afd.report()}, depths{"--depth-output", afd.depth_output()},
-        bounds{"--error-output", afd.error_output()};
     l3d_camera camera;
     l3d_afd_settings settings;
     std::optional<l3d_method_choice> other;
@@ -72,16 +69,38 @@ int main(int argc, char** argv) {
             return false;
         }
         other = compared.choice();
-        refuse_files(other.has_value(), {depths, bounds},
-                     "not with --compare, whose halves are two pictures");
-        refuse_files(!folder.empty(), {pictures, reports, depths, bounds},
-                     "not with --error-report, which draws nothing");
+        const l3d_common_options& common = program.options().common();
+        const wish depths{"--depth-output", !afd.depth_output().empty()},
+            bounds{"--error-output", !afd.error_output().empty()};
+        refuse_wishes(other.has_value(), {depths, bounds},
+                      "not with --compare, whose halves are two pictures");
+        refuse_wishes(!folder.empty(),
+                      {{"--output", !common.output.empty()},
+                       {"--report", !afd.report().empty()},
+                       depths,
+                       bounds,
+                       {"--pick", afd.pick().has_value()},
+                       {"--explain", afd.explain()},
+                       {"--statistics", afd.statistics()},
+                       {"--compare", other.has_value()},
+                       {"--frames", common.frames > 0}},
+                      "not with --error-report, which draws nothing");
+        const bool is_kept = method.choice()->method == l3d_method::kept ||
+                             (other && other->method == l3d_method::kept);
+        refuse_wishes(is_kept, {{"--resume", common.resume}, {"--frames", common.first_frame > 0}},
+                      "not with kept, whose frames depend on those before them");
         if (quick && folder.empty())
             throw l3d_error(l3d_exit::usage, "--quick: goes with --error-report");
         if (folder.empty())
             return true;
+        const l3d_size size = common.size;
+        constexpr int least = 6; // a half of a third is a picture
+        if (std::min(size.width, size.height) < least)
+            throw l3d_error(l3d_exit::usage,
+                            "--size: '" + std::to_string(size.width) + 'x' +
+                                std::to_string(size.height) +
+                                "' is too small for --error-report, which needs 6x6");
         const l3d_patch_scene scene(parts.applied(afd.model()));
-        const l3d_size size = program.options().common().size;
         camera = afd.camera([&](const l3d_camera& usual) {
             return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
         });

@@ -150,6 +150,17 @@ def reports_the_left_half_of_each_frame():
         expect_equal([(line["frame"], line["pixels_kept"], line["size"]) for line in lines], [(0, 0, "320x260")])
 
 
+def refuses_frames_that_depend_on_those_before():
+    """A part of a sequence is the same as in the whole one."""
+    with folder() as path:
+        for method in (("--method", "kept"), ("--compare", "kept:4")):
+            for option in (("--resume",), ("--frames", "2:4")):
+                command = BOTH.command("--backend", "memory", *method, *option, "--output", "o%d.png")
+                said = "teapot_afd: %s: not with kept, whose frames depend on those before them\n" % option[0]
+                expect_equal(run(command, environment(), cwd=path), (2, b"", said))
+        expect_equal(os.listdir(path), [])
+
+
 def refuses_maps_of_half_a_picture():
     with folder() as path:
         for option in ("--depth-output", "--error-output"):
@@ -268,6 +279,7 @@ def main():
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
                   turns_as_far_across_the_line, shows_the_status_below_the_caption,
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
+                  refuses_frames_that_depend_on_those_before,
                   draws_fog_where_a_method_has_it, says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
                   picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
         checks.run("compare " + check.__name__, check)

@@ -146,13 +146,19 @@ def refuses_a_folder_that_is_a_file(program):
             expect_equal(file.read(), "mine")
 
 
-def refuses_files_that_it_would_not_write(program):
+def refuses_what_it_would_not_do(program):
     with folder() as path:
         for option in ("--output", "--report", "--depth-output", "--error-output"):
             name = os.path.join(path, "o.pfm" if "-" in option[2:] else "o.png")
             status, out, messages = report(os.path.join(path, "report"), program, option, name)
             expect_equal((status, out, messages), (2, b"", f"teapot_afd: {option}: not with --error-report, which draws nothing\n"))
         expect_equal(os.listdir(path), [], "files")
+    for wish in (("--pick", "3,3"), ("--explain",), ("--statistics",), ("--compare", "fd"), ("--frames", "2")):
+        said = run(program.command("--error-report", "report", *wish), environment())
+        expect_equal(said, (2, b"", f"teapot_afd: {wish[0]}: not with --error-report, which draws nothing\n"))
+    small = harness.Program("teapot_afd", (400, 5))
+    said = run(small.command("--error-report", "report"), environment())
+    expect_equal(said, (2, b"", "teapot_afd: --size: '400x5' is too small for --error-report, which needs 6x6\n"))
     said = run(program.command("--backend", "memory", "--quick"), environment())
     expect_equal((said[0], said[2]), (2, "teapot_afd: --quick: goes with --error-report\n"))
 
@@ -162,6 +168,6 @@ if __name__ == "__main__":
     for program in harness.PROGRAMS:
         if program.name == "teapot_afd":
             for check in (is_whole, goes_on_where_it_was_stopped, needs_no_other_program,
-                          refuses_a_folder_that_is_a_file, refuses_files_that_it_would_not_write):
+                          refuses_a_folder_that_is_a_file, refuses_what_it_would_not_do):
                 checks.run("report." + check.__name__, check, program)
     checks.finish()
