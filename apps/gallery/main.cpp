@@ -45,8 +45,15 @@ l3d_patch_scene make_scene(const l3d_patch_model& first, bool glossy) {
         vase().painted({0x3f6fb8, 0x909090, 120}), ball().painted({0xb8456b, 0x909090, 120})};
     l3d_patch_scene scene;
     for (std::size_t i = 0; i < std::size(models); ++i)
-        scene.add(glossy ? models[i] : matt(models[i]), exhibits[i].placement(0));
+        scene.add_by_opacity(glossy ? models[i] : matt(models[i]), exhibits[i].placement(0));
     return scene;
+}
+
+/// What an instance is a part of. A file's model has one for each opacity, the others have one
+/// each.
+const exhibit& exhibit_of(std::size_t instance, std::size_t instances) {
+    const std::size_t of_first = instances - (std::size(exhibits) - 1);
+    return exhibits[instance < of_first ? 0 : instance - of_first + 1];
 }
 
 // Step 2 of 5: the application is a pipeline.
@@ -61,8 +68,9 @@ public:
         if (controls().is_paused())
             return;
         seconds_ += seconds;
-        for (std::size_t i = 0; i < std::size(exhibits); ++i)
-            scene().place(i, exhibits[i].placement(seconds_));
+        const std::size_t count = scene().instances().size();
+        for (std::size_t i = 0; i < count; ++i)
+            scene().place(i, exhibit_of(i, count).placement(seconds_));
     }
 
 private:

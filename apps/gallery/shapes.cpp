@@ -154,12 +154,14 @@ l3d_patch_model in_teapots_place(const l3d_patch_model& model) {
     for (patch& p : patches)
         for (vector& point : p.points)
             point = (point - foot) * scale;
-    return l3d_patch_model(std::move(patches)).painted(materials_of(model));
+    return l3d_patch_model(std::move(patches))
+        .with_parts(model.parts().runs())
+        .painted(materials_of(model));
 }
 
 l3d_patch_model matt(const l3d_patch_model& model) {
     std::vector<l3d_material> materials = materials_of(model);
     for (l3d_material& material : materials)
-        material = {.color = material.color};
+        material = {.color = material.color, .opacity = material.opacity};
     return model.painted(materials);
 }
