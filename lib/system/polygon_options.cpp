@@ -49,12 +49,14 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
+    l3d_polygon_mesh mesh = l3d_mesh_of(file, name, facets_);
     const bool is_opaque =
-        std::ranges::all_of(file.mesh.looks, [](const l3d_material& m) { return m.opacity == 1; });
-    if (!is_opaque && file.mesh.faces() > 0)
+        std::ranges::all_of(mesh.looks, [](const l3d_material& m) { return m.opacity == 1; });
+    if (!is_opaque)
         std::cerr << l3d_detail::printable(name)
-                  << ": transparent materials are opaque here; only patches are seen through\n";
-    return l3d_polygon_model(l3d_mesh_of(file, name, facets_), to_origin_, crease_angle_);
+                  << ": transparent materials are opaque here; only patches are seen through, by "
+                     "--pipeline afd\n";
+    return l3d_polygon_model(std::move(mesh), to_origin_, crease_angle_);
 }
 
 void l3d_polygon_options::refuse_for_patches() const {

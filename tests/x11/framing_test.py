@@ -155,23 +155,38 @@ def gallery_is_seen_from_above_what_is_upright():
                 expect(not is_cut and bound <= 0.25, up, size, is_cut, bound)
 
 
-def gallery_shows_a_files_parts_and_what_is_transparent():
-    """Two sheets, the nearer one named and red, the other one as transparent as the file says."""
+def two_sheets(path, opacity):
+    """The nearer one is red, and the other one as transparent as that. Returns the file's name."""
     def sheet(name, z, first):
         corners = rows("v %.9g %.9g %.9g", [[i / 3, k / 3, z] for k in range(4) for i in range(4)])
         points = " ".join(str(first + i) for i in range(16))
         return (corners + "g %s\nusemtl %s\ncstype bezier\ndeg 3 3\nsurf 0 1 0 1 %s\n"
                 "parm u 0 1\nparm v 0 1\nend\n" % (name, name, points))
 
+    with open(os.path.join(path, "s.obj"), "w", encoding="ascii") as file:
+        file.write("mtllib s.mtl\n" + sheet("far", 0, 1) + sheet("near", 1, 17))
+    with open(os.path.join(path, "s.mtl"), "w", encoding="ascii") as file:
+        file.write("newmtl far\nKd 0 0 1\nd %s\nnewmtl near\nKd 1 0 0\n" % opacity)
+    return "s.obj"
+
+
+def modelview_says_that_transparent_patches_are_opaque():
+    with folder() as path:
+        said = draw("modelview", (60, 40), two_sheets(path, "0.3"), "--output", "o.png", cwd=path)
+        expect_equal(said, (0, b"", "s.obj: transparent materials are opaque here; only patches are seen through, "
+                                    "by --pipeline afd\n"))
+        for arguments in (("--pipeline", "afd"), ()):
+            name = two_sheets(path, "0.3" if arguments else "1")
+            said = draw("modelview", (60, 40), name, *arguments, "--output", "o.png", cwd=path)
+            expect_equal(said, (0, b"", ""), arguments)
+
+
+def gallery_shows_a_files_parts_and_what_is_transparent():
     with folder() as path:
         pictures = []
-        with open(os.path.join(path, "s.obj"), "w", encoding="ascii") as file:
-            file.write("mtllib s.mtl\n" + sheet("far", 0, 1) + sheet("near", 1, 17))
         for opacity in ("1", "0.3"):
-            with open(os.path.join(path, "s.mtl"), "w", encoding="ascii") as file:
-                file.write("newmtl far\nKd 0 0 1\nd %s\nnewmtl near\nKd 1 0 0\n" % opacity)
-            said = draw("gallery", (400, 300), "s.obj", "--pick", "170,130", "--frames", "2", "--output", "o.png",
-                        cwd=path)
+            said = draw("gallery", (400, 300), two_sheets(path, opacity), "--pick", "170,130", "--frames", "2",
+                        "--output", "o.png", cwd=path)
             expect_equal((said[0], said[2]), (0, ""))
             expect(b"\npart near\n" in said[1], said[1])
             pictures.append(harness.read_png(os.path.join(path, "o.png")))
@@ -186,6 +201,8 @@ def main():
             checks.run("framing.%s.%s" % (viewer, name),
                        lambda v=viewer, n=name, c=content: shares.extend(fills_the_picture(v, n, c)))
     checks.run("framing.gallery_is_seen_from_above_what_is_upright", gallery_is_seen_from_above_what_is_upright)
+    checks.run("framing.modelview_says_that_transparent_patches_are_opaque",
+               modelview_says_that_transparent_patches_are_opaque)
     checks.run("framing.gallery_shows_a_files_parts_and_what_is_transparent",
                gallery_shows_a_files_parts_and_what_is_transparent)
     if shares:
