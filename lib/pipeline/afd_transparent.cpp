@@ -109,9 +109,13 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
         times.raster += writing.milliseconds();
     }
 
-    // The nearest surface is as far away as if all were opaque.
-    if (settings_.depth)
-        draw_surfaces(now, {scene_, mixed, whole, true}, times);
+    // The nearest surface that is there is as far away as if it were opaque.
+    if (settings_.depth) {
+        std::vector<std::size_t> there = opaque;
+        there.insert(there.end(), transparent.begin(), transparent.end());
+        std::ranges::sort(there);
+        draw_surfaces(now, {scene_.only(there), mixed, whole, true}, times);
+    }
 }
 
 /// Levels of a mean of light are off by at most 4/3 of what each picture's are (NUMERICS, section

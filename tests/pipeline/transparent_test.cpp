@@ -153,6 +153,27 @@ TEST(transparent, frames_keep_depth_and_have_bounds_of_places_and_colors) {
     EXPECT_LT(mixed.error_map()->at(20, 20), 255);
 }
 
+/// At last there is nothing at all.
+TEST(transparent, what_has_no_opacity_has_no_depth) {
+    l3d_afd_settings settings;
+    settings.depth = true;
+    l3d_patch_scene scene = three_models();
+    const auto distances = [&](const l3d_patch_scene& of) {
+        tester program(of, before_them(), settings);
+        program.draw_event();
+        return l3d_distances(program.depth());
+    };
+    for (const double second : {1.0, 0.5}) {
+        scene.set_opacity(1, second);
+        scene.set_opacity(2, 0);
+        EXPECT_EQ(distances(scene), distances(scene.only(std::vector<std::size_t>{0, 1})));
+    }
+    scene.set_opacity(0, 0);
+    scene.set_opacity(1, 0);
+    for (const float distance : distances(scene))
+        ASSERT_TRUE(std::isinf(distance));
+}
+
 TEST(transparent, scenes_refuse_what_is_no_opacity_and_too_many) {
     l3d_patch_scene scene;
     for (std::size_t i = 0; i <= l3d_patch_scene::most_transparent; ++i)
