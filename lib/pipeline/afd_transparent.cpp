@@ -110,12 +110,17 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
     }
 
     // The nearest surface that is there is as far away as if it were opaque.
-    if (settings_.depth) {
-        std::vector<std::size_t> there = opaque;
-        there.insert(there.end(), transparent.begin(), transparent.end());
-        std::ranges::sort(there);
-        draw_surfaces(now, {scene_.only(there), mixed, whole, true}, times);
-    }
+    if (settings_.depth)
+        draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
+}
+
+/// The scene without instances of opacity 0.
+l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
+    std::vector<std::size_t> there;
+    for (std::size_t i = 0; i < scene_.instances().size(); ++i)
+        if (scene_.instances()[i].opacity() > 0)
+            there.push_back(i);
+    return scene_.only(there);
 }
 
 /// Levels of a mean of light are off by at most 4/3 of what each picture's are (NUMERICS, section

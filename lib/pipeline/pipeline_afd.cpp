@@ -345,7 +345,8 @@ void l3d_pipeline_afd::draw_wireframe() {
         depth_.resize(stages_->view.size);
         depth_.clear();
     }
-    stages_->wire_culling.begin(scene_, stages_->transform.matrix(), stages_->view);
+    const l3d_patch_scene there = what_is_there();
+    stages_->wire_culling.begin(there, stages_->transform.matrix(), stages_->view);
     l3d_dice_view view = stages_->view;
     view.shading.antialias = settings_.antialias; // then borders are noted, which neighbours share
     stages_->wire_dicer.begin(view);
@@ -353,7 +354,7 @@ void l3d_pipeline_afd::draw_wireframe() {
                                   settings_.antialias, screen_->text_scale()});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
-        lines.draw(stages_->wire_dicer.dice(scene_, stages_->wire_culling, batch));
+        lines.draw(stages_->wire_dicer.dice(there, stages_->wire_culling, batch));
     if (is_none) {
         rasterizer_.finish();
         l3d_detail::make_lines_transparent(screen_->pixels(), wire_color);
@@ -379,7 +380,8 @@ void l3d_pipeline_afd::draw_nets() {
         if (a.drawable && b.drawable && shared.add(line))
             lines.push_back(line);
     };
-    for (const l3d_patch_instance& instance : scene_.instances()) {
+    const l3d_patch_scene there = what_is_there();
+    for (const l3d_patch_instance& instance : there.instances()) {
         const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
         for (const l3d_patch_model::patch& patch : instance.model().patches()) {
             const l3d_image_patch net = l3d_placed_net(to_image, patch);

@@ -257,6 +257,7 @@ private:
     void keep_bounds(const l3d_dice_counts& kept);
     void find_doubts(bool has_levels, l3d_stage_times& times);
     void draw_on_top();
+    l3d_patch_scene what_is_there() const;
     void draw_wireframe();
     void draw_nets();
 

@@ -174,6 +174,18 @@ TEST(transparent, what_has_no_opacity_has_no_depth) {
         ASSERT_TRUE(std::isinf(distance));
 }
 
+TEST(transparent, what_has_no_opacity_has_no_lines) {
+    l3d_patch_scene scene = three_models();
+    scene.set_opacity(2, 0);
+    const l3d_patch_scene others = scene.only(std::vector<std::size_t>{0, 1});
+    for (const bool is_wire : {false, true}) {
+        l3d_afd_settings settings;
+        settings.wireframe = is_wire;
+        settings.net = !is_wire;
+        EXPECT_EQ(drawn(scene, settings), drawn(others, settings)) << is_wire;
+    }
+}
+
 TEST(transparent, scenes_refuse_what_is_no_opacity_and_too_many) {
     l3d_patch_scene scene;
     for (std::size_t i = 0; i <= l3d_patch_scene::most_transparent; ++i)
