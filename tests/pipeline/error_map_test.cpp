@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The map of errors against the exact picture through a box filter: no pixel is farther off.
 #include "../dice/scene.h"
-#include "../processor_time.h"
 #include "../sanitized.h"
 #include "../scene/bodies.h"
 #include "words_of.h"
@@ -286,34 +285,40 @@ TEST(error_map, changes_no_bit_of_the_picture_and_is_null_unasked) {
     EXPECT_EQ(pipeline.error_map(), nullptr);
 }
 
-/// Inside a ball, most of what the near plane cuts is beside the picture, however near that plane
-/// is. Cutting all of it would take half a minute.
-TEST(error_map, takes_no_time_for_what_is_beside_the_eye) {
-    const double before = processor_seconds();
-    const auto inside = [](double near) {
-        const reference::camera view{{0.66, 0.61, 0.38}, {0.88, -0.41, 0.27}, {0, 1, 0}, 38, near};
-        return drawn(scene(dice_tests::globe(), view, {16, 16}), 0.25).map.levels();
-    };
-    EXPECT_EQ(inside(1e-7), inside(1e-3));
-    EXPECT_LT(processor_seconds() - before, 10);
-}
-
-/// The map tells the error of any picture: a pixel that is painted over is farther off.
-TEST(error_map, does_not_depend_on_how_the_picture_was_drawn) {
-    const scene s = dice_tests::teapot(reference::project_view("full"), small);
+/// The doubts of a picture that is all of one grey.
+l3d_frame_doubts doubts_of_grey(const scene& s, std::uint32_t grey, double bound) {
     const l3d_patch_scene world = world_of(s);
     const l3d_image_transform transform(s.camera, s.size, world);
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(s.size.width * s.size.height), 200);
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(s.size.width * s.size.height), grey);
     l3d_workers workers(1);
     l3d_frame_doubts doubts;
     doubts.find({.scene = world,
                  .to_image = transform.matrix(),
                  .view = transform.view(0.25),
                  .light = l3d_usual_light,
-                 .bound_px = std::numeric_limits<double>::infinity(),
-                 .depth_bound_px = std::numeric_limits<double>::infinity(),
+                 .bound_px = bound,
+                 .depth_bound_px = bound,
                  .drawn = {words.data(), s.size.width, s.size.height, s.size.width}},
                 workers);
+    return doubts;
+}
+
+/// Inside a ball, most of what the near plane cuts is beside the picture, however near that plane
+/// is. To cut all of it takes in proportion to its distance.
+TEST(error_map, does_not_cut_what_is_beside_the_eye) {
+    const auto cuts_of = [](double near) {
+        const reference::camera view{{0.66, 0.61, 0.38}, {0.88, -0.41, 0.27}, {0, 1, 0}, 38, near};
+        return doubts_of_grey(scene(dice_tests::globe(), view, {16, 16}), 200, 0.25).cuts();
+    };
+    const std::int64_t far_off = cuts_of(1e-3);
+    EXPECT_GT(far_off, 1000);
+    EXPECT_LT(cuts_of(1e-7), 2 * far_off);
+}
+
+/// The map tells the error of any picture: a pixel that is painted over is farther off.
+TEST(error_map, does_not_depend_on_how_the_picture_was_drawn) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), small);
+    const l3d_frame_doubts doubts = doubts_of_grey(s, 200, std::numeric_limits<double>::infinity());
     EXPECT_NEAR(doubts.map().at(0, 0), 200, 0.01); // the background is 0 in red, green and blue
     EXPECT_TRUE(std::isinf(doubts.coverage_bound()));
 }

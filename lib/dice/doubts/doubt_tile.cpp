@@ -161,6 +161,7 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
             return;
         }
     }
+    ++cuts_;
     const auto [low, high] = piece.split(along_u);
     cut(low, into);
     cut(high, into);

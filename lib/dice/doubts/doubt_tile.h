@@ -45,6 +45,9 @@ public:
     /// Judges all pixels. Shape: row by row, of the tile. Lives: until the next tile.
     std::span<const l3d_doubt_pixel> finish();
 
+    /// Pieces that have been cut in two, in all tiles so far.
+    std::int64_t cuts() const { return cuts_; }
+
 private:
     /// A square, and what is still to be found out of it. Shape: column and row in the tile, at
     /// the present fineness.
@@ -76,6 +79,7 @@ private:
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
     bool is_too_much_ = false;
+    std::int64_t cuts_ = 0;
     std::vector<cell> cells_;
     std::vector<std::int32_t> grid_; ///< of all cells there could be: the index in cells_, or -1
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;

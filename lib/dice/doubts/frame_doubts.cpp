@@ -201,6 +201,13 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
     }
 }
 
+std::int64_t l3d_frame_doubts::cuts() const {
+    std::int64_t result = 0;
+    for (const l3d_doubt_tile& tile : tiles_)
+        result += tile.cuts();
+    return result;
+}
+
 void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers) {
     view_.view = frame.view;
     view_.world_of_image = world_of_image(frame.to_image);

@@ -58,6 +58,9 @@ public:
     /// levels.
     double color_bound() const { return color_bound_; }
 
+    /// Pieces of patches that have been cut in two, in all frames so far: what the map costs.
+    std::int64_t cuts() const;
+
 private:
     /// A patch, and the box in the picture that it lies in.
     struct placed {

@@ -24,8 +24,9 @@ constexpr int steady = jump_levels;
 /// it. Vertices beside a fold may have the level of the side that is not seen.
 constexpr float most_change = 48;
 
-/// Levels that a surface grows brighter by from the middle of a pixel to the contour beside it, if
-/// that is seen in the pixel's mean: on a straight slope over 3/4 pixel, an eighth of its light.
+/// Levels that a surface grows brighter by from the middle of a pixel to the contour beside it. On
+/// a straight slope over 3/4 pixel, the pixel's mean light is then 8 to 10 levels above its
+/// middle's.
 constexpr float steep_rim = 48;
 
 /// The same surface has the same depth where it was drawn, but for rounding.
