@@ -50,7 +50,7 @@ int main(int argc, char** argv) try {
     l3d_options options("vecmath", "Sums and products of points and vectors, as text.", {320, 200});
     if (options.parse(argc, argv))
         print();
-    return static_cast<int>(std::cout.flush() ? l3d_exit::well : l3d_exit::failure);
+    return static_cast<int>(std::cout.flush() ? l3d_exit::success : l3d_exit::failure);
 } catch (const std::exception& error) {
     return l3d_report("vecmath", error);
 }

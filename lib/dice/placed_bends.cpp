@@ -274,7 +274,7 @@ l3d_placed_bends::certificate(const l3d_net_piece& piece, const l3d_dice_view& v
         else if (!of_normals && off + rounded_level + l3d_most_level_error <= view.shade_tolerance)
             result.shade = std::max(result.shade, off);
         else
-            result.unshaded_quads += quads;
+            result.unproven_quads += quads;
     };
     for (std::size_t row = 0; row < strips; ++row)
         for (std::size_t column = 0; column < strips; ++column) {

@@ -77,7 +77,7 @@ std::string l3d_frame_report::json() const {
                  {"pixels_refined", surface.refined},
                  {"pixels_unsolved", surface.unsolved},
                  {"shade_error_bound", number_or_null(dice.shade_bound)},
-                 {"shade_unproven_quads", dice.unshaded_quads},
+                 {"shade_unproven_quads", dice.unproven_quads},
                  {"pixels_kept", pixels_kept},
                  {"outline_pixels",
                   has_outlines ? l3d_detail::json(outline_pixels) : l3d_detail::json(nullptr)},

@@ -210,7 +210,7 @@ void l3d_pipeline_afd::keep_picture() {
     counts.bound_px = report_.dice.bound_px;
     counts.depth_bound_px = report_.dice.depth_bound_px;
     counts.shade_bound = report_.dice.shade_bound;
-    counts.unshaded_quads = report_.dice.unshaded_quads;
+    counts.unproven_quads = report_.dice.unproven_quads;
     counts.near = report_.dice.near;
     counts.coarse = report_.dice.coarse;
     counts.unfinished = report_.dice.unfinished;
@@ -243,7 +243,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         if (now.shading.is_lit(scene_.materials()))
             report_.dice.shade_bound = shade_bound_of_lights(now.shading);
         report_.dice.shade_bound += report_.surface.level_error;
-        report_.dice.unshaded_quads += report_.surface.loose_levels;
+        report_.dice.unproven_quads += report_.surface.unproven_levels;
         report_.dice.shade_bound += shade_bound_of_fog();
         if (scene_.transparent_count() > 0)
             report_.dice.shade_bound = shade_bound_of_mix(report_.dice.shade_bound);
@@ -287,7 +287,7 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
         now.depth_bound_px =
             std::max({now.depth_bound_px, kept.depth_bound_px, settings_.tolerance});
         now.shade_bound = std::max({now.shade_bound, kept.shade_bound, settings_.shade_tolerance});
-        now.unshaded_quads += kept.unshaded_quads;
+        now.unproven_quads += kept.unproven_quads;
     }
     now.near = std::max(now.near, kept.near);
     now.coarse = std::max(now.coarse, kept.coarse);

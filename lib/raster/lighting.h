@@ -33,14 +33,14 @@ struct L3D_PUBLIC l3d_far_light {
 /// sharpness. h is half-way between l and the direction to the eye.
 /// Source: J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977.
 struct L3D_PUBLIC l3d_lighting {
-    static constexpr std::size_t most_more = 7; ///< lights beside the first
+    static constexpr std::size_t most_further = 7; ///< lights beside the first
 
-    l3d_light_color ambient{0.1F, 0.1F, 0.1F};     ///< part of a surface's colour without any light
-    l3d_light_color color{1, 1, 1};                ///< of the first light
-    std::array<l3d_far_light, most_more> lights{}; ///< the further ones
-    std::size_t count = 0;                         ///< number of these
+    l3d_light_color ambient{0.1F, 0.1F, 0.1F}; ///< part of a surface's colour without any light
+    l3d_light_color color{1, 1, 1};            ///< of the first light
+    std::array<l3d_far_light, most_further> lights{}; ///< the further ones
+    std::size_t count = 0;                            ///< number of these
 
-    /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_more.
+    /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_further.
     void add(double x, double y, double z, const l3d_light_color& of) {
         const double length = std::sqrt(x * x + y * y + z * z);
         lights[count++] = {{static_cast<float>(x / length), static_cast<float>(y / length),

@@ -110,7 +110,7 @@ struct L3D_PUBLIC l3d_surface_counts {
         refined += other.refined;
         level_error = std::max(level_error, other.level_error);
         normal_error = std::max(normal_error, other.normal_error);
-        loose_levels += other.loose_levels;
+        unproven_levels += other.unproven_levels;
         unsolved += other.unsolved;
     }
 
@@ -123,7 +123,8 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// Shades that inspect a surface: tested pixels whose exact place on their patch was not found.
     /// They show what is at the place between the drawn vertices.
     std::int64_t unsolved = 0;
-    std::int64_t loose_levels = 0; ///< polygons where it may be more, as often as they are set up
+    std::int64_t unproven_levels =
+        0; ///< polygons where it may be more, as often as they are set up
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.

@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// Quads of which `shade` says nothing, since their block may be off by more than the
     /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
     /// vanishes. Slits beside a block that may be off by more count as one quad.
-    std::int64_t unshaded_quads = 0;
+    std::int64_t unproven_quads = 0;
     /// Bit 4 * row + column, or bit 0, is set for a block that is seen and may have places without
     /// a normal.
     unsigned without_normals = 0;
@@ -97,7 +97,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    std::int64_t unshaded_quads = 0; ///< quads of which the bound of shades says nothing
+    std::int64_t unproven_quads = 0; ///< quads of which the bound of shades says nothing
 
     /// Adds the counts of other patches.
     void add(const l3d_dice_counts& other) {
@@ -122,7 +122,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         normal_off = std::max(normal_off, other.normal_off);
         shade_bound = std::max(shade_bound, other.shade_bound);
-        unshaded_quads += other.unshaded_quads;
+        unproven_quads += other.unproven_quads;
     }
 
     /// Adds the bounds of a piece of surface, and of the slits along its sides.
@@ -130,7 +130,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
         normal_off = std::max(normal_off, of.normal);
         shade_bound = std::max(shade_bound, of.shade);
-        unshaded_quads += of.unshaded_quads;
+        unproven_quads += of.unproven_quads;
     }
 
     /// Adds an edge polyline of so many points, and its certified error.

@@ -274,9 +274,9 @@ void l3d_afd_options::add_light(const std::string& text) {
     if (!gives_light_) {
         settings_.light = towards;
         lighting.color = color;
-    } else if (lighting.count == l3d_lighting::most_more) {
+    } else if (lighting.count == l3d_lighting::most_further) {
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' is one more than " +
-                                             std::to_string(l3d_lighting::most_more + 1));
+                                             std::to_string(l3d_lighting::most_further + 1));
     } else {
         lighting.add(towards[0], towards[1], towards[2], color);
     }

@@ -24,7 +24,7 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
     const int frames = std::max(settings_.frames, 1);
     auto next = script_.begin();
     bool stale = true;
-    l3d_exit result = l3d_exit::well;
+    l3d_exit result = l3d_exit::success;
     l3d_detail::progress progress(std::cerr, isatty(STDERR_FILENO) != 0, settings_.program, frames,
                                   l3d_detail::progress::clock::now());
     // A signal waits for the frame at hand: its file is finished, and nothing is left beside it.
@@ -37,7 +37,7 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
             if (next->event.type == l3d_event_type::display_lost)
                 result = l3d_exit::display_lost;
         }
-        if (pipeline.done || result != l3d_exit::well)
+        if (pipeline.done || result != l3d_exit::success)
             break;
         pipeline.update_event(settings_.step());
         if (l3d_detail::only_passes(frame, settings_, writer_, screen.pixels().size())) {

@@ -157,7 +157,7 @@ l3d_exit l3d_dispatcher_window::loop::run() {
     if (stale_ && !settings_.output.empty())
         pipeline_.draw_event();
     writer_.finish(screen_.pixels());
-    return display_lost_ ? l3d_exit::display_lost : l3d_exit::well;
+    return display_lost_ ? l3d_exit::display_lost : l3d_exit::success;
 }
 
 l3d_dispatcher_window::l3d_dispatcher_window(const l3d_frame_settings& settings)

@@ -14,7 +14,7 @@ l3d_program::l3d_program(std::string name, const l3d_caption& caption, l3d_size 
 int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps) {
     try {
         if (!options_.parse(argc, argv) || !goes_on_() || !factories_.choose(options_))
-            return static_cast<int>(l3d_exit::well);
+            return static_cast<int>(l3d_exit::success);
         return l3d_report(options_.command(), steps());
     } catch (const std::exception& error) {
         return l3d_report(options_.command(), error);

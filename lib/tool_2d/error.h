@@ -10,7 +10,7 @@
 
 /// Exit codes of every program; an l3d_error carries the one its program ends with.
 enum class L3D_PUBLIC l3d_exit : int {
-    well = 0,         ///< the program did what it was asked
+    success = 0,      ///< the program did what it was asked
     failure = 1,      ///< the system refused something, such as writing a file
     usage = 2,        ///< an option or a value is not right
     no_display = 3,   ///< no display can be opened

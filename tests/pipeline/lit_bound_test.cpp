@@ -147,7 +147,7 @@ TEST(lit_bound, holds_in_each_pixel_inside_surfaces) {
                 std::printf("%s, k = %d, %.2f px: bound %.2f, most %.2f, %zu of %zu pixels "
                             "judged, %zu beyond; %lld of %lld quads unproven\n",
                             name, sharpness, tolerance, counts.shade_bound, all.most, all.judged,
-                            all.seen, all.exceptions, static_cast<long long>(counts.unshaded_quads),
+                            all.seen, all.exceptions, static_cast<long long>(counts.unproven_quads),
                             static_cast<long long>(pipeline.report().surface.quads));
                 EXPECT_LT(counts.shade_bound, 255);
                 EXPECT_GT(2 * all.judged, all.seen);

@@ -101,7 +101,7 @@ TEST(fill_levels, of_quads_are_those_of_the_slow_twin_within_what_is_counted) {
         const auto& n = part.grid.normal;
         const float unlike = std::abs(n[1][part.grid.index(0, 0)] - n[1][part.grid.index(1, 0)]) +
                              std::abs(n[2][part.grid.index(0, 0)] - n[2][part.grid.index(0, 1)]);
-        if (a.counts.loose_levels + b.counts.loose_levels > 0)
+        if (a.counts.unproven_levels + b.counts.unproven_levels > 0)
             continue;
         ++tight;
         ASSERT_LE(largest_difference(a, b),

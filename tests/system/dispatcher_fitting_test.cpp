@@ -22,7 +22,7 @@ struct fitting_run {
 TEST(dispatcher_fitting, a_window_has_its_events_handled) {
     fitting_run run({});
     run.screen.pending.push_back(make_key('q'));
-    EXPECT_EQ(run.dispatcher->start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher->start(), l3d_exit::success);
     EXPECT_EQ(run.log, (call_log{"key q"}));
 }
 
@@ -30,7 +30,7 @@ TEST(dispatcher_fitting, without_a_window_one_frame_is_made) {
     fitting_run run({});
     run.screen.window = false;
     run.screen.pending.push_back(make_key('q'));
-    EXPECT_EQ(run.dispatcher->start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher->start(), l3d_exit::success);
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame"}));
 }
 

@@ -31,7 +31,7 @@ l3d_frame_settings frames(int count) {
 
 TEST(dispatcher_script, one_frame_if_none_are_named) {
     script_run run(frames(0));
-    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame"}));
     EXPECT_EQ(run.screen.waits, 0);
 }
@@ -43,7 +43,7 @@ TEST(dispatcher_script, events_come_before_their_frame) {
     l3d_event resize = make_event(l3d_event_type::resize);
     resize.size = {31, 17};
     script_run run(frames(3), {{0, make_key('a')}, {2, pointer}, {2, resize}, {2, make_key('b')}});
-    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(run.log, (call_log{"key a", "update", "draw", "show", "frame", "update", "draw",
                                  "show", "frame", "pointer 7,9", "resize 31x17", "key b", "update",
                                  "draw", "show", "frame"}));
@@ -100,11 +100,11 @@ TEST(dispatcher_script, draws_only_what_is_needed) {
 
 TEST(dispatcher_script, done_ends_it_before_the_frame) {
     script_run by_key(frames(100), {{2, make_key('q')}});
-    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(count_of(by_key.log, "update"), 2);
 
     script_run by_close(frames(100), {{1, make_event(l3d_event_type::close)}});
-    EXPECT_EQ(by_close.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(by_close.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(count_of(by_close.log, "draw"), 1);
 
     script_run by_loss(frames(100), {{4, make_event(l3d_event_type::display_lost)}});

@@ -38,7 +38,7 @@ TEST(dispatcher_window, drains_all_events_before_a_frame) {
     window_run run(frames(2));
     for (const char key : {'a', 'b', 'c', 'd'})
         run.screen.pending.push_back(make_key(key));
-    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(run.log, (call_log{"key a", "key b", "key c", "key d", "update", "draw", "show",
                                  "frame", "update", "draw", "show", "frame"}));
 }
@@ -126,14 +126,14 @@ TEST(dispatcher_window, sleeps_between_frames) {
 TEST(dispatcher_window, quits_without_another_frame) {
     window_run by_key(frames(0, 100));
     by_key.screen.arrivals.push_back({make_key('q'), make_key('x')});
-    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(by_key.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(by_key.log, (call_log{"update", "draw", "show", "frame", "key q", "key x"}));
 }
 
 TEST(dispatcher_window, close_ends_well) {
     window_run run(frames(0, 100));
     run.screen.arrivals.push_back({make_event(l3d_event_type::close)});
-    EXPECT_EQ(run.dispatcher.start(), l3d_exit::well);
+    EXPECT_EQ(run.dispatcher.start(), l3d_exit::success);
     EXPECT_EQ(count_of(run.log, "draw"), 1);
 }
 

@@ -282,7 +282,7 @@ TEST_F(factory_manager, a_new_row_runs_a_whole_program) {
     EXPECT_EQ(screen->pixels().row(7)[11], 0xABCDEFu);
     fake_pipeline pipeline(log, *screen);
     dispatcher->plug(pipeline, *screen);
-    EXPECT_EQ(dispatcher->start(), l3d_exit::well);
+    EXPECT_EQ(dispatcher->start(), l3d_exit::success);
     EXPECT_EQ(count_of(log, "draw"), 3);
     EXPECT_TRUE(folder.holds("p.ppm"));
 }

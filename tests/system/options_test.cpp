@@ -404,7 +404,7 @@ TEST(report, one_line_and_the_exit_code) {
     EXPECT_EQ(l3d_report("tester", l3d_error(l3d_exit::bad_input, "a.bpt:7: no number")), 5);
     EXPECT_EQ(l3d_report("tester", std::bad_alloc()), 1);
     EXPECT_EQ(l3d_report("tester", l3d_exit::display_lost), 6);
-    EXPECT_EQ(l3d_report("tester", l3d_exit::well), 0);
+    EXPECT_EQ(l3d_report("tester", l3d_exit::success), 0);
     const std::string text = testing::internal::GetCapturedStderr();
     EXPECT_EQ(text.rfind("tester: a.bpt:7: no number\ntester: ", 0), 0u) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;

@@ -21,7 +21,7 @@ int run(std::initializer_list<const char*> arguments, int& runs,
 }
 
 l3d_exit nothing(l3d_program&) {
-    return l3d_exit::well;
+    return l3d_exit::success;
 }
 
 } // namespace
@@ -35,7 +35,7 @@ TEST(program, gives_the_steps_what_the_command_line_says) {
                       EXPECT_EQ(canvas.screen->pixels().size(), (l3d_size{19, 7}));
                       EXPECT_NE(canvas.rasterizers->create_2d(canvas.screen->pixels()), nullptr);
                       EXPECT_NE(program.create_dispatcher(), nullptr);
-                      return l3d_exit::well;
+                      return l3d_exit::success;
                   }),
               0);
     EXPECT_EQ(runs, 1);

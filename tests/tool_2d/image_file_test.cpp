@@ -66,7 +66,7 @@ l3d_exit code_of(const auto& action, const std::string& part_of_text) {
         EXPECT_NE(std::string(error.what()).find(part_of_text), std::string::npos) << error.what();
         return error.code();
     }
-    return l3d_exit::well;
+    return l3d_exit::success;
 }
 
 /// The byte of a PNG that says which channels it has: 2 for colours, 6 for alpha, too.

@@ -26,7 +26,7 @@ struct interval {
 /// What decides the light of a piece: its level, or the cosines of all lamps and w. A few numbers
 /// that are nearly linear in the place.
 struct light_lines {
-    static constexpr std::size_t most = 2 * (l3d_lighting::most_more + 1) + 1;
+    static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
     std::array<const l3d_doubt_line*, most> lines{};
     std::size_t count = 0;

@@ -24,7 +24,7 @@ struct l3d_doubt_lamp {
 /// Light by the rule of l3d_lighting, and fog.
 struct l3d_doubt_lighting {
     l3d_light_color ambient{};
-    std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_more + 1
+    std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
     double depth_scale = 1; ///< w / distance along the view axis
 };

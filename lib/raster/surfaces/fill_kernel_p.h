@@ -51,7 +51,7 @@ struct fill_counts {
 
     /// Mode `levels`: as l3d_surface_counts has them.
     float level_error = 0;
-    std::int64_t loose_levels = 0;
+    std::int64_t unproven_levels = 0;
     float normal_error = 0; ///< lit frames, likewise
 
     std::int64_t unsolved = 0; ///< as l3d_surface_counts has it
@@ -69,7 +69,7 @@ struct fill_counts {
         by_plane += other.by_plane;
         level_error = std::max(level_error, other.level_error);
         normal_error = std::max(normal_error, other.normal_error);
-        loose_levels += other.loose_levels;
+        unproven_levels += other.unproven_levels;
         unsolved += other.unsolved;
     }
 
@@ -78,7 +78,7 @@ private:
         if (error <= most)
             largest = std::max(largest, error);
         else
-            ++loose_levels;
+            ++unproven_levels;
     }
 };
 

@@ -126,7 +126,7 @@ private:
         const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_level_error)));
         const float_vec most = hn::IfThenElseZero(tight, error);
         counts.level_error = std::max(counts.level_error, hn::GetLane(hn::MaxOfLanes(d, most)));
-        counts.loose_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+        counts.unproven_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
     }
 
     float_vec level_[4];

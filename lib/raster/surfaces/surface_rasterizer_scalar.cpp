@@ -62,7 +62,7 @@ void l3d_surface_rasterizer_scalar::do_finish() {
     counts_.written = filler_.counts().written;
     counts_.level_error = double{filler_.counts().level_error};
     counts_.normal_error = double{filler_.counts().normal_error};
-    counts_.loose_levels = filler_.counts().loose_levels;
+    counts_.unproven_levels = filler_.counts().unproven_levels;
     counts_.unsolved = filler_.counts().unsolved;
     counts_.covered = counts_pixels() ? l3d_covered(*depth_) : l3d_surface_counts::none_counted;
 }

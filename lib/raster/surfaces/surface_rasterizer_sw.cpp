@@ -195,7 +195,7 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
         counts_.by_plane += counts.by_plane;
         counts_.level_error = std::max(counts_.level_error, double{counts.level_error});
         counts_.normal_error = std::max(counts_.normal_error, double{counts.normal_error});
-        counts_.loose_levels += counts.loose_levels;
+        counts_.unproven_levels += counts.unproven_levels;
         counts_.unsolved += counts.unsolved;
     }
 }
