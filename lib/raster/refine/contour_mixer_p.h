@@ -59,8 +59,8 @@ public:
 
         step operator-() const { return {-x, -y}; }
     };
-    /// Whether light that is steep at a fold reaches into the next pixel of the surface: then the
-    /// level in the middle of that is not the mean.
+    /// Whether light that is steep at the contour reaches into the next pixel of its surface, on
+    /// the right: then the level in the middle of that is not the mean.
     bool shades_next(const contour_pixel& pixel, step& to) const;
 
 private:

@@ -70,7 +70,9 @@ HWY_INLINE std::int32_t sum_at(const fragment_polygon& of, scan_point corner, st
         const float_vec s = hn::Sub(hn::Mul(x, s_x), hn::Mul(y, s_y));
         const float_vec t = hn::Sub(hn::Mul(y, t_y), hn::Mul(x, t_x));
         const float_vec lit = IsQuad ? levels.of_quad(s, t) : levels.of_triangle(s, t);
-        const float_vec held = hn::Min(hn::Max(lit, set(0.0f)), set(linear_light::most_lit));
+        // A level that is no number counts as dark.
+        const float_vec held =
+            hn::IfThenElseZero(hn::Gt(lit, set(0.0f)), hn::Min(lit, set(linear_light::most_lit)));
         const float_vec level = hn::Add(held, set(linear_light::ambient));
         const int_vec below = hn::Min(hn::ConvertTo(ints(), level), set(254));
         const float_vec low = hn::GatherIndex(d, lights, below);

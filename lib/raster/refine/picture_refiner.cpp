@@ -140,7 +140,7 @@ void picture_refiner::mix_contours(const drawn_frame& frame, int band) {
     }
 }
 
-/// Marks pixels beside folds where light is steep. Contours above and below the band have some.
+/// Marks pixels beside contours where light is steep. Some belong to contours of the next bands.
 void picture_refiner::mark_rims(const l3d_pixel_box& box, int band, const contour_mixer& mixer) {
     const auto mark = [&](const contour_pixel& pixel) {
         contour_mixer::step to{};

@@ -37,8 +37,8 @@ struct drawn_frame {
 /// Finds the pixels at edges, and draws these again.
 ///
 /// A pixel that a single contour of a surface passes through is mixed by contour_mixer. What jumps
-/// of level no contour explains, and pixels of several contours, are drawn by pixel_mixer from all
-/// polygons that reach them.
+/// of level no contour explains, pixels of several contours, and those beside one where light is
+/// steep are drawn by pixel_mixer from all polygons that reach them.
 ///
 /// Pixels of a band depend on the items of the frame, and on the levels and depths beside them
 /// before any pixel was refined. So they depend neither on the bands nor on the number of workers.
