@@ -83,8 +83,8 @@ TEST(mean_level, has_the_mean_of_the_light_at_samples) {
         for (int i = 0; i < mask_side * mask_side; ++i) {
             if ((samples >> i & 1) == 0)
                 continue;
-            const double x = pixel.x + 32 * (i % mask_side + 0.5);
-            const double y = pixel.y + 32 * (i / mask_side + 0.5);
+            const int row = i / mask_side, column = i % mask_side;
+            const double x = pixel.x + 32 * (column + 0.5), y = pixel.y + 32 * (row + 0.5);
             const double lit = std::clamp(lit_at(polygon, x, y), 0.0, 229.5);
             light += l3d_light_of_level(25.5 + lit);
             ++count;
