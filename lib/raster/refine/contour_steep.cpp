@@ -12,7 +12,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// The mean of levels that differ by no more has the mean of their light.
+/// The mean of levels that differ by no more has the mean of their light, within 1/8 level: near
+/// the ambient level, light bends most.
 constexpr float calm = 8;
 
 /// What the area beside a straight contour may differ by from the share.

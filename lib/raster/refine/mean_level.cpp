@@ -13,13 +13,17 @@
 #include "raster/refine/polygon_levels-inl.h"
 
 #include <bit>
+#include <cstdint>
 
 #ifndef L3D_RASTER_REFINE_MEAN_LEVEL_ONCE
 #define L3D_RASTER_REFINE_MEAN_LEVEL_ONCE
 namespace l3d_detail {
 
-/// The light of 64 samples has room in 31 bits.
+/// As fine as a float is. The light of 64 samples is 2^30 of them at most, which fits into 31 bits.
 constexpr float light_units = 1 << 24;
+
+/// The last level that has a next one: light is on a straight line between whole levels.
+constexpr std::int32_t last_below = 254;
 
 } // namespace l3d_detail
 #endif
@@ -74,7 +78,7 @@ HWY_INLINE std::int32_t sum_at(const fragment_polygon& of, scan_point corner, st
         const float_vec held =
             hn::IfThenElseZero(hn::Gt(lit, set(0.0f)), hn::Min(lit, set(linear_light::most_lit)));
         const float_vec level = hn::Add(held, set(linear_light::ambient));
-        const int_vec below = hn::Min(hn::ConvertTo(ints(), level), set(254));
+        const int_vec below = hn::Min(hn::ConvertTo(ints(), level), set(last_below));
         const float_vec low = hn::GatherIndex(d, lights, below);
         const float_vec high = hn::GatherIndex(d, lights + 1, below);
         const float_vec part = hn::Sub(level, hn::ConvertTo(d, below));

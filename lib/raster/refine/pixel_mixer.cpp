@@ -18,7 +18,8 @@ namespace {
 /// as the 2.4th root, so it is a quarter of that off: by 0.6 levels at most.
 constexpr float harmless_contrast = 1.0f / 256, harmless_part = 1.0f / 8;
 
-/// Levels that differ by no more, times the polygon's area, are told by the one in the middle.
+/// Levels that differ by no more, times the polygon's area, are told by the one in the middle. The
+/// pixel is then off by half of that, by the two levels that shades are allowed.
 constexpr float calm = 4;
 
 /// Slivers, which no sample meets, may be missing up to this area in all.
