@@ -58,13 +58,19 @@ private:
     /// The last one. It may be drawn twice.
     int frame_ = -1;
     l3d_method_choice method_;
-    const l3d_fog fog_;              ///< as it was asked for
-    bool is_one_model_;              ///< that is opaque
-    std::optional<live_error> live_; ///< begun when it is first needed
-    subject begun_;                  ///< measured last, or being measured
+    /// As the user asked for it.
+    const l3d_fog fog_;
+    /// The scene is one opaque model.
+    bool is_one_model_;
+    /// Begun when it is first needed.
+    std::optional<live_error> live_;
+    /// What was measured last, or is being measured.
+    subject begun_;
     std::optional<reference::error_map> errors_;
-    subject measured_;          ///< what errors_ are of
-    bool shows_errors_ = false; ///< the picture does, not bounds
+    /// What errors_ are of.
+    subject measured_;
+    /// The picture shows errors_, not bounds.
+    bool shows_errors_ = false;
 };
 
 /// The same settings without what their method cannot show: the wireframe, fog, and shades that

@@ -33,12 +33,16 @@ struct L3D_PUBLIC l3d_far_light {
 /// sharpness. h is half-way between l and the direction to the eye.
 /// Source: J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977.
 struct L3D_PUBLIC l3d_lighting {
-    static constexpr std::size_t most_further = 7; ///< lights beside the first
+    /// Lights beside the first.
+    static constexpr std::size_t most_further = 7;
 
-    l3d_light_color ambient{0.1F, 0.1F, 0.1F}; ///< part of a surface's colour without any light
-    l3d_light_color color{1, 1, 1};            ///< of the first light
-    std::array<l3d_far_light, most_further> lights{}; ///< the further ones
-    std::size_t count = 0;                            ///< number of these
+    /// The part of a surface's colour that it has without any light.
+    l3d_light_color ambient{0.1F, 0.1F, 0.1F};
+    /// The first light's.
+    l3d_light_color color{1, 1, 1};
+    /// The further lights, and how many there are.
+    std::array<l3d_far_light, most_further> lights{};
+    std::size_t count = 0; ///< at most most_further
 
     /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_further.
     void add(double x, double y, double z, const l3d_light_color& of) {

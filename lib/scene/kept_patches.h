@@ -8,11 +8,16 @@
 /// Patches, and parts of them, that are drawn although a rule could leave them out. It serves those
 /// who measure or judge a rule.
 struct L3D_PUBLIC l3d_kept_patches {
-    bool outside = false;    ///< those outside the picture
-    bool centreless = false; ///< those that cover no pixel's centre
-    bool hidden = false;     ///< those behind what is drawn
-    bool backs = false;      ///< those that show only their back
-    bool dicing = false;     ///< those that could be drawn as a point each, without dicing
+    /// Those outside the picture.
+    bool outside = false;
+    /// Those that cover no pixel's centre.
+    bool centreless = false;
+    /// Those behind what is drawn.
+    bool hidden = false;
+    /// Those that show only their back.
+    bool backs = false;
+    /// Those that could be drawn as a point each, without dicing.
+    bool dicing = false;
 
     /// All of them, as if there were no rule.
     static constexpr l3d_kept_patches all() { return {true, true, true, true, true}; }

@@ -19,10 +19,14 @@ public:
     l3d_world& operator=(const l3d_world&) = delete;
     virtual ~l3d_world() = default;
 
-    l3d_camera_left_handed<l3d_real> camera;          ///< where the world is seen from
-    std::vector<std::unique_ptr<l3d_object>> objects; ///< all that is in the world
-    l3d_draw_order order = l3d_draw_order::far_first; ///< in which order polygons are drawn
-    bool frozen = false;                              ///< only the camera moves
+    /// Where the world is seen from.
+    l3d_camera_left_handed<l3d_real> camera;
+    /// All that is in the world.
+    std::vector<std::unique_ptr<l3d_object>> objects;
+    /// In which order polygons are drawn.
+    l3d_draw_order order = l3d_draw_order::far_first;
+    /// Only the camera moves.
+    bool frozen = false;
 
     /// Lets time pass for every object, then for the camera. Units: seconds.
     void update_all(double seconds);
