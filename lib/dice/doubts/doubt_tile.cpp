@@ -121,6 +121,7 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
 
 /// Whether nothing of a piece that reaches past the eye is in the tile. Most of it is far beside
 /// the picture, and would be cut until its pieces are as small as the distance of the near plane.
+/// The tile is grown by what the corners may be off at the near plane, and by a pixel to spare.
 bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
     const l3d_dice_view& view = view_->view;
     const l3d_image_box window = view.window(tile_).grown(grown_);
