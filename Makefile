@@ -163,9 +163,12 @@ SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/opt
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
-TEST_LOGS := $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
+LONGEST   := pipeline dice
+TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
+             $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
-             $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) $(tested:%=$(OUT)/log/%.log) \
+             $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) \
+             $(patsubst %,$(OUT)/log/%.log,$(filter-out $(LONGEST),$(tested))) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
              $(OUT)/log/fail.log $(OUT)/log/front-door.log $(OUT)/log/sentences.log
 
