@@ -38,12 +38,12 @@ private:
     }
 
     void judge(std::size_t corner) {
-        const auto [a, b, c] = at(corner);
+        const flat_face::triangle cut_off = at(corner);
+        const auto& [a, b, c] = cut_off;
         const wide_integer area = turn(places_[a], places_[b], places_[c]);
-        is_ear_[corner] =
-            area > 0 && !tree_.any_in({a, b, c}, [&](std::size_t p, const auto& turns) {
-                return blocks({a, b, c}, p, turns);
-            });
+        is_ear_[corner] = area > 0 && !tree_.any_in(cut_off, [&](std::size_t p, const auto& turns) {
+            return blocks(cut_off, p, turns);
+        });
         if (is_ear_[corner])
             ears_.push(corner);
         else if (area == 0)
@@ -55,15 +55,15 @@ private:
     /// b, and these are asked, too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
-        const auto [ab, bc, ca] = turns;
-        if (ca == 0)
+        const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;
+        if (on_ca)
             return false;
         const auto enters = [&](std::size_t q) {
             const auto& [a, b, c] = triangle;
-            return (ab > 0 || turn(places_[a], places_[b], places_[q]) > 0) &&
-                   (bc > 0 || turn(places_[b], places_[c], places_[q]) > 0);
+            return (inside_ab || turn(places_[a], places_[b], places_[q]) > 0) &&
+                   (inside_bc || turn(places_[b], places_[c], places_[q]) > 0);
         };
-        return (ab > 0 && bc > 0) || enters(previous_[p]) || enters(next_[p]);
+        return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
     /// The first of a queue that is still one of its kind, or none: corner 0 is never cut off.
