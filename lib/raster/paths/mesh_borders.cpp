@@ -103,7 +103,7 @@ void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_di
     };
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const auto& p = patches[i].points;
-        for (const std::size_t r : {0, 3}) {
+        for (const std::size_t r : {0u, 3u}) {
             add(2 * i, {p[r][0].x, p[r][0].y, p[r][1].x, p[r][1].y, p[r][2].x, p[r][2].y, p[r][3].x,
                         p[r][3].y});
             add(2 * i + 1, {p[0][r].x, p[0][r].y, p[1][r].x, p[1][r].y, p[2][r].x, p[2][r].y,

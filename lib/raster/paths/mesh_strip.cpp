@@ -339,7 +339,7 @@ constexpr pixel_lanes<16> wide;
 HWY_INLINE decltype(wide)::word_vec words_at(const shaded_span& span, const cell_colors& colors,
                                              std::int32_t column) {
     constexpr auto floats = wide.floats;
-    const auto set = [](float x) { return hn::Set(floats, x); };
+    const auto set = [](float x) { return hn::Set(wide.floats, x); };
     const auto i = hn::ConvertTo(floats, hn::Iota(wide.integers, column - span.anchor));
     const auto u = hn::Add(set(span.start[0]), hn::Mul(set(span.step[0]), i));
     const auto v = hn::Add(set(span.start[1]), hn::Mul(set(span.step[1]), i));
