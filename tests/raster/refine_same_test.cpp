@@ -140,7 +140,7 @@ TEST(RefineSame, TilingsHaveNoSeams) {
     constexpr l3d_size size{24, 20};
     random_polygons random(scene_seed, size);
     surface_picture picture(size.width, size.height, 1);
-    for (int n = 0; n < 10000; ++n) {
+    for (unsigned n = 0; n < 10000; ++n) {
         // A convex quad, and a point in it: as it is, in four triangles, and as a grid of 2 x 2.
         const auto corner = [&](int x, int y) {
             return l3d_micro_vertex{256 * x + random.number(-600, 600),
