@@ -204,7 +204,7 @@ TEST(flat_face, with_holes_is_covered_once) {
                        {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
     for (std::size_t first = 0; first < plain.size(); ++first) {
         places face = plain;
-        std::ranges::rotate(face, face.begin() + static_cast<std::ptrdiff_t>(first));
+        std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(first), face.end());
         EXPECT_NEAR(doubled_area(face), 24, 1e-12);
         expect_covered(face, triangles_of(face));
     }
