@@ -27,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 namespace {
@@ -106,24 +107,36 @@ const char* pictured(const measured_setting& what) {
                : nullptr;
 }
 
-/// Measures the rows that are not known yet.
+/// Measures the rows that are not known yet. Says which ones it leaves out, and why: those that the
+/// exact renderer gives up on.
 class measurer {
 public:
     measurer(const std::string& folder, bool quick, l3d_size size, row_store& rows, progress& at)
         : folder_(folder), quick_(quick), size_(size), rows_(rows), at_(at) {}
 
     void measure(const planned_model& of, const report_view& from, bool has_pictures) {
+        const std::string seen = of.model.name + ", " + from.name;
         std::optional<measured_view> view;
         for (const measured_setting& setting : of.settings) {
             const row_name name{of.model.name, from.name, setting.series(), setting.label()};
             if (rows_.has(name))
                 continue;
-            if (!view)
-                view.emplace(from.name, of.model.model, from.camera, size_);
-            at_.next(name.model + ", " + name.view + ", " + name.series + ", " + name.label);
-            const double seconds = quick_ ? 0.02 : 0.1;
-            const int distances = quick_ ? 30 : 60; // some 5 ms each
-            measured_frames measured = measure_frames(*view, setting, seconds, distances);
+            const std::string row = seen + ", " + name.series + ", " + name.label;
+            measured_frames measured;
+            try {
+                if (!view)
+                    view.emplace(from.name, of.model.model, from.camera, size_);
+                at_.next(row);
+                const double seconds = quick_ ? 0.02 : 0.1;
+                const int distances = quick_ ? 30 : 60; // some 5 ms each
+                measured = measure_frames(*view, setting, seconds, distances);
+            } catch (const std::runtime_error& reason) {
+                std::fprintf(stderr, "%s: left out: %s\n", (view ? row : seen).c_str(),
+                             reason.what());
+                if (!view)
+                    return;
+                continue;
+            }
             measured.row.model = name.model;
             if (const char* const file = has_pictures ? pictured(setting) : nullptr)
                 write_error_picture(folder_ + '/' + file, measured.errors, size_,
@@ -199,7 +212,14 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
     }
     facts["date"] = today();
     write_text(folder + "/machine.json", facts.dump(1) + '\n');
+    const std::size_t all = names.size();
+    const std::size_t left_out =
+        std::erase_if(names, [&](const row_name& name) { return !rows.has(name); });
     rows.finish(names);
     std::fprintf(stderr, "the numbers are in %s; pages of them: python3 %s/report_pages.py %s\n",
                  folder.c_str(), l3d_data_folder().c_str(), folder.c_str());
+    if (left_out > 0)
+        throw l3d_error(l3d_exit::failure, "--error-report: " + std::to_string(left_out) + " of " +
+                                               std::to_string(all) +
+                                               " rows are left out, for the reasons above");
 }

@@ -23,7 +23,8 @@ struct error_report_scope {
 ///
 /// A report that was stopped goes on where it was if it is begun again with the same folder.
 ///
-/// Errors: l3d_error(failure) that names what cannot be written.
+/// Errors: l3d_error(failure) that names what cannot be written, or says how many rows could not be
+///         measured. Then all others are there.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

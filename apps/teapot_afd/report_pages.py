@@ -216,6 +216,8 @@ def main():
         sys.exit(__doc__.splitlines()[0])
     folder = sys.argv[1]
     report = Report(folder)
+    if not report.frames:
+        sys.exit(f"report_pages.py: {folder}/frames.csv has no rows")
     found = conclusions(report)
     others = report_page_alternatives.alternatives(report, folder)
     write(folder, "report.md", markdown(report, found, diagrams(report, folder),

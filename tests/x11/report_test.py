@@ -135,6 +135,26 @@ def makes_pages_without_gnuplot(path):
         expect(os.path.getsize(os.path.join(path, "error_time.gp")) > 0, "script")
 
 
+def leaves_out_what_the_exact_renderer_gives_up_on(program):
+    """The near plane cuts what reaches a million times as far; each row says so, and the rest is there."""
+    with folder() as path:
+        view = ("--eye", "-1.34,0.44,-1.74", "--target", "-0.79,1.81,-1.99", "--fov", "150", "--near", "1e-6")
+        status, _, messages = report(path, harness.Program("teapot_afd", (24, 18)), *view)
+        expect_equal(status, 1, messages)
+        out = "model, view, %s, n = 2: left out: exact region: the nearest point needs too many pieces\n"
+        for method in ("tessellation", "zsort"):
+            expect(out % method in messages, messages)
+        *_, numbers, last = messages.splitlines()
+        expect(numbers.startswith("the numbers are in " + path), numbers)
+        left_out = messages.count(": left out: ")
+        expect_equal(last, f"teapot_afd: --error-report: {left_out} of {left_out + len(rows_of(path))} rows are left out, "
+                           "for the reasons above")
+        for name in ("curves.csv", "machine.json"):
+            expect(os.path.getsize(os.path.join(path, name)) > 0, name)
+        if not rows_of(path):
+            expect_equal(pages(path), (1, "", f"report_pages.py: {path}/frames.csv has no rows\n"))
+
+
 def refuses_a_folder_that_is_a_file(program):
     with folder() as path:
         name = os.path.join(path, "taken")
@@ -168,6 +188,7 @@ if __name__ == "__main__":
     for program in harness.PROGRAMS:
         if program.name == "teapot_afd":
             for check in (is_whole, goes_on_where_it_was_stopped, needs_no_other_program,
+                          leaves_out_what_the_exact_renderer_gives_up_on,
                           refuses_a_folder_that_is_a_file, refuses_what_it_would_not_do):
                 checks.run("report." + check.__name__, check, program)
     checks.finish()
