@@ -197,10 +197,11 @@ measured_frames measure_polygons(const measured_view& view, int n, double second
 } // namespace
 
 measured_view::measured_view(std::string name, const l3d_patch_model& model,
-                             const l3d_camera& camera, l3d_size size)
-    : name_(std::move(name)), model_(model), camera_(camera), size_(size),
-      patches_(patches_of(model)), exact_(patches_, camera_of(camera), {size.width, size.height}),
-      region_(patches_, camera_of(camera), {size.width, size.height}),
+                             const l3d_camera& camera, l3d_size size, std::stop_token stop)
+    : name_(std::move(name)), model_(model), camera_(camera), size_(size), stop_(std::move(stop)),
+      patches_(patches_of(model)),
+      exact_(patches_, camera_of(camera), {size.width, size.height}, stop_),
+      region_(patches_, camera_of(camera), {size.width, size.height}, stop_),
       levels_(exact_.lambert(vec3_of(l3d_usual_light))) {}
 
 std::string measured_setting::series() const {

@@ -10,6 +10,7 @@
 #include "reference/region.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@
 class measured_view {
 public:
     /// Cost: some us for each pixel that is covered.
+    /// Errors: std::runtime_error where the exact renderer gives up, and if told to stop.
     measured_view(std::string name, const l3d_patch_model& model, const l3d_camera& camera,
-                  l3d_size size);
+                  l3d_size size, std::stop_token stop = {});
 
     const std::string& name() const { return name_; }
     const l3d_patch_model& model() const { return model_; }
@@ -29,9 +31,9 @@ public:
     const std::vector<unsigned char>& levels() const { return levels_; }
     const reference::exact_image& exact() const { return exact_; }
 
-    /// Shape: distances row by row.
+    /// Shape: distances row by row. Errors: as the constructor.
     reference::error_map errors(const std::vector<float>& distances, int most_distances) const {
-        return reference::map_errors(distances, exact_, region_, most_distances);
+        return reference::map_errors(distances, exact_, region_, most_distances, stop_);
     }
 
 private:
@@ -39,6 +41,7 @@ private:
     const l3d_patch_model& model_;
     l3d_camera camera_;
     l3d_size size_;
+    std::stop_token stop_;
     std::vector<reference::patch> patches_;
     reference::exact_image exact_;
     reference::exact_region region_;

@@ -46,16 +46,8 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
     return !settings.one_sided && farthest < camera.far;
 }
 
-live_error::live_error(bool is_modest) : thread_([this, is_modest] { run(is_modest); }) {}
-
-live_error::~live_error() {
-    {
-        const std::lock_guard lock(mutex_);
-        ends_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-}
+live_error::live_error(bool is_modest)
+    : thread_([this, is_modest](const std::stop_token& stop) { run(stop, is_modest); }) {}
 
 bool live_error::is_idle() const {
     const std::lock_guard lock(mutex_);
@@ -85,19 +77,18 @@ void live_error::wait() const {
     changed_.wait(lock, [this] { return !task_; });
 }
 
-void live_error::run(bool is_modest) {
+void live_error::run(const std::stop_token& stop, bool is_modest) {
     // A tenth of what a frame's thread has where both want the same processor. Linux keeps such a
     // value for each thread; where that fails, frames are slower.
     constexpr int modest_nice = 10;
     if (is_modest)
         ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), modest_nice);
     for (std::unique_lock lock(mutex_);;) {
-        changed_.wait(lock, [this] { return ends_ || task_; });
-        if (ends_)
+        if (!changed_.wait(lock, stop, [this] { return task_.has_value(); }))
             return;
         const live_task task = *task_;
         lock.unlock();
-        std::vector<live_result> results = results_of(task);
+        std::vector<live_result> results = results_of(task, stop);
         lock.lock();
         results_ = std::move(results);
         task_.reset();
@@ -106,9 +97,10 @@ void live_error::run(bool is_modest) {
 }
 
 /// The exact renderer gives up where the near plane cuts what reaches a million times as far.
-std::vector<live_result> live_error::results_of(const live_task& task) {
+std::vector<live_result> live_error::results_of(const live_task& task,
+                                                const std::stop_token& stop) {
     try {
-        return measured(task);
+        return measured(task, stop);
     } catch (const std::exception&) {
         std::vector<live_result> results;
         for (const auto& distances : task.distances)
@@ -117,10 +109,10 @@ std::vector<live_result> live_error::results_of(const live_task& task) {
     }
 }
 
-std::vector<live_result> live_error::measured(const live_task& task) {
+std::vector<live_result> live_error::measured(const live_task& task, const std::stop_token& stop) {
     const shown_model model{task.model};
     if (!view_ || view_->camera() != task.camera || view_->size() != task.size || viewed_ != model)
-        view_.emplace("", task.model, task.camera, task.size);
+        view_.emplace("", task.model, task.camera, task.size, stop);
     viewed_ = model;
     std::vector<live_result> results;
     for (const auto& distances : task.distances) {

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -53,7 +54,7 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
 
 /// Compares pictures with the exact one, on a thread of its own.
 ///
-/// Lives: shares the data of a task's model. Its end waits for the comparison that is being made.
+/// Lives: shares the data of a task's model. Its end gives up the comparison that is being made.
 class live_error {
 public:
     /// A modest one leaves most of a busy processor to others, so frames take as long as without
@@ -61,7 +62,6 @@ public:
     explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;
-    ~live_error();
 
     /// Whether a task would be begun at once.
     bool is_idle() const;
@@ -75,20 +75,19 @@ public:
     void wait() const;
 
 private:
-    void run(bool is_modest);
-    std::vector<live_result> results_of(const live_task& task);
-    std::vector<live_result> measured(const live_task& task);
+    void run(const std::stop_token& stop, bool is_modest);
+    std::vector<live_result> results_of(const live_task& task, const std::stop_token& stop);
+    std::vector<live_result> measured(const live_task& task, const std::stop_token& stop);
 
     /// The thread's own, and what it is of.
     std::optional<measured_view> view_;
     shown_model viewed_;
     mutable std::mutex mutex_;
-    mutable std::condition_variable changed_;
+    mutable std::condition_variable_any changed_;
     /// The task until it is done.
     std::optional<live_task> task_;
     std::vector<live_result> results_;
-    bool ends_ = false;
-    std::thread thread_;
+    std::jthread thread_;
 };
 
 #endif

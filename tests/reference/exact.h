@@ -7,11 +7,19 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 /// Shares nothing with the library but the conventions: no header of lib/ is included here, so that
 /// a mistake of the library cannot excuse itself.
 namespace reference {
+
+/// Errors: std::runtime_error if nobody wants the result any more.
+inline void end_if_told(const std::stop_token& stop) {
+    if (stop.stop_requested())
+        throw std::runtime_error("exact picture: told to stop");
+}
 
 struct vec3 {
     double x = 0, y = 0, z = 0;
@@ -81,11 +89,12 @@ struct exact_sample {
 /// hull or is proved to map one to one onto the picture. There the only root is iterated to 1e-11
 /// px. Pixel centres within 1e-9 px of an outline may go either way.
 ///
-/// Errors: std::runtime_error if a patch needs more than 20 million pieces.
+/// Errors: std::runtime_error if a patch needs more than 20 million pieces, and if told to stop.
 /// Cost:   about 1 us per pixel and layer of depth.
 class exact_image {
 public:
-    exact_image(std::span<const patch> patches, const camera& view, picture_size size);
+    exact_image(std::span<const patch> patches, const camera& view, picture_size size,
+                const std::stop_token& stop = {});
 
     picture_size size() const { return size_; }
     const camera& view() const { return view_; }

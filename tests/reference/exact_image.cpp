@@ -8,7 +8,8 @@
 
 namespace reference {
 
-exact_image::exact_image(std::span<const patch> patches, const camera& view, picture_size size)
+exact_image::exact_image(std::span<const patch> patches, const camera& view, picture_size size,
+                         const std::stop_token& stop)
     : size_(size), view_(view) {
     const std::size_t count =
         static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
@@ -17,18 +18,23 @@ exact_image::exact_image(std::span<const patch> patches, const camera& view, pic
     const camera_frame frame(view, size);
     const sample_grid centers{0.5, 0.5, 1, size.width, size.height};
     for (std::size_t k = 0; k < patches.size(); ++k)
-        find_hits(make_net(patches[k], frame), view.near, centers, [&](const hit& at) {
-            const std::size_t place = index(at.i, at.j);
-            ++layers_[place];
-            exact_sample& nearest = samples_[place];
-            if (at.w < nearest.w)
-                nearest = {at.w, at.u, at.v, {}, static_cast<int>(k)};
-        });
-    for (exact_sample& sample : samples_)
+        find_hits(
+            make_net(patches[k], frame), view.near, centers,
+            [&](const hit& at) {
+                const std::size_t place = index(at.i, at.j);
+                ++layers_[place];
+                exact_sample& nearest = samples_[place];
+                if (at.w < nearest.w)
+                    nearest = {at.w, at.u, at.v, {}, static_cast<int>(k)};
+            },
+            stop);
+    for (exact_sample& sample : samples_) {
+        end_if_told(stop);
         if (sample.covered())
             sample.normal = exact_point(patches[static_cast<std::size_t>(sample.patch)], frame,
                                         sample.u, sample.v)
                                 .normal;
+    }
 }
 
 std::vector<unsigned char> exact_image::lambert(vec3 light) const {

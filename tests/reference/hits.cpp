@@ -124,10 +124,12 @@ private:
 
 class hit_search {
 public:
-    hit_search(double near, const sample_grid& grid, const std::function<void(const hit&)>& found)
-        : near_(near), grid_(grid), window_(grown(grid.box())), found_(found) {}
+    hit_search(double near, const sample_grid& grid, const std::function<void(const hit&)>& found,
+               const std::stop_token& stop)
+        : near_(near), grid_(grid), window_(grown(grid.box())), found_(found), stop_(stop) {}
 
     void search(const net& piece) {
+        end_if_told(stop_);
         if (++pieces_ > most_pieces)
             throw std::runtime_error("exact picture: a patch needs too many pieces");
         const range depth = depth_range(piece);
@@ -176,19 +178,22 @@ private:
 
     void collect(const net& piece, const chart& map, const samples& inside) const {
         const root_finder finder(piece, map);
-        for (int j = inside.j0; j <= inside.j1; ++j)
+        for (int j = inside.j0; j <= inside.j1; ++j) {
+            end_if_told(stop_);
             for (int i = inside.i0; i <= inside.i1; ++i) {
                 const auto at = finder.find(grid_.x0 + i * grid_.step, grid_.y0 + j * grid_.step);
                 if (at && at->w >= near_)
                     found_({i, j, std::clamp(piece.u0 + piece.du * at->u, 0.0, 1.0),
                             std::clamp(piece.v0 + piece.dv * at->v, 0.0, 1.0), at->w});
             }
+        }
     }
 
     double near_;
     sample_grid grid_;
     rect window_;
     const std::function<void(const hit&)>& found_;
+    const std::stop_token& stop_;
     int pieces_ = 0;
 };
 
@@ -212,8 +217,8 @@ std::optional<chart> make_chart(const net& piece, const rect& where) {
 }
 
 void find_hits(const net& piece, double near, const sample_grid& grid,
-               const std::function<void(const hit&)>& found) {
-    hit_search(near, grid, found).search(piece);
+               const std::function<void(const hit&)>& found, const std::stop_token& stop) {
+    hit_search(near, grid, found, stop).search(piece);
 }
 
 } // namespace reference

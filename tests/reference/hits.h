@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 namespace reference {
 
@@ -38,9 +39,9 @@ struct chart {
 std::optional<chart> make_chart(const net& piece, const rect& where);
 
 /// Calls `found` for every intersection with w >= near. One on a seam of pieces comes twice.
-/// Errors: std::runtime_error after 20 million pieces.
+/// Errors: std::runtime_error after 20 million pieces, and if told to stop.
 void find_hits(const net& piece, double near, const sample_grid& grid,
-               const std::function<void(const hit&)>& found);
+               const std::function<void(const hit&)>& found, const std::stop_token& stop = {});
 
 } // namespace reference
 

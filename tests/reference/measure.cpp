@@ -181,7 +181,7 @@ measurement measure(std::span<const float> product_depth, const exact_image& exa
 }
 
 error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
-                     const exact_region& region, int most_distances) {
+                     const exact_region& region, int most_distances, const std::stop_token& stop) {
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     constexpr double farthest = 16; // pixels: no method's outline is worse but by a hole
     const comparison pictures(product_depth, exact);
@@ -191,9 +191,11 @@ error_map map_errors(std::span<const float> product_depth, const exact_image& ex
                      std::vector<bool>(pixels)};
     const auto for_pixels = [&](auto visit) {
         std::size_t k = 0;
-        for (int y = 0; y < size.height; ++y)
+        for (int y = 0; y < size.height; ++y) {
+            end_if_told(stop);
             for (int x = 0; x < size.width; ++x, ++k)
                 visit(k, x, y, pictures.product_covers(x, y), exact.covered(x, y));
+        }
     };
     std::int64_t wrong = 0;
     for_pixels([&](std::size_t k, int x, int y, bool is, bool should) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace reference {
@@ -65,8 +66,10 @@ struct error_map {
 
 /// At most some `most_distances` of the centres covered or uncovered falsely are measured, evenly
 /// spread. Shape and what is expected: as for measure.
+/// Errors: as exact_region, and std::runtime_error if told to stop.
 error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
-                     const exact_region& region, int most_distances);
+                     const exact_region& region, int most_distances,
+                     const std::stop_token& stop = {});
 
 /// Differences of grey levels on the pixels that `measure` compares the depth of.
 struct shade_difference {

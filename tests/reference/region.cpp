@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <queue>
 #include <stdexcept>
+#include <utility>
 
 namespace reference {
 namespace {
@@ -18,15 +19,19 @@ constexpr double outline_accuracy = 2e-3;
 /// Pieces that the search for a nearest point may look at: about a second.
 constexpr int most_candidates = 200'000;
 
-/// Counts them. Errors: std::runtime_error after the last.
+/// Counts them. Errors: std::runtime_error after the last, and if told to stop.
 class patience {
 public:
+    explicit patience(const std::stop_token& stop) : stop_(stop) {}
+
     void use() {
+        end_if_told(stop_);
         if (++used_ > most_candidates)
             throw std::runtime_error("exact region: the nearest point needs too many pieces");
     }
 
 private:
+    const std::stop_token& stop_;
     int used_ = 0;
 };
 
@@ -155,8 +160,9 @@ private:
 
 } // namespace
 
-exact_region::exact_region(std::span<const patch> patches, const camera& view, picture_size size)
-    : near_(view.near) {
+exact_region::exact_region(std::span<const patch> patches, const camera& view, picture_size size,
+                           std::stop_token stop)
+    : near_(view.near), stop_(std::move(stop)) {
     const camera_frame frame(view, size);
     const rect window{-margin_px, -margin_px, size.width + margin_px, size.height + margin_px};
     for (const patch& surface : patches)
@@ -201,7 +207,7 @@ double exact_region::distance_to_exact_surface(double x, double y) const {
     for (const piece& part : pieces_)
         if (!part.bounded || box_distance(part.box, x, y) < best)
             open.push({lower_bound(part.surface, x, y), part.surface});
-    patience pieces;
+    patience pieces(stop_);
     while (!open.empty() && open.top().lower < best - surface_accuracy) {
         pieces.use();
         const candidate next = open.top();
@@ -224,7 +230,7 @@ double exact_region::distance_to_outline(double x, double y) const {
     for (const piece& part : pieces_)
         if (may_hold_outline(part.surface, near_))
             open.push({lower_bound(part.surface, x, y), part.surface});
-    patience pieces;
+    patience pieces(stop_);
     while (!open.empty()) {
         pieces.use();
         const candidate next = open.top();

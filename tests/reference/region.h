@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace reference {
@@ -16,11 +17,13 @@ namespace reference {
 /// with w >= near), also outside the window.
 ///
 /// Errors: distances throw std::runtime_error if they need more than 200000 pieces, as they may
-///         where the near plane cuts what reaches a million times as far.
+///         where the near plane cuts what reaches a million times as far. So they do if told to
+///         stop.
 /// Shape: holds the patches cut into pieces of about 32 pixels.
 class exact_region {
 public:
-    exact_region(std::span<const patch> patches, const camera& view, picture_size size);
+    exact_region(std::span<const patch> patches, const camera& view, picture_size size,
+                 std::stop_token stop = {});
 
     bool covers(double x, double y) const;
 
@@ -50,6 +53,7 @@ private:
     double nearest_gap(double x, double y, double radius) const;
 
     double near_;
+    std::stop_token stop_;
     std::vector<piece> pieces_;
 };
 

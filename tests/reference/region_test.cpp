@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 namespace reference {
@@ -60,6 +62,39 @@ TEST(exact_region, nothing_at_all_is_infinitely_far) {
     const exact_region region({}, straight, window);
     EXPECT_EQ(region.distance_to_exact_surface(3, 4), std::numeric_limits<double>::infinity());
     EXPECT_FALSE(region.covers(3, 4));
+}
+
+TEST(exact_region, gives_up_when_it_is_told_to) {
+    const patch patches[] = {wall(0)};
+    std::stop_source nobody_waits;
+    const exact_region region(patches, straight, window, nobody_waits.get_token());
+    const exact_image exact(patches, straight, window);
+    const std::vector<float> nothing(120 * 90, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(map_errors(nothing, exact, region, 1, nobody_waits.get_token()).compared, 0);
+    nobody_waits.request_stop();
+    EXPECT_THROW(region.distance_to_exact_surface(50, 4), std::runtime_error);
+    EXPECT_THROW(region.distance_to_uncovered(60, 45), std::runtime_error);
+    EXPECT_THROW(map_errors(nothing, exact, region, 1, nobody_waits.get_token()),
+                 std::runtime_error);
+    EXPECT_THROW(exact_image(patches, straight, window, nobody_waits.get_token()),
+                 std::runtime_error);
+}
+
+/// A piece that is proved to be one to one is searched row by row.
+TEST(find_hits, gives_up_within_a_row) {
+    std::stop_source nobody_waits;
+    int found = 0;
+    const camera_frame frame(straight, window);
+    EXPECT_THROW(find_hits(
+                     make_net(wall(0), frame), straight.near, {0.5, 0.5, 1, 120, 90},
+                     [&](const hit&) {
+                         ++found;
+                         nobody_waits.request_stop();
+                     },
+                     nobody_waits.get_token()),
+                 std::runtime_error);
+    EXPECT_GT(found, 0);
+    EXPECT_LE(found, 120);
 }
 
 TEST(exact_region, near_plane_bounds_the_region) {

@@ -274,6 +274,23 @@ def hides_a_part_in_both_halves():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def quits_while_it_measures():
+    """What nobody will see is given up: the exact picture of 2000 sheets takes longer than harness.PATIENCE."""
+    for options in (("--compare", "fd"), ("--shade", "error", "--antialias", "off")):
+        with contextlib.ExitStack() as stack:
+            path = stack.enter_context(folder())
+            with open(os.path.join(path, "sheets.bpt"), "w", encoding="ascii") as file:
+                print(2000, file=file)
+                for k in range(2000):
+                    print("3 3", file=file)
+                    for i in range(16):
+                        print(i % 4 * 2 - 3, i // 4 * 2 - 3, -1e-4 * k, file=file)
+            it = Window(stack, path, *options, "--eye", "0,0,2", "--target", "0,0,0", "sheets.bpt",
+                        program=Program("teapot_afd", (642, 560)))
+            xdotool(it.display, "key", "q")
+            expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
 def main():
     checks = Checks()
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
@@ -281,7 +298,7 @@ def main():
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
                   refuses_frames_that_depend_on_those_before,
                   draws_fog_where_a_method_has_it, says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
-                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves):
+                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves, quits_while_it_measures):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
