@@ -57,12 +57,14 @@ l3d_panel caption::panel() const {
         panel.add("bound", formatted("%.3f px, of %.3g", bound_px, *tolerance_px));
     else
         panel.add("bound", formatted("%.3f px", bound_px));
-    if (measured && !measured->is_known) {
+    if (error == error_state::awaited) {
+        panel.add("error", "being measured");
+    } else if (error == error_state::known && !measured.is_known) {
         panel.add("error", "not known");
-    } else if (measured) {
-        panel.add("outlines", formatted("%.3f px off", measured->outline_px));
-        panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured->depth_px,
-                                     std::floor(100 * measured->judged)));
+    } else if (error == error_state::known) {
+        panel.add("outlines", formatted("%.3f px off", measured.outline_px));
+        panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured.depth_px,
+                                     std::floor(100 * measured.judged)));
     }
     return panel;
 }
@@ -93,7 +95,6 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
 
 void comparison::take_next_method() {
     controls().say(show_next_method(other_, other_method_));
-    other_.text.measured.reset();
     other_.text.milliseconds = 0;
 }
 
@@ -162,6 +163,7 @@ l3d_pixel_box comparison::changed() const {
 /// them at once.
 void comparison::draw_event() {
     ++frame_;
+    const bool shows_results = live_.has_results();
     draw_both();
     measure();
     if (!screen().is_window()) {
@@ -171,7 +173,9 @@ void comparison::draw_event() {
     } else if (!changed().empty()) {
         text_.add_time(report().time_ms.total);
         other_.text.add_time(other_.report().time_ms.total);
-        seek_equal_time();
+        // A frame that shows what was measured is not to make it that of another tolerance.
+        if (!shows_results || frames_to_settle_ > 0)
+            seek_equal_time();
     }
 }
 
@@ -209,6 +213,7 @@ void comparison::follow_left() {
     text_.method = settings().method.name();
     text_.tolerance_px = settings().tolerance;
     text_.shows_time = other_.text.shows_time = screen().is_window();
+    tell_errors();
 }
 
 l3d_standing_panel comparison::standing_panel() {
@@ -239,31 +244,48 @@ void comparison::seek_equal_time() {
         redraw();
 }
 
+comparison::subjects comparison::now() {
+    const auto of = [this](const l3d_afd_settings& half) {
+        return subject{
+            {shown()}, camera(), screen().pixels().size(), half.tolerance, half.method.name()};
+    };
+    return {of(settings()), of(other_.settings())};
+}
+
+bool comparison::measures_errors() {
+    return !settings().wireframe && has_exact_picture(shown(), camera(), settings());
+}
+
 /// Begins to, unless an older picture is still being measured or this one was.
 void comparison::measure() {
-    const subject now{{shown()},
-                      camera(),
-                      screen().pixels().size(),
-                      settings().tolerance,
-                      other_.settings().tolerance,
-                      other_method_.name()};
-    if (!has_exact_picture(shown(), camera(), settings())) {
-        text_.measured = other_.text.measured = std::nullopt;
+    const subjects seen = now();
+    if (!measures_errors() || seen == begun_ || !live_.is_idle())
         return;
-    }
-    if (settings().wireframe || now == measured_ || !live_.is_idle())
-        return;
-    measured_ = now;
-    live_.begin(
-        {shown(), now.camera, now.size, {l3d_distances(depth()), l3d_distances(other_.depth())}});
+    begun_ = seen;
+    live_.begin({shown(),
+                 camera(),
+                 screen().pixels().size(),
+                 {l3d_distances(depth()), l3d_distances(other_.depth())}});
 }
 
 void comparison::take_results() {
     const auto results = live_.take_results();
     if (results.empty())
         return;
-    const bool is_of_other = measured_.method == other_method_.name();
     text_.measured = results[0];
-    other_.text.measured = is_of_other ? std::optional(results[1]) : std::nullopt;
+    other_.text.measured = results[1];
+    measured_ = begun_;
     redraw();
+}
+
+/// An error of another view says nothing of this one.
+void comparison::tell_errors() {
+    using enum caption::error_state;
+    const subjects seen = now();
+    const bool are_measured = measures_errors();
+    const auto state = [&](bool is_of_this) {
+        return !are_measured ? none : is_of_this ? known : awaited;
+    };
+    text_.error = state(measured_.left == seen.left);
+    other_.text.error = state(measured_.right == seen.right);
 }

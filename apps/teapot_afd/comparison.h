@@ -21,7 +21,9 @@ struct caption {
     double bound_px = 0;
     /// None if the method keeps none.
     std::optional<double> tolerance_px;
-    std::optional<live_result> measured;
+    /// What is told of the error: nothing, that it is being measured, or `measured`.
+    enum class error_state { none, awaited, known } error = error_state::none;
+    live_result measured;
 
     /// Takes a frame's time into the mean.
     void add_time(double frame_milliseconds);
@@ -77,15 +79,21 @@ public:
     bool is_at_rest() const override;
 
 private:
-    /// What errors are those of.
+    /// What the errors of a half are those of.
     struct subject {
         shown_model model;
         l3d_camera camera;
         l3d_size size;
-        double tolerance = 0, other_tolerance = 0;
+        double tolerance = 0;
         std::string method;
 
         friend bool operator==(const subject&, const subject&) = default;
+    };
+
+    struct subjects {
+        subject left, right;
+
+        friend bool operator==(const subjects&, const subjects&) = default;
     };
 
     comparison(std::shared_ptr<l3d_screen> whole,
@@ -101,8 +109,11 @@ private:
     const l3d_patch_model& shown() { return scene().instances()[0].model(); }
     void draw_line();
     void seek_equal_time();
+    subjects now();
+    bool measures_errors();
     void measure();
     void take_results();
+    void tell_errors();
 
     std::shared_ptr<l3d_screen> whole_;
     other_half other_;
@@ -117,8 +128,8 @@ private:
     int frame_ = -1;
     caption text_;
     live_error live_;
-    /// What was begun last.
-    subject measured_;
+    /// What is being measured, or was begun last, and what the captions' errors are of.
+    subjects begun_, measured_;
 };
 
 #endif

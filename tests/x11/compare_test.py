@@ -274,21 +274,48 @@ def hides_a_part_in_both_halves():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def sheets(path):
+    """A model whose exact picture takes longer than harness.PATIENCE."""
+    with open(os.path.join(path, "sheets.bpt"), "w", encoding="ascii") as file:
+        print(2000, file=file)
+        for k in range(2000):
+            print("3 3", file=file)
+            for i in range(16):
+                print(i % 4 * 2 - 3, i // 4 * 2 - 3, -1e-4 * k, file=file)
+    return file.name
+
+
 def quits_while_it_measures():
-    """What nobody will see is given up: the exact picture of 2000 sheets takes longer than harness.PATIENCE."""
+    """What nobody will see is given up."""
     for options in (("--compare", "fd"), ("--shade", "error", "--antialias", "off")):
         with contextlib.ExitStack() as stack:
             path = stack.enter_context(folder())
-            with open(os.path.join(path, "sheets.bpt"), "w", encoding="ascii") as file:
-                print(2000, file=file)
-                for k in range(2000):
-                    print("3 3", file=file)
-                    for i in range(16):
-                        print(i % 4 * 2 - 3, i // 4 * 2 - 3, -1e-4 * k, file=file)
-            it = Window(stack, path, *options, "--eye", "0,0,2", "--target", "0,0,0", "sheets.bpt",
+            it = Window(stack, path, *options, "--eye", "0,0,2", "--target", "0,0,0", sheets(path),
                         program=Program("teapot_afd", (642, 560)))
             xdotool(it.display, "key", "q")
             expect_equal(harness.ended(it.process), (0, b"", ""))
+
+
+def tells_no_errors_of_another_view():
+    """Those of an empty view are known at once, and those of the sheets behind the eye after minutes."""
+    with contextlib.ExitStack() as stack:
+        path = stack.enter_context(folder())
+        it = Window(stack, path, "--compare", "fd", "--eye", "0,0,-2", "--target", "0,0,-4", "--background", "0,0,0",
+                    sheets(path), program=BOTH)
+
+        def last_rows():
+            """Where the captions end, above the sheets' uniform grey or above nothing."""
+            rows = it.picture()[:LOWER.start]
+            return [max((y for y, row in enumerate(rows) if len(set(row[half])) > 1), default=0)
+                    for half in (slice(0, 320), slice(322, 642))]
+
+        it.changes("j")
+        known = wait_for(lambda: min(last_rows()) > 0 and harness.await_still(it) and last_rows(), "the captions")
+        xdotool(it.display, "key", "ctrl+1")
+        wait_for(lambda: it.picture()[200][100] != 0, "the sheets")
+        wait_for(lambda: all(now < then for now, then in zip(last_rows(), known)), "captions without errors")
+        xdotool(it.display, "key", "q")
+        expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
 def main():
@@ -298,7 +325,8 @@ def main():
                   reports_the_left_half_of_each_frame, refuses_maps_of_half_a_picture,
                   refuses_frames_that_depend_on_those_before,
                   draws_fog_where_a_method_has_it, says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
-                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves, quits_while_it_measures):
+                  picks_in_the_half_of_the_place, hides_a_part_in_both_halves, quits_while_it_measures,
+                  tells_no_errors_of_another_view):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
