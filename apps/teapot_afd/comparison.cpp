@@ -46,33 +46,55 @@ void caption::add_time(double frame_milliseconds) {
                                      : memory * milliseconds + (1 - memory) * frame_milliseconds;
 }
 
-l3d_panel caption::panel() const {
+/// A column of words before the numbers takes room that short lines do without.
+l3d_panel caption::lines(bool are_short) const {
     l3d_panel panel;
-    panel.add("method", method);
+    const auto add = [&](const std::string& key, const std::string& text) {
+        if (are_short)
+            panel.add(key + ' ' + text);
+        else
+            panel.add(key, text);
+    };
+    panel.add(are_short ? "" : "method", method);
     if (shows_time && milliseconds > 0)
-        panel.add("time", formatted("%.2f ms", milliseconds));
+        add("time", formatted("%.2f ms", milliseconds));
     if (!std::isfinite(bound_px))
-        panel.add("bound", "none");
-    else if (tolerance_px)
-        panel.add("bound", formatted("%.3f px, of %.3g", bound_px, *tolerance_px));
+        add("bound", "none");
+    else if (tolerance_px && !are_short)
+        add("bound", formatted("%.3f px, of %.3g", bound_px, *tolerance_px));
     else
-        panel.add("bound", formatted("%.3f px", bound_px));
+        add("bound", formatted("%.3f px", bound_px));
+    const char* const off = are_short ? "%.3f px" : "%.3f px off";
     if (error == error_state::awaited) {
-        panel.add("error", "being measured");
+        add("error", "being measured");
     } else if (error == error_state::known && !measured.is_known) {
-        panel.add("error", "not known");
+        add("error", "not known");
     } else if (error == error_state::known) {
-        panel.add("outlines", formatted("%.3f px off", measured.outline_px));
-        panel.add("depth", formatted("%.3f px off (%.0f %% of pixels judged)", measured.depth_px,
-                                     std::floor(100 * measured.judged)));
+        add("outlines", formatted(off, measured.outline_px));
+        const std::string judged =
+            formatted(" (%.0f %% of pixels judged)", std::floor(100 * measured.judged));
+        add("depth", formatted(off, measured.depth_px) + (are_short ? "" : judged));
     }
     return panel;
 }
 
+l3d_panel caption::panel(l3d_size half, const l3d_panel_style& style) const {
+    l3d_panel name;
+    name.add(method);
+    const l3d_pixel_box whole = l3d_whole(half);
+    for (const l3d_panel& panel : {lines(false), lines(true), name}) {
+        const l3d_pixel_box box = panel.box_in(whole, l3d_corner::top_right, style);
+        if (!box.empty() && 2 * box.area() <= whole.area())
+            return panel;
+    }
+    return {};
+}
+
 void other_half::draw_overlay() {
     text.bound_px = bound();
-    l3d_pixel_box free = l3d_whole(screen().pixels().size());
-    text.panel().draw(rasterizer(), free, l3d_corner::top_right, style);
+    const l3d_size half = screen().pixels().size();
+    l3d_pixel_box free = l3d_whole(half);
+    text.panel(half, style).draw(rasterizer(), free, l3d_corner::top_right, style);
 }
 
 comparison::comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
@@ -218,7 +240,7 @@ void comparison::follow_left() {
 
 l3d_standing_panel comparison::standing_panel() {
     text_.bound_px = bound();
-    return {text_.panel(), l3d_corner::top_right};
+    return {text_.panel(screen().pixels().size(), controls().panel_style()), l3d_corner::top_right};
 }
 
 void comparison::draw_line() {

@@ -28,8 +28,12 @@ struct caption {
     /// Takes a frame's time into the mean.
     void add_time(double frame_milliseconds);
 
-    /// For the half's upper right corner.
-    l3d_panel panel() const;
+    /// For the upper right corner of a half of this size, half of which stays free. It is shorter
+    /// where room is: with short lines, then the method's name alone, then nothing.
+    l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
+
+private:
+    l3d_panel lines(bool are_short) const;
 };
 
 /// The right half: the other method's pictures, and a caption.

@@ -318,6 +318,24 @@ def tells_no_errors_of_another_view():
         expect_equal(harness.ended(it.process), (0, b"", ""))
 
 
+def leaves_half_of_small_pictures_free():
+    """Captions become shorter, until there are none."""
+    with folder() as path:
+        def rows_of(size, *arguments):
+            command = Program("teapot_afd", size).command("--backend", "memory", *arguments, "--output", "o.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), arguments)
+            return harness.read_png(os.path.join(path, "o.png"))
+
+        for width, height, has_caption in ((318, 240, True), (238, 180, True), (198, 600, True), (158, 120, True),
+                                           (98, 80, True), (28, 30, False)):
+            half = (width - 2) // 2
+            both = rows_of((width, height), "--compare", "fd")
+            for method, start in (("afd", 0), ("fd", width - half)):
+                plain = rows_of((half, height), "--method", method, "--antialias", "off")
+                covered = sum(a != b for row, bare in zip(both, plain) for a, b in zip(row[start:start + half], bare))
+                expect(covered <= half * height / 2 and (covered > 0) == has_caption, width, height, method, covered)
+
+
 def main():
     checks = Checks()
     for check in (compares_two_methods, steps_through_the_methods, shows_both_in_a_window,
@@ -326,7 +344,7 @@ def main():
                   refuses_frames_that_depend_on_those_before,
                   draws_fog_where_a_method_has_it, says_that_an_error_is_not_known, measures_no_errors_of_what_is_left_out, draws_nets_over_measured_errors,
                   picks_in_the_half_of_the_place, hides_a_part_in_both_halves, quits_while_it_measures,
-                  tells_no_errors_of_another_view):
+                  leaves_half_of_small_pictures_free, tells_no_errors_of_another_view):
         checks.run("compare " + check.__name__, check)
     checks.finish()
 
