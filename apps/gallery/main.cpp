@@ -104,14 +104,20 @@ int main(int argc, char** argv) {
     bool glossy = false;
     program.options().add("--glossy", glossy,
                           "surfaces with highlights; --error-output bounds each pixel closely");
+    l3d_camera camera;
+    l3d_afd_settings settings;
+    l3d_patch_scene scene;
+    program.after_command_line([&] {
+        camera = afd.camera();
+        settings = afd.settings();
+        scene = make_scene(
+            afd.model_file().empty() ? colored_teapot() : in_teapots_place(afd.model()), glossy);
+        return true;
+    });
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        l3d_camera camera = afd.camera();
-        const l3d_afd_settings settings = afd.settings();
-        const l3d_patch_model first =
-            afd.model_file().empty() ? colored_teapot() : in_teapots_place(afd.model());
-        l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas("gallery"),
-                                              make_scene(first, glossy), camera, settings);
+        l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas("gallery"), scene,
+                                              camera, settings);
         if (!afd.places_camera()) {
             // From some 24 degrees above: the front models do not hide those behind them.
             camera.eye = camera.target + l3d_upright(camera.up).at(0.15, 0.45, 1.0);

@@ -10,6 +10,8 @@
 #include <l3d/program.h>
 #include <l3d/viewer.h>
 
+#include <functional>
+
 namespace {
 
 // Step 2 of 5: the application is a pipeline, here one of three viewers.
@@ -21,24 +23,36 @@ public:
 
     int run(int argc, char** argv) {
         program_.after_command_line([this] {
-            if (!parts_.lists())
-                return true;
-            if (polygons_.pipeline() == l3d_pipeline_kind::afd)
-                l3d_part_options::list(afd_.model().parts(), "patches");
+            if (parts_.lists())
+                list();
             else
-                l3d_part_options::list(polygons_.model().parts(), "faces");
-            return false;
+                shows_ = prepared();
+            return !parts_.lists();
         });
-        return program_.run(argc, argv, [this] { // step 1: choose factories
-            if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
-                polygons_.refuse_for_patches();
-                const l3d_afd_settings settings = afd_.settings();
-                const l3d_camera camera = afd_.camera();
-                return show<l3d_pipeline_afd_viewer>(parts_.scene(afd_.model()), camera, settings);
-            }
-            const l3d_polygon_settings settings = polygons_.settings();
-            const l3d_camera camera = afd_.camera();
-            const l3d_polygon_model model = parts_.applied(polygons_.model());
+        return program_.run(argc, argv, [this] { return shows_(); }); // step 1: choose factories
+    }
+
+private:
+    void list() const {
+        if (polygons_.pipeline() == l3d_pipeline_kind::afd)
+            l3d_part_options::list(afd_.model().parts(), "patches");
+        else
+            l3d_part_options::list(polygons_.model().parts(), "faces");
+    }
+
+    /// The other steps. What is wrong with an option or a model is said here, before anything is
+    /// said of a back-end or asked about it.
+    std::function<l3d_exit()> prepared() {
+        const l3d_camera camera = afd_.camera();
+        if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
+            polygons_.refuse_for_patches();
+            const l3d_afd_settings settings = afd_.settings();
+            return [=, this, scene = parts_.scene(afd_.model())] {
+                return show<l3d_pipeline_afd_viewer>(scene, camera, settings);
+            };
+        }
+        const l3d_polygon_settings settings = polygons_.settings();
+        return [=, this, model = parts_.applied(polygons_.model())] {
             switch (polygons_.pipeline()) {
             case l3d_pipeline_kind::zsort:
                 return show<l3d_pipeline_zsort>(model, camera, settings);
@@ -49,10 +63,9 @@ public:
                 return show<l3d_pipeline_zbuffer>(model, camera, settings,
                                                   l3d_rasterizer_factory_sw());
             }
-        });
+        };
     }
 
-private:
     /// `arguments` are those of the Pipeline's constructor after the canvas.
     template <class Pipeline, class... Arguments> l3d_exit show(const Arguments&... arguments) {
         const auto dispatcher = program_.create_dispatcher(); // step 3
@@ -75,6 +88,7 @@ private:
     l3d_afd_options afd_;
     l3d_polygon_options polygons_;
     l3d_part_options parts_;
+    std::function<l3d_exit()> shows_;
 };
 
 } // namespace

@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
     l3d_camera camera;
     l3d_afd_settings settings;
+    l3d_patch_scene scene;
     std::optional<l3d_method_choice> other;
     program.after_command_line([&] {
         camera = afd.camera();
@@ -91,8 +92,12 @@ int main(int argc, char** argv) {
                       "not with kept, whose frames depend on those before them");
         if (quick && folder.empty())
             throw l3d_error(l3d_exit::usage, "--quick: goes with --error-report");
-        if (folder.empty())
+        if (folder.empty()) {
+            scene = parts.scene(afd.model());
+            if (other && scene.transparent_count() > 0)
+                throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
             return true;
+        }
         const l3d_size size = common.size;
         constexpr int least = 6; // a half of a third is a picture
         if (std::min(size.width, size.height) < least)
@@ -100,7 +105,7 @@ int main(int argc, char** argv) {
                             "--size: '" + std::to_string(size.width) + 'x' +
                                 std::to_string(size.height) +
                                 "' is too small for --error-report, which needs 6x6");
-        const l3d_patch_scene scene(parts.applied(afd.model()));
+        scene = l3d_patch_scene(parts.applied(afd.model()));
         camera = afd.camera([&](const l3d_camera& usual) {
             return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
         });
@@ -108,8 +113,7 @@ int main(int argc, char** argv) {
                            {afd.shows_the_usual(), quick});
         return false;
     });
-    return program.run(argc, argv, [&] { // step 1: choose factories
-        const l3d_patch_scene scene = parts.scene(afd.model());
+    return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         const auto show = [&](auto& pipeline, l3d_screen& screen) {
             dispatcher->plug(pipeline, screen);          // step 4
@@ -119,8 +123,6 @@ int main(int argc, char** argv) {
         };
         l3d_canvas canvas = program.create_canvas(afd.model_title());
         if (other) {
-            if (scene.transparent_count() > 0)
-                throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
             comparing_pipeline pipeline(program, afd, std::move(canvas),
                                         scene.instances()[0].model(), camera, settings, *other);
             pipeline.controls().set_screenshot([&pipeline](const l3d_pixels&) {

@@ -358,6 +358,20 @@ def modelview_refuses_what_its_pipeline_has_not():
                     expect(said.startswith("modelview: %s: " % words[0]) and said.count("\n") == 1, said)
 
 
+def says_what_is_wrong_before_where_the_picture_goes():
+    """Without a display nor --output, a run that goes well begins with a word about its file."""
+    parts = "body, handle, spout, lid"
+    with folder() as path:
+        for name, option, value, code, why in (
+                ("modelview", "--hide", "nosuch", 2, "--hide: 'nosuch' names no part; there are " + parts),
+                ("teapot_afd", "--color", "nosuch=1,2,3", 2, "--color: 'nosuch' names no part; there are " + parts),
+                *((name, "--model", "nosuch.bpt", 5, "nosuch.bpt: No such file or directory")
+                  for name in ("modelview", "teapot_afd", "gallery"))):
+            said = run(Program(name, TEAPOT.size).command(option, value), environment(), cwd=path)
+            expect_equal(said, (code, b"", "%s: %s\n" % (name, why)))
+        expect_equal(os.listdir(path), [])
+
+
 class Window:
     """The program in a window, and what is in it."""
 
@@ -446,7 +460,7 @@ def main():
         refuses_what_lines_and_scales_do_not_show,
         refuses_a_tolerance_that_nobody_keeps, keeps_all_frames,
         shows_the_error_where_it_is_bounded,
-        modelview_refuses_what_its_pipeline_has_not, greets_a_person, obeys_its_keys,
+        modelview_refuses_what_its_pipeline_has_not, says_what_is_wrong_before_where_the_picture_goes, greets_a_person, obeys_its_keys,
         obeys_the_mouse,
     ):
         checks.run("teapot " + check.__name__, check)
