@@ -77,7 +77,7 @@ void check_shown(const l3d_afd_settings& asked) {
               "--wireframe nor --shade normals, error or an inspection does");
     refuse_if(asked.error_map && is_none, "--error-output: pixels have bounds on a background, and "
                                           "--background none has none");
-    refuse_if(asked.wireframe && !is_light,
+    refuse_if(asked.wireframe && asked.shade != l3d_afd_settings().shade,
               "--wireframe: lines have one colour, and show nothing of --shade " + shade);
     if (!asked.fog.is_on())
         return;

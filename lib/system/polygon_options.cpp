@@ -8,6 +8,7 @@
 #include "system/places.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -102,6 +103,11 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
             throw l3d_error(l3d_exit::usage, std::string(option) +
                                                  ": polygons are drawn as they are; only "
                                                  "--pipeline afd has it");
+    if (hidden_lines_ && shared.shade != l3d_afd_settings().shade)
+        throw l3d_error(
+            l3d_exit::usage,
+            std::string("--hidden-lines: lines have one colour, and show nothing of --shade ") +
+                l3d_shade_names[static_cast<std::size_t>(shared.shade)].first);
     if (shared.fog.is_on() && (parallel_ || hidden_lines_ || shared.wireframe))
         throw l3d_error(l3d_exit::usage, "--fog: only surfaces in perspective have it");
     l3d_polygon_settings settings;

@@ -281,10 +281,21 @@ def refuses_fog_that_a_method_draws_without():
 
 def refuses_what_lines_and_scales_do_not_show():
     with folder() as path:
-        for shade in ("normals", "error", "zebra", "mean"):
+        for shade in ("flat", "gouraud", "normals", "error", "zebra", "mean"):
             said = memory("--wireframe", "--shade", shade, cwd=path)
             expect_equal(said, (2, b"", "teapot_afd: --wireframe: lines have one colour, and show nothing of --shade %s\n"
                                 % shade))
+        for pipeline in ("zsort", "zbuffer"):
+            for style in ("--hidden-lines", "--wireframe"):
+                def drawn(shade):
+                    lines = Program("modelview", TEAPOT.size).command(
+                        "--backend", "memory", "--pipeline", pipeline, style, "--shade", shade, "--output", "o.png")
+                    return run(lines, environment(), cwd=path)
+
+                for shade in ("flat", "gouraud", "normals"):
+                    said = "modelview: %s: lines have one colour, and show nothing of --shade %s\n" % (style, shade)
+                    expect_equal(drawn(shade), (2, b"", said))
+                expect_equal(drawn("lambert"), (0, b"", ""), "the usual shade is no wish")
         said = memory("--wireframe", "--fog", "1,9", cwd=path)
         expect_equal(said, (2, b"", "teapot_afd: --fog: only surfaces have it, and no --wireframe\n"))
         for shade in ("error", "zebra"):
