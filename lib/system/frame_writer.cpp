@@ -2,11 +2,15 @@
 // l3d_frame_writer: names, numbers and streams.
 #include "system/frame_writer.h"
 
+#include "system/number_text.h"
 #include "system/output_names_p.h"
 #include "tool_2d/error.h"
 #include "tool_2d/image_file.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string_view>
 
 namespace {
 
@@ -46,7 +50,7 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha)
     kind_ = percent == std::string::npos ? kind::single : kind::numbered;
     if (kind_ == kind::numbered)
         read_number_field(percent);
-    l3d_detail::check_folder("--output", name, kind_ == kind::numbered ? numbered_name() : name);
+    l3d_detail::check_folder("--output", name, kind_ == kind::numbered ? numbered_name(0) : name);
 }
 
 void l3d_frame_writer::read_number_field(std::size_t percent) {
@@ -64,20 +68,34 @@ void l3d_frame_writer::read_number_field(std::size_t percent) {
     after_ = name_.substr(at + 1);
 }
 
-std::string l3d_frame_writer::numbered_name() const {
-    std::string number = std::to_string(next_number_);
-    if (number.size() < digits_)
-        number.insert(0, digits_ - number.size(), fill_);
-    return before_ + number + after_;
+std::string l3d_frame_writer::numbered_name(int number) const {
+    std::string digits = std::to_string(number);
+    if (digits.size() < digits_)
+        digits.insert(0, digits_ - digits.size(), fill_);
+    return before_ + digits + after_;
+}
+
+/// The number of that frame stands where the field does.
+bool l3d_frame_writer::has_frame_in(const std::string& file) const {
+    const std::string there = l3d_detail::place_of(file).filename().string();
+    const std::size_t begin = std::filesystem::path(before_).filename().string().size();
+    const std::size_t rest = begin + after_.size();
+    if (!is_numbered() || there.size() <= rest)
+        return false;
+    std::string_view digits = std::string_view(there).substr(begin, there.size() - rest);
+    digits.remove_prefix(std::min(digits.find_first_not_of(' '), digits.size()));
+    int number = 0;
+    return l3d_read_number(digits, number) && number >= 0 &&
+           l3d_detail::mean_one_file(numbered_name(number), file);
 }
 
 bool l3d_frame_writer::has_frame(l3d_size size) const {
-    return is_numbered() && l3d_is_whole_image(numbered_name(), size);
+    return is_numbered() && l3d_is_whole_image(numbered_name(next_number_), size);
 }
 
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {
     if (kind_ == kind::numbered) {
-        l3d_write_image(numbered_name(), pixels, alpha_);
+        l3d_write_image(numbered_name(next_number_), pixels, alpha_);
         ++next_number_;
     } else if (kind_ == kind::stream) {
         l3d_write_ppm(stdout, "standard output", pixels);

@@ -30,6 +30,10 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
+    /// Whether a frame of a numbered name goes into the file of this name, or into what that links
+    /// to.
+    bool has_frame_in(const std::string& file) const;
+
     /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of
     /// it, and a picture of another size is no frame of this sequence.
     bool has_frame(l3d_size size) const;
@@ -40,7 +44,7 @@ public:
 private:
     enum class kind { nothing, single, numbered, stream };
 
-    std::string numbered_name() const;
+    std::string numbered_name(int number) const;
     void read_number_field(std::size_t percent);
 
     std::string name_;

@@ -331,9 +331,13 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
             (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
                 unknown.front() + "' (see --help)");
     refuse_one_file_for_two();
-    const l3d_frame_writer complains_now_rather_than_after_a_question(common_.output,
-                                                                      common_.alpha);
-    if (common_.resume && !complains_now_rather_than_after_a_question.is_numbered())
+    // It complains now rather than after a question.
+    const l3d_frame_writer frames(common_.output, common_.alpha);
+    for (const named_file& file : files_)
+        if (frames.has_frame_in(*file.value))
+            throw l3d_error(l3d_exit::usage, file.option + ": '" + *file.value +
+                                                 "' is the file of a frame of --output, too");
+    if (common_.resume && !frames.is_numbered())
         throw l3d_error(l3d_exit::usage,
                         "--resume: needs a numbered --output, as in frame%04d.png");
     return true;

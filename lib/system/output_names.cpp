@@ -10,25 +10,20 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+std::string l3d_detail::ending_of(const std::string& name) {
+    std::string ending = fs::path(name).extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
 
-/// Where a file with this name would be written. A link may lead to what is not there yet.
-fs::path place_of(const std::string& name) {
+fs::path l3d_detail::place_of(const std::string& name) {
     constexpr int most_links = 40; // as many as Linux follows
     std::error_code unknown;
     fs::path path = fs::absolute(name, unknown);
     for (int i = 0; i < most_links && fs::is_symlink(path, unknown); ++i)
         path = path.parent_path() / fs::read_symlink(path, unknown);
     return fs::weakly_canonical(path, unknown);
-}
-
-} // namespace
-
-std::string l3d_detail::ending_of(const std::string& name) {
-    std::string ending = fs::path(name).extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
 }
 
 bool l3d_detail::mean_one_file(const std::string& a, const std::string& b) {

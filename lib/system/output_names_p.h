@@ -3,12 +3,16 @@
 #ifndef L3D_SYSTEM_OUTPUT_NAMES_P_H
 #define L3D_SYSTEM_OUTPUT_NAMES_P_H
 
+#include <filesystem>
 #include <string>
 
 namespace l3d_detail {
 
 /// How a name ends, in small letters, with its dot: ".png"; empty without one.
 std::string ending_of(const std::string& name);
+
+/// Where a file with this name would be written. A link may lead to what is not there yet.
+std::filesystem::path place_of(const std::string& name);
 
 /// Whether two names lead to one place that can hold only one thing. A device, such as /dev/null,
 /// takes anything.

@@ -197,6 +197,19 @@ def one_file_is_not_written_twice():
             expect_equal(os.listdir(path), [])
 
 
+def a_frame_is_not_overwritten():
+    """Nor is what a link to it is given for; other numbers are names like any other."""
+    with folder() as path:
+        os.symlink("f0002.png", os.path.join(path, "link"))
+        for output, name in (("f%d.png", "f0.png"), ("./f%04d.png", "f0012.png"), ("f%5d.png", "f    3.png"),
+                             ("f%04d.png", "link"), ("%d.png", "./7.png")):
+            said = teapot("--output", output, "--report", name, cwd=path)
+            expect_equal(said, (2, b"", "teapot_afd: --report: '%s' is the file of a frame of --output, too\n" % name))
+            expect_equal(os.listdir(path), ["link"])
+        for output, name in (("f%04d.png", "f0.png"), ("f%d.png", "f.png"), ("f%d.png", "g0.png"), ("f%d.png", "f-1.png")):
+            expect_equal(teapot("--output", output, "--report", name, cwd=path), (0, b"", ""), name)
+
+
 def what_no_file_can_hold_is_refused_before_it_is_drawn():
     cases = (
         (("--depth-output", "a.png"), "--depth-output: 'a.png' does not end in .pfm"),
@@ -236,7 +249,7 @@ if __name__ == "__main__":
         for check in CHECKS:
             checks.run("headless.%s.%s" % (program.name, check.__name__), check, program)
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
-                  one_file_is_not_written_twice,
+                  one_file_is_not_written_twice, a_frame_is_not_overwritten,
                   what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes):
         checks.run("headless." + check.__name__, check)
     checks.finish()
