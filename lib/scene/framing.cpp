@@ -165,6 +165,8 @@ struct depths {
     bool empty() const { return !(nearest <= farthest); }
     double middle() const { return (nearest + farthest) / 2; }
 
+    bool is_flat() const { return nearest == farthest; }
+
     /// How far the eye stays away at least. A model without any size is seen from anywhere.
     double least_distance() const {
         const double size = (farthest - nearest) * 1e-6;
@@ -207,7 +209,11 @@ l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& 
     if (depth.empty())
         return camera;
     const wedges all(axes, camera, size, l3d_framed_share, reach);
-    const double eye = std::min(all.deepest(), depth.nearest - depth.least_distance());
+    const double deepest = all.deepest();
+    // The width or height of a flat model keeps the eye away, unless it has none.
+    const double eye = depth.is_flat() && deepest < depth.nearest
+                           ? deepest
+                           : std::min(deepest, depth.nearest - depth.least_distance());
     const vector line = axes.right * all.across.place() + axes.up * all.along.place();
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }

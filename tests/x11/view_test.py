@@ -295,6 +295,23 @@ def obeys_every_gesture():
             it.end()
 
 
+def frames_a_flat_model_from_its_front():
+    """It has no depth there, and is framed by its width and height."""
+    for viewer in VIEWERS:
+        with contextlib.ExitStack() as stack:
+            file = os.path.join(stack.enter_context(folder()), "flat.bpt")
+            with open(file, "w", encoding="ascii") as out:
+                print("1\n3 3", *("%r %r 0" % (i % 4 * 1e-3, i // 4 * 1e-3) for i in range(16)), sep="\n", file=out)
+            it = Window(stack, viewer, file)
+            it.does("f", "key", "f")
+            it.does("1", "key", "1")
+            xdotool(it.display, *it.at(78, 59), "click", "--repeat", 9, 5)
+            wait_for(lambda: share_of(it.picture())[0] < 0.5, "the sheet from farther away")
+            xdotool(it.display, "key", "f")
+            wait_for(lambda: 0.6 <= share_of(it.picture())[0] <= 0.97, "the whole sheet")
+            it.end()
+
+
 def keeps_the_model_in_a_window_of_another_size():
     for viewer in VIEWERS:
         with contextlib.ExitStack() as stack:
@@ -338,7 +355,7 @@ def main():
         says_why_a_picture_is_empty, says_that_a_model_has_no_area, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,
         shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
-        obeys_every_gesture, keeps_the_model_in_a_window_of_another_size,
+        obeys_every_gesture, keeps_the_model_in_a_window_of_another_size, frames_a_flat_model_from_its_front,
         says_in_the_window_that_it_is_empty,
     ):
         checks.run("view " + check.__name__, check)
