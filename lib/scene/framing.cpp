@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -176,9 +177,10 @@ struct depths {
 };
 
 /// The camera with eye and target at these depths of one line along the line of sight. The eye is
-/// brought to where eyes may be. Expects: the model begins at depth `nearest`.
-l3d_camera placed(const l3d_camera& camera, const vector& line, double eye, double target,
-                  double nearest) {
+/// brought to where eyes may be. None if the eye is too near to the target, as it is to tiny
+/// models. Expects: the model begins at depth `nearest`.
+std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, double eye,
+                                 double target, double nearest) {
     l3d_camera result = camera;
     const vector forward = camera.axes().forward;
     result.target = line + forward * target;
@@ -194,20 +196,13 @@ l3d_camera placed(const l3d_camera& camera, const vector& line, double eye, doub
     // Depth is kept as 1 / distance in floats, which are as exact near the eye as far from it.
     const double near = std::min(1e-3 * (target - eye), 0.5 * (nearest - eye));
     result.near = std::clamp(near, l3d_least_distance, camera.near);
-    return result.is_valid() ? result : camera;
+    return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-} // namespace
-
-l3d_reach l3d_reach_of(const l3d_patch_scene& scene) {
-    return [&scene](const vector& direction) { return reach_along(scene, direction); };
-}
-
-l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+/// As l3d_framed; none if no eye is near enough to a tiny model. Expects: the model is not empty.
+std::optional<l3d_camera> framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
     const depths depth(axes.forward, reach);
-    if (depth.empty())
-        return camera;
     const wedges all(axes, camera, size, l3d_framed_share, reach);
     const double deepest = all.deepest();
     // The width or height of a flat model keeps the eye away, unless it has none.
@@ -218,11 +213,11 @@ l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+/// As l3d_framed_parallel; likewise.
+std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
+                                          const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
     const depths depth(axes.forward, reach);
-    if (depth.empty())
-        return camera;
     const double left = -reach(-axes.right), right = reach(axes.right);
     const double bottom = -reach(-axes.up), top = reach(axes.up);
     const double pixel = std::max((right - left) / size.width, (top - bottom) / size.height);
@@ -230,6 +225,24 @@ l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size, const l3
     const vector line = axes.right * ((left + right) / 2) + axes.up * ((bottom + top) / 2);
     const double eye = depth.middle() - (distance > 0 ? distance : depth.least_distance());
     return placed(camera, line, eye, depth.middle(), depth.nearest);
+}
+
+bool is_empty(const l3d_camera& camera, const l3d_reach& reach) {
+    return depths(camera.axes().forward, reach).empty();
+}
+
+} // namespace
+
+l3d_reach l3d_reach_of(const l3d_patch_scene& scene) {
+    return [&scene](const vector& direction) { return reach_along(scene, direction); };
+}
+
+l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    return is_empty(camera, reach) ? camera : framed(camera, size, reach).value_or(camera);
+}
+
+l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    return is_empty(camera, reach) ? camera : framed_parallel(camera, size, reach).value_or(camera);
 }
 
 bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
@@ -294,7 +307,9 @@ std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_re
     const side_of_picture across = seen(axes.right, size.width), along = seen(axes.up, size.height);
     if (across.is_beside || along.is_beside)
         return "outside of the picture";
-    if (across.is_within_a_pixel && along.is_within_a_pixel)
-        return l3d_smaller_than_a_pixel;
-    return "";
+    if (!across.is_within_a_pixel || !along.is_within_a_pixel)
+        return "";
+    const bool has_view = is_parallel ? framed_parallel(camera, size, reach).has_value()
+                                      : framed(camera, size, reach).has_value();
+    return has_view ? l3d_smaller_than_a_pixel : l3d_too_small;
 }

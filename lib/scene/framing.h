@@ -53,6 +53,10 @@ L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
 /// middle.
 inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
 
+/// What l3d_why_unseen says of a model that no eye may be near enough to.
+inline constexpr const char* l3d_too_small =
+    "too small for any view, whose eye is 1e-32 away at least";
+
 /// What pipelines say of a model whose faces or patches are all points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 

@@ -127,9 +127,9 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// What the options did, and what undoes it; nothing makes an area.
+    /// What the options did, and what undoes it; nothing makes an area, nor a model larger.
     std::string way_to_mend(const std::string& reason) const {
-        if (reason == l3d_without_area)
+        if (reason == l3d_without_area || reason == l3d_too_small)
             return "";
         if (reason == l3d_turning_its_back)
             return "; give --all-faces, or press b in a window";

@@ -164,6 +164,24 @@ def says_that_a_model_has_no_area():
                said)
 
 
+def says_that_no_view_shows_a_tiny_model():
+    """An eye may be 1e-32 from its target, and no nearer. What is larger is framed."""
+    empty = ": the picture is empty, as the model is "
+    with folder() as path:
+        for length, why in ((1e-40, "too small for any view, whose eye is 1e-32 away at least"),
+                            (1e-30, "smaller than a pixel; leave out --eye and --target, or press f in a window")):
+            with open(os.path.join(path, "tiny.bpt"), "w", encoding="ascii") as file:
+                print("1\n3 3", file=file)
+                for i in range(16):
+                    print(i % 4 / 3 * length, i // 4 / 3 * length, 0, file=file)
+            for viewer, *more in (("teapot_afd",), ("modelview",), ("modelview", "--parallel")):
+                def said(*eye):
+                    return draw(viewer, (80, 60), "tiny.bpt", *more, *eye, "--output", "o.png", cwd=path)
+
+                expect_equal(said("--eye", "0,0,9", "--target", "0,0,0"), (0, b"", viewer + empty + why + "\n"))
+                expect_equal(said(), (0, b"", "" if length == 1e-30 else viewer + empty + why + "\n"))
+
+
 def says_nothing_of_a_small_model_that_is_seen():
     with folder() as path:
         for viewer in VIEWERS:
@@ -352,7 +370,8 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
-        says_why_a_picture_is_empty, says_that_a_model_has_no_area, says_nothing_of_a_small_model_that_is_seen,
+        says_why_a_picture_is_empty, says_that_a_model_has_no_area,
+        says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,
         shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size, frames_a_flat_model_from_its_front,
