@@ -141,10 +141,15 @@ void pixel_mixer::collect(const band_fragments& band, std::size_t pixel) {
 }
 
 /// Takes from each fragment the samples where another one is nearer; of equals, the first is seen.
+/// No two of those seen so far share a sample, so there are 64 of them at most.
 void pixel_mixer::hide() {
-    for (std::size_t i = 1; i < fragments_.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k) {
-            fragment &later = fragments_[i], &first = fragments_[k];
+    seen_.clear();
+    for (std::size_t i = 0; i < fragments_.size(); ++i) {
+        fragment& later = fragments_[i];
+        if (later.seen == 0)
+            continue;
+        for (const std::size_t k : seen_) {
+            fragment& first = fragments_[k];
             const std::uint64_t both = later.seen & first.seen;
             if (both == 0)
                 continue;
@@ -155,6 +160,10 @@ void pixel_mixer::hide() {
             first.seen &= ~nearer;
             later.seen &= ~(both & ~nearer);
         }
+        std::erase_if(seen_, [this](std::size_t k) { return fragments_[k].seen == 0; });
+        if (later.seen != 0)
+            seen_.push_back(i);
+    }
 }
 
 /// The samples where one polygon's plane is nearer than another's.
@@ -171,7 +180,8 @@ std::uint64_t pixel_mixer::nearer_samples(const fragment& one, const fragment& o
 /// Whether a polygon that no sample meets lies behind one that is seen around it.
 bool pixel_mixer::is_hidden(const fragment& sliver) const {
     const std::uint64_t there = sample_at(measures_.x[sliver.pair], measures_.y[sliver.pair]);
-    for (const fragment& f : fragments_) {
+    for (const std::size_t k : seen_) {
+        const fragment& f = fragments_[k];
         if ((f.seen & there) == 0)
             continue;
         if (f.farthest >= sliver.nearest)

@@ -80,6 +80,7 @@ private:
     const fragment_fog* fog_ = nullptr; ///< while it draws
     pair_measures measures_;
     std::vector<fragment> fragments_;
+    std::vector<std::size_t> seen_; ///< the fragments with a sample where they are seen
     std::vector<std::uint32_t> words_;
     sampled_pixel sampler_;
     std::int64_t sampled_ = 0;
