@@ -437,6 +437,12 @@ TEST(draw_path, draws_nothing_of_what_is_no_number_or_has_no_area) {
     path.line_to({-infinity, infinity});
     c.draw.draw_path(path, {.color = canvas::color});
     EXPECT_EQ(c.lit().size(), 400u);
+    // the sides of a box that is turned over, as far apart as they can be
+    constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+    c.draw.clear_buffer();
+    c.draw.draw_path(path, {.color = canvas::color, .box = {most, 0, least, 20}});
+    c.draw.draw_path(path, {.color = canvas::color, .box = {0, most, 20, least}});
+    EXPECT_TRUE(c.lit().empty());
 }
 
 } // namespace

@@ -40,14 +40,15 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     spans_.clear();
     values_.clear();
     box_ = wanted.box;
-    width_ = box_.right - box_.left;
-    height_ = box_.bottom - box_.top;
     full_ = wanted.full;
     full_value_ = static_cast<int>(full_ + 0.5);
     rules_ = {{wanted.inside, wanted.clip_inside}, wanted.clip != nullptr};
     if (box_.empty() || full_value_ == 0 || !wanted.path.is_number() ||
         (wanted.clip != nullptr && !wanted.clip->is_number()))
         return {};
+    // The sides of an empty box may be farther apart than an int tells.
+    width_ = box_.right - box_.left;
+    height_ = box_.bottom - box_.top;
     areas_.set_width(width_);
     chains_.clear(width_, height_, {0.5 - box_.left, 0.5 - box_.top});
     take_outlines(wanted.path, 0);
