@@ -78,6 +78,18 @@ TEST(path, has_arcs_that_are_on_their_ellipse) {
     }
 }
 
+TEST(path, tells_what_is_no_number_in_arcs) {
+    const double nan = std::nan("");
+    for (std::size_t bad = 0; bad < 7; ++bad) {
+        std::vector<double> numbers(7, 1.0);
+        numbers[bad] = nan;
+        l3d_path path;
+        path.arc_to({numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5],
+                    numbers[6]);
+        EXPECT_FALSE(path.is_number()) << bad;
+    }
+}
+
 TEST(path, has_circles_that_end_exactly_where_they_begin) {
     std::mt19937 random(6);
     for (int n = 0; n < 200; ++n) {

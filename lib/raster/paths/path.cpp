@@ -69,9 +69,10 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
         move_to(start);
     else if (start.x != last_.x || start.y != last_.y)
         line_to(start);
+    // The least of these is 1000 where the sweep is no number, which no integer could hold.
+    const double bounded = std::min(1000.0, std::abs(sweep));
     const int pieces =
-        std::max(1, static_cast<int>(std::ceil(
-                        std::min(std::abs(sweep), 1000.0) / (std::numbers::pi / 2) - 1e-9)));
+        std::max(1, static_cast<int>(std::ceil(bounded / (std::numbers::pi / 2) - 1e-9)));
     const double half = sweep / pieces / 2, weight = std::cos(half);
     const double tangent = std::sin(half) / weight;
     const double sum = 1 + 2 * weight;
