@@ -11,10 +11,13 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -38,6 +41,20 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
+/// Numbers of a type are below this, up to rounding.
+template <class T> constexpr double end_of() {
+    if constexpr (std::floating_point<T>)
+        return std::numeric_limits<T>::max();
+    else
+        return l3d_to_double(T::max());
+}
+
+/// The doubles of plug-ins go farther than the numbers of this build, which wrap or are infinite
+/// then. False for what is no number, too.
+bool is_in_range(double value) {
+    return std::abs(value) < end_of<l3d_real>();
+}
+
 int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* coordinates,
                  std::uint32_t faces, const std::uint32_t* corner_counts,
                  const std::uint32_t* corners, const std::uint32_t* colors) {
@@ -49,9 +66,10 @@ int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* co
         corners += count;
     }
     mesh.face_colors.assign(colors, colors + faces);
-    if (!mesh.is_valid()) {
+    const std::span all(coordinates, 3 * std::size_t{vertices});
+    if (!mesh.is_valid() || !std::ranges::all_of(all, is_in_range)) {
         to->complain("set_polygons: a face has fewer than 3 corners or names no vertex, or a "
-                     "coordinate is not finite");
+                     "coordinate is not finite, or too large");
         return 0;
     }
     to->object->set_mesh(std::move(mesh));
@@ -86,16 +104,18 @@ int load_videoscape(l3d_plugin_object* to, const char* file, int random_colors) 
 }
 
 int set_transform(l3d_plugin_object* to, std::uint32_t index, const double* matrix) {
-    l3d_matrix<l3d_real> m;
-    bool finite = true;
-    for (int i = 0; i < 16; ++i) {
-        m(i / 4, i % 4) = l3d_from_double<l3d_real>(matrix[i]);
-        finite = finite && std::isfinite(matrix[i]);
-    }
-    if (index >= most_transforms || !finite) {
-        to->complain(finite ? "set_transform: there is no matrix " + std::to_string(index)
-                            : "set_transform: matrix " + std::to_string(index) + " is not finite");
+    if (index >= most_transforms) {
+        to->complain("set_transform: there is no matrix " + std::to_string(index));
         return 0;
+    }
+    l3d_matrix<l3d_real> m;
+    for (int i = 0; i < 16; ++i) {
+        if (!is_in_range(matrix[i])) {
+            to->complain("set_transform: matrix " + std::to_string(index) +
+                         " has a number that is not finite, or too large");
+            return 0;
+        }
+        m(i / 4, i % 4) = l3d_from_double<l3d_real>(matrix[i]);
     }
     to->object->set_transform(index, m);
     return 1;

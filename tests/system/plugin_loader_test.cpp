@@ -95,9 +95,11 @@ TEST(book_plugin, refuses_by_itself) {
     const std::string file = file_of("naughty");
     EXPECT_EQ(refusal_of(file, "refuses"), file + ": not today");
     EXPECT_EQ(refusal_of(file, "silent"), file + ": it failed, and does not say why");
-    for (const char* fault : {"infinite", "two corners", "beyond"})
+    for (const char* fault : {"infinite", "far", "two corners", "beyond"})
         EXPECT_NE(refusal_of(file, fault).find(file + ": set_polygons: "), std::string::npos)
             << fault;
+    EXPECT_NE(refusal_of(file, "far matrix").find(file + ": set_transform: matrix 0 "),
+              std::string::npos);
 }
 
 TEST(book_plugin, faults_in_flight_are_told_once) {

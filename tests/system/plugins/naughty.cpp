@@ -16,10 +16,17 @@ struct naughty {
 void* create(const l3d_plugin_host* host, l3d_plugin_object* object, const char* parameters) {
     const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const double infinite[] = {0, 0, 0, 1, 0, 0, 0, HUGE_VAL, 0};
+    const double far[] = {0, 0, 0, 1, 0, 0, 0, -1e300, 0}, far_matrix[16] = {1, 0, 0, 1e300};
     const std::uint32_t three = 3, two = 2, corners[] = {0, 1, 2}, beyond[] = {0, 1, 3}, color = 7;
     const auto is = [parameters](const char* word) { return std::strcmp(parameters, word) == 0; };
-    host->set_polygons(object, 3, is("infinite") ? infinite : vertices, 1,
-                       is("two corners") ? &two : &three, is("beyond") ? beyond : corners, &color);
+    host->set_polygons(object, 3,
+                       is("infinite") ? infinite
+                       : is("far")    ? far
+                                      : vertices,
+                       1, is("two corners") ? &two : &three, is("beyond") ? beyond : corners,
+                       &color);
+    if (is("far matrix"))
+        host->set_transform(object, 0, far_matrix);
     if (is("refuses"))
         host->fail(object, "not today");
     if (is("refuses") || is("silent"))
