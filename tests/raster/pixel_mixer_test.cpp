@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -138,6 +140,72 @@ TEST(PixelMixer, ShowsFacetsInOnePlaceOnce) {
         }
         EXPECT_EQ(words_of(thrice), words_of(once)) << n;
     }
+}
+
+using triangle = std::array<l3d_micro_vertex, 3>;
+
+/// Whether a triangle and a pixel's square have an area in common. If not, a side of one of them
+/// lies between both.
+bool reaches_into(const triangle& corners, band_fragments::pixel pixel) {
+    constexpr std::int64_t one = l3d_subpixel_one;
+    const std::int64_t left = pixel.x * one, top = pixel.y * one;
+    const auto apart = [&](std::int64_t nx, std::int64_t ny) {
+        std::int64_t low = std::numeric_limits<std::int64_t>::max(), high = -low;
+        for (const l3d_micro_vertex& v : corners) {
+            low = std::min(low, nx * (v.x - left) + ny * (v.y - top));
+            high = std::max(high, nx * (v.x - left) + ny * (v.y - top));
+        }
+        const std::int64_t least =
+            one * (std::min<std::int64_t>(nx, 0) + std::min<std::int64_t>(ny, 0));
+        const std::int64_t most =
+            one * (std::max<std::int64_t>(nx, 0) + std::max<std::int64_t>(ny, 0));
+        return high <= least || low >= most;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const l3d_micro_vertex &a = corners[i], &b = corners[(i + 1) % 3];
+        if (apart(a.y - b.y, b.x - a.x))
+            return false;
+    }
+    return !apart(1, 0) && !apart(0, 1);
+}
+
+/// Needles from side to side have pairs in proportion to their length, not to their boxes.
+TEST(BandFragments, PairNeedlesWithThePixelsThatTheyReach) {
+    random_polygons random(scene_seed, size);
+    int wide = 0;
+    for (int n = 0; n < 300; ++n) {
+        const auto place = [&](int reach) {
+            return std::array{random.number(0, 256 * size.width),
+                              random.number(0, 256 * size.height), random.number(-reach, reach),
+                              random.number(-reach, reach)};
+        };
+        // Every third one is level or upright.
+        const auto from = place(n % 2 == 0 ? 300 : 6000), to = place(0);
+        const int to_x = n % 3 == 1 ? from[0] : to[0], to_y = n % 3 == 2 ? from[1] : to[1];
+        const triangle corners{
+            l3d_micro_vertex{from[0], from[1], 0.5f, {0, 0, 1}},
+            l3d_micro_vertex{to_x, to_y, 0.5f, {0, 0, 1}},
+            l3d_micro_vertex{from[0] + from[2], from[1] + from[3], 0.5f, {0, 0, 1}}};
+        l3d_surface_part part;
+        part.triangles.add(corners[0], corners[1], corners[2]);
+        const all_fragments all({part}, scene_shading(l3d_shade::gouraud));
+        const band_fragments& band = all.fragments;
+        std::size_t reached = 0;
+        for (std::size_t i = 0; i < band.pixels().size(); ++i) {
+            const bool is_paired = band.begin_of(i) < band.begin_of(i + 1);
+            const bool reaches = reaches_into(corners, band.pixels()[i]);
+            EXPECT_TRUE(is_paired || !reaches || band.polygons().empty())
+                << n << ' ' << band.pixels()[i].x << ' ' << band.pixels()[i].y;
+            reached += reaches ? 1 : 0;
+        }
+        // A row may have a pixel more on either side. Narrow boxes are paired whole.
+        const auto [first, last] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+        if (std::min(last, 256 * size.width) - std::max(first, 0) > 33 * 256) {
+            ++wide;
+            EXPECT_LE(band.pairs().size(), reached + 2u * size.height) << n;
+        }
+    }
+    EXPECT_GT(wide, 100);
 }
 
 } // namespace

@@ -7,8 +7,44 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 
 namespace l3d_detail {
+
+namespace {
+
+/// A polygon with a wider box is asked in each row how far it reaches: a thousand needles from side
+/// to side would else have a million pairs each.
+constexpr std::int32_t wide = 32;
+
+/// The squares that a polygon may reach into in a row of pixels.
+/// Crossings of its sides with the row's ends are rounded, so they are 1/256 pixel farther out.
+l3d_pixel_box reached_in_row(std::span<const l3d_micro_vertex> corners, std::int32_t row) {
+    // What lies on the end of the row before reaches into this one (squares_in).
+    const double top = l3d_subpixel_one * double(row) - 1, bottom = top + l3d_subpixel_one + 1;
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const l3d_micro_vertex &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        if (std::max(a.y, b.y) < top || std::min(a.y, b.y) > bottom)
+            continue;
+        const double x = a.x, y = a.y, dx = b.x - x, dy = b.y - y;
+        for (const double end : {top, bottom}) {
+            const double part = dy != 0 ? std::clamp((end - y) / dy, 0.0, 1.0) : end == top;
+            left = std::min(left, x + part * dx);
+            right = std::max(right, x + part * dx);
+        }
+    }
+    if (left > right)
+        return {};
+    l3d_pixel_box result = squares_in({static_cast<std::int32_t>(std::floor(left)) - 1, 0,
+                                       static_cast<std::int32_t>(std::ceil(right)) + 1, 0});
+    result.top = row;
+    result.bottom = row + 1;
+    return result;
+}
+
+} // namespace
 
 std::int64_t fragment_polygon::area2() const {
     const scan_point first{x[2] - x[0], y[2] - y[0]}, second{x[3] - x[1], y[3] - y[1]};
@@ -169,7 +205,7 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
         farthest = std::min(farthest, v.inv_w);
         nearest = std::max(nearest, v.inv_w);
     }
-    if (!add_pairs(box, nearest))
+    if (!add_pairs(corners, box, nearest))
         return;
     fragment_polygon& polygon = polygons_.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -189,11 +225,19 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
 
 /// Pairs the next polygon with the marked pixels of its box where it may be seen. False if there is
 /// none.
-bool band_fragments::add_pairs(const l3d_pixel_box& box, float nearest) {
+bool band_fragments::add_pairs(std::span<const l3d_micro_vertex> corners, l3d_pixel_box box,
+                               float nearest) {
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
-    const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));
-    for (std::int32_t y = box.top; y < box.bottom; ++y)
+    const l3d_pixel_box whole = box;
+    const bool is_wide = box.right - box.left > wide;
+    for (std::int32_t y = whole.top; y < whole.bottom; ++y) {
+        if (is_wide) {
+            box = reached_in_row(corners, y).intersected(whole);
+            if (box.empty())
+                continue;
+        }
+        const auto last = static_cast<std::int32_t>(pixel_bits::word_of(box.right - 1));
         for (auto w = static_cast<std::int32_t>(pixel_bits::word_of(box.left)); w <= last; ++w) {
             const std::uint64_t of_word = bits_->row(y)[w];
             std::uint64_t marked = of_word & pixel_bits::within(w, box.left, box.right);
@@ -206,6 +250,7 @@ bool band_fragments::add_pairs(const l3d_pixel_box& box, float nearest) {
                 if (nearest >= farthest_[index])
                     pairs_.push_back({index, name});
         }
+    }
     return pairs_.size() != pairs;
 }
 

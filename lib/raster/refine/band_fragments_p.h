@@ -88,7 +88,7 @@ private:
                   bool levels);
     void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                     const l3d_pixel_box& box, bool counts_once);
-    bool add_pairs(const l3d_pixel_box& box, float nearest);
+    bool add_pairs(std::span<const l3d_micro_vertex> corners, l3d_pixel_box box, float nearest);
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
