@@ -14,9 +14,9 @@ namespace l3d_detail {
 
 namespace {
 
-/// A polygon with a wider box is asked in each row how far it reaches: a thousand needles from side
-/// to side would else have a million pairs each.
-constexpr std::int32_t wide = 32;
+/// A box of so many columns is paired whole. Polygons with wider ones are asked in each row how far
+/// they reach: a needle from corner to corner would else have a million pairs.
+constexpr std::int32_t most_paired_whole = 32;
 
 /// The squares that a polygon may reach into in a row of pixels.
 /// Crossings of its sides with the row's ends are rounded, so they are 1/256 pixel farther out.
@@ -230,7 +230,7 @@ bool band_fragments::add_pairs(std::span<const l3d_micro_vertex> corners, l3d_pi
     const auto name = static_cast<std::uint32_t>(polygons_.size());
     const std::size_t pairs = pairs_.size();
     const l3d_pixel_box whole = box;
-    const bool is_wide = box.right - box.left > wide;
+    const bool is_wide = box.right - box.left > most_paired_whole;
     for (std::int32_t y = whole.top; y < whole.bottom; ++y) {
         if (is_wide) {
             box = reached_in_row(corners, y).intersected(whole);
