@@ -9,14 +9,19 @@
 #include "raster/rasterizer_factory_sw.h"
 #include "reference/box_image.h"
 #include "reference/box_verdict.h"
+#include "reference/random_numbers.h"
 #include "reference/views.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace {
@@ -26,13 +31,13 @@ using pipeline_tests::shown_model;
 
 constexpr double tolerances[] = {0.25, 0.05, 0.02};
 
-/// A picture beside the exact one, with and without anti-aliasing.
-void expect_within_bounds(const shown_model& shown, std::size_t view, l3d_size size) {
-    const scene s(shown.patches, shown.views[view], size);
+/// Pictures beside the exact one, with and without anti-aliasing.
+void expect_within_bounds(const std::string& name, const scene& s,
+                          std::span<const double> tolerances_px) {
     const reference::box_image exact(s.patches, s.eye, s.picture(), reference::project_light);
     l3d_patch_scene world;
     world.add(s.model, s.placement);
-    for (const double tolerance : tolerances)
+    for (const double tolerance : tolerances_px)
         for (const bool antialias : {false, true}) {
             l3d_afd_settings settings;
             settings.tolerance = tolerance;
@@ -40,35 +45,36 @@ void expect_within_bounds(const shown_model& shown, std::size_t view, l3d_size s
             settings.error_map = true;
             settings.light = {reference::project_light.x, reference::project_light.y,
                               reference::project_light.z};
-            l3d_pipeline_afd pipeline(l3d_memory_canvas(size), world, s.camera, settings);
+            l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world, s.camera, settings);
             pipeline.draw_event();
             std::vector<double> levels;
             for (const std::uint32_t word : words_of(pipeline.screen().pixels()))
                 levels.push_back(word & 0xff);
             std::vector<float> bounds;
-            for (int y = 0; y < size.height; ++y)
-                for (int x = 0; x < size.width; ++x)
+            for (int y = 0; y < s.size.height; ++y)
+                for (int x = 0; x < s.size.width; ++x)
                     bounds.push_back(pipeline.error_map()->at(x, y));
             const reference::box_verdict verdict = reference::judge_boxes(levels, exact, bounds);
             const l3d_frame_report report = pipeline.report();
-            std::printf("%-8s %2zu, %.2f px, %s: %ld shown, %ld edges, %.1f %% judged; levels rms "
+            std::printf("%s, %.3f px, %s: %ld shown, %ld edges, %.1f %% judged; levels rms "
                         "%.2f, of edges %.2f, largest %.0f at (%d, %d); coverage %.3f, colour "
                         "%.2f; %ld exceptions\n",
-                        shown.name.c_str(), view, tolerance, antialias ? "smooth" : "sharp ",
+                        name.c_str(), tolerance, antialias ? "smooth" : "sharp ",
                         static_cast<long>(verdict.shown), static_cast<long>(verdict.edges),
                         100 * verdict.judged_share(), verdict.rms, verdict.edge_rms,
                         verdict.largest, verdict.largest_x, verdict.largest_y,
                         report.coverage_bound, report.color_bound,
                         static_cast<long>(verdict.exceptions));
-            EXPECT_EQ(verdict.exceptions, 0);
-            EXPECT_EQ(verdict.judged, verdict.pixels);
+            EXPECT_EQ(verdict.exceptions, 0) << name;
+            EXPECT_EQ(verdict.judged, verdict.pixels) << name;
         }
 }
 
 void expect_all_within_bounds(l3d_size size, std::size_t step) {
     for (const shown_model& each : pipeline_tests::shown_models())
         for (std::size_t view = 0; view < 12; view += step)
-            expect_within_bounds(each, view, size);
+            expect_within_bounds(each.name + ' ' + std::to_string(view),
+                                 scene(each.patches, each.views[view], size), tolerances);
 }
 
 /// View 0 of each model.
@@ -79,6 +85,44 @@ TEST(antialiased, pictures_are_within_their_bounds) {
 /// Two minutes: twelve views of four models.
 TEST(antialiased, DISABLED_pictures_are_within_their_bounds_from_twelve_sides) {
     expect_all_within_bounds({80, 60}, 1);
+}
+
+/// A camera that looks somewhere near a model: from inside or far away, through any lens, and with
+/// its head on one side.
+reference::camera random_camera(const reference::camera& usual, reference::random_numbers& random) {
+    const auto around = [&](const reference::vec3& middle, double size) -> reference::vec3 {
+        return {middle.x + size * random.between(-1, 1), middle.y + size * random.between(-1, 1),
+                middle.z + size * random.between(-1, 1)};
+    };
+    const double distance = std::hypot(usual.eye.x - usual.target.x, usual.eye.y - usual.target.y,
+                                       usual.eye.z - usual.target.z);
+    return {around(usual.target, distance * random.of_any_size(0.06, 30)),
+            around(usual.target, 0.3 * distance), around({}, 1), random.of_any_size(1, 160),
+            random.of_any_size(1e-3, 1)};
+}
+
+void expect_random_cameras_within_bounds(std::uint64_t first, std::uint64_t end) {
+    const auto models = pipeline_tests::shown_models();
+    constexpr double any_tolerance[] = {1, 0.25, 0.05, 0.02, 0.013};
+    for (std::uint64_t seed = first; seed < end; ++seed) {
+        reference::random_numbers random(seed);
+        const shown_model& shown = models[random.below(models.size())];
+        const reference::camera eye = random_camera(shown.views[random.below(12)], random);
+        const l3d_size size{1 + static_cast<int>(random.below(64)),
+                            1 + static_cast<int>(random.below(48))};
+        const double tolerance = any_tolerance[random.below(std::size(any_tolerance))];
+        expect_within_bounds("seed " + std::to_string(seed) + ", " + shown.name,
+                             scene(shown.patches, eye, size), {&tolerance, 1});
+    }
+}
+
+TEST(antialiased, pictures_of_random_cameras_are_within_their_bounds) {
+    expect_random_cameras_within_bounds(0, 8);
+}
+
+/// Eight minutes: 4000 pictures.
+TEST(antialiased, DISABLED_pictures_of_two_thousand_random_cameras_are_within_their_bounds) {
+    expect_random_cameras_within_bounds(0, 2000);
 }
 
 } // namespace
