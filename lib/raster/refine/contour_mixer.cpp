@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: MIT
 // contour_mixer: which neighbour shows the other side, and what the two make together.
 #include "raster/refine/contour_mixer_p.h"
 
@@ -23,11 +22,6 @@ constexpr int steady = jump_levels;
 /// A level that is taken from a surface's own polygons is no farther from what is drawn next to
 /// it. Vertices beside a fold may have the level of the side that is not seen.
 constexpr float most_change = 48;
-
-/// Levels that a surface grows brighter by from the middle of a pixel to the contour beside it. On
-/// a straight slope over 3/4 pixel, the pixel's mean light is then 8 to 10 levels above its
-/// middle's.
-constexpr float steep_rim = 48;
 
 /// The same surface has the same depth where it was drawn, but for rounding.
 constexpr float same_depth = 1.0f / 1024;
@@ -226,24 +220,11 @@ bool contour_mixer::find_own_surface(const contour_pixel& pixel, step to, side& 
         std::abs(light.level - drawn.level) > most_change ||
         (is_own && !is_near(around(x, y), light.level, color_of(light.material))))
         return false;
+    if (is_own && is_steep(pixel, light))
+        return false; // the level in the middle is not that of the mean light
     found.all = light.level;
     found.color = color_of(light.material);
     return true;
-}
-
-bool contour_mixer::shades_next(const contour_pixel& pixel, step& to) const {
-    if (!has_own_surface(pixel))
-        return false;
-    to = to_right_of(pixel);
-    const std::int32_t x = pixel.x + to.x, y = pixel.y + to.y;
-    if (!inside(x, y))
-        return false;
-    const std::uint32_t word = word_at(x, y), color = color_of(pixel.beside.part->material);
-    const float level = linear_light::level_of(pixel.level());
-    const auto more = [&](int shift) {
-        return in_color(level, color, shift) - static_cast<float>(word >> shift & 255);
-    };
-    return std::max({more(0), more(8), more(16)}) > steep_rim;
 }
 
 bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
@@ -262,7 +243,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const others other = find_other(here, to);
     if (other == others::none) { // the contour cuts a corner off
         word = here_word;
-        return rest < small_share_ && word != l3d_pixels::transparent && !is_odd(here);
+        return rest < small_share_ && word != l3d_pixels::transparent && !is_odd(here) &&
+               !corner_is_seen(pixel, rest);
     }
     if (other == others::unlike) {
         if (pixel.crossings != 2)
@@ -274,6 +256,10 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     const std::uint32_t there_word = word_at(pixel.x + to.x, pixel.y + to.y);
     if (!is_of_contour(pixel, is_right ? step{0, 0} : to))
         return false;
+    const std::int32_t right_x = pixel.x + (is_right ? 0 : to.x);
+    const std::int32_t right_y = pixel.y + (is_right ? 0 : to.y);
+    if (!(picture_.depth[right_y * picture_.pitch + right_x] > 0))
+        return false; // a surface that is thinner than a pixel: no centre shows it
     // A centre that met a sliver of the back may be as dark as what is behind: there is an edge.
     if (other == others::one && here_word == there_word && !is_odd(here)) {
         word = here_word;
@@ -286,7 +272,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     side of_own{here_word, here_word}, of_rest{there_word, there_word};
     if (!find_steady(here, -to, 0.5f * rest, of_own) &&
         !find_steep(pixel, -to, true, is_right, own, of_own) &&
-        !(is_right && find_own_surface(pixel, {0, 0}, of_own)) && !(own < 2 * small_share_))
+        !(is_right && !may_show_a_sliver(pixel) && find_own_surface(pixel, {0, 0}, of_own)) &&
+        !(own < 2 * small_share_ && !(is_right && rim_is_seen(pixel, own, of_own, of_rest))))
         return false;
     // What is behind the contour is known from that neighbour alone, if vertices are off at all.
     const float behind_limit = is_right && small_share_ > 0 ? 1 : small_share_;
@@ -294,7 +281,8 @@ bool contour_mixer::mix(const contour_pixel& pixel, std::uint32_t& word) const {
     if (!(other == others::one && find_steady(there, to, -0.5f * (1 + rest), of_rest)) &&
         !find_steep(pixel, to, false, !is_right, rest, of_rest) &&
         !(!is_right && find_own_surface(pixel, to, of_rest)) &&
-        !((other == others::one || is_right) && rest < behind_limit))
+        !((other == others::one || is_right) && rest < behind_limit &&
+          !(!is_right && rim_is_seen(pixel, rest, of_rest, of_own))))
         return false;
 
     if (here_word == l3d_pixels::transparent || there_word == l3d_pixels::transparent) {

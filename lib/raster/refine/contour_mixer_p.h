@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_REFINE_CONTOUR_MIXER_P_H
 #define L3D_RASTER_REFINE_CONTOUR_MIXER_P_H
 
+#include "raster/refine/contour_light_p.h"
 #include "raster/refine/contour_pixels_p.h"
 #include "raster/refine/linear_light_p.h"
 #include "raster/surface_rasterizer.h"
@@ -112,12 +113,22 @@ private:
     bool find_steep(const contour_pixel& pixel, step away, bool is_own, bool is_right, float share,
                     side& found) const;
     bool find_own_surface(const contour_pixel& pixel, step to, side& found) const;
+    bool is_steep(const contour_pixel& pixel, const surface_light& middle) const;
     bool is_of_contour(const contour_pixel& pixel, step to) const;
     std::uint32_t color_of(std::uint32_t material) const;
     bool is_near(const surroundings& here, float level, std::uint32_t color) const;
     static float apart(std::uint32_t word, float level, std::uint32_t color);
     bool has_own_surface(const contour_pixel& pixel) const;
+    float rise(float share, float bright, float dark, float rest) const;
+    bool corner_is_seen(const contour_pixel& pixel, float share) const;
+    bool rim_is_seen(const contour_pixel& pixel, float share, const side& right,
+                     const side& left) const;
+    float contour_level(const contour_pixel& pixel, int shift) const;
+    static bool may_show_a_sliver(const contour_pixel& pixel);
     std::uint32_t mixed(const side& own, float share, const side& rest) const;
+
+    /// A pixel whose centre is nearer to a fold than this may show a sliver of the other side.
+    static constexpr float least_way = 0.1f;
 
     const drawn_picture& picture_;
     const contour_cuts& cuts_;

@@ -2,6 +2,7 @@
 // contour_mixer: levels that change fast beside a contour.
 #include "raster/refine/contour_mixer_p.h"
 
+#include "raster/refine/contour_light_p.h"
 #include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
@@ -18,9 +19,6 @@ constexpr float calm = 8;
 
 /// What the area beside a straight contour may differ by from the share.
 constexpr float straight = 1.0f / 16;
-
-/// A pixel whose centre is nearer to a contour than this may show a sliver of the other side.
-constexpr float least_way = 0.1f;
 
 /// Means over the part of a pixel on one side of a straight contour: of the way to the contour
 /// along an axis, of its root and of its square. And that part's area.
@@ -66,6 +64,9 @@ struct share_means {
     }
 };
 
+/// A fold that is brighter than ambient light by more is not taken for dark unasked.
+constexpr float most_guessed = 48;
+
 /// Whether a surface's word has a single level. A transparent word has none.
 bool is_grey(std::uint32_t word) {
     constexpr std::uint32_t all_channels = 0x010101;
@@ -100,8 +101,8 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
     std::int32_t x = pixel.x, y = pixel.y;
     float way = to_centre;
     if (!is_own || (folds && to_centre < least_way)) {
-        if (is_own && !goes_on(x, y, away))
-            return false;
+        if (is_own && (along > across || !goes_on(x, y, away)))
+            return false; // the next one is not farther inside
         x += away.x;
         y += away.y;
         way += 1;
@@ -139,7 +140,14 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
             return false; // where light begins, there is a corner in the curve
         const float guess =
             levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
-        levels[0] = ambient + (guess > ambient + 0.5f * pixel.level() ? pixel.level() : 0.0f);
+        const bool is_lit = guess > ambient + 0.5f * pixel.level();
+        levels[0] = ambient + (is_lit ? pixel.level() : 0.0f);
+        if (!is_lit && pixel.level() > most_guessed) {
+            surface_light light;
+            if (find_light(pixel, place_on_right(pixel), light) &&
+                light.level > levels[1] + most_guessed)
+                return false; // a bright rim, which is narrower than a pixel
+        }
     }
 
     // The parabola through three of them, in Newton's form; the fourth tells its error.
