@@ -12,7 +12,7 @@ void clear_stack_below();
 ///
 /// If there is no answer, libX11 1.8's XQueryExtension takes for it what lies on the stack.
 /// Anything but 0 is then an extension, and for each of its events Xlib may print a line of its
-/// own.
+/// own. It still may where libXext's names are bound late: the dynamic linker uses that stack, too.
 template <class Ask> auto ask_for_extension(Ask ask) {
     clear_stack_below();
     return ask();
