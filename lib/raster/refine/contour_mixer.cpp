@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // contour_mixer: which neighbour shows the other side, and what the two make together.
 #include "raster/refine/contour_mixer_p.h"
 

@@ -130,6 +130,11 @@ private:
     /// A pixel whose centre is nearer to a fold than this may show a sliver of the other side.
     static constexpr float least_way = 0.1f;
 
+    /// Levels that a surface grows brighter by from the middle of a pixel to the contour beside it.
+    /// On a straight slope over 3/4 pixel, the pixel's mean light is then 8 to 10 levels above its
+    /// middle's.
+    static constexpr float steep_rim = 48;
+
     const drawn_picture& picture_;
     const contour_cuts& cuts_;
     const linear_light& tables_;

@@ -2,21 +2,18 @@
 // contour_mixer: light that is bright only beside a contour, where no pixel's centre shows it.
 #include "raster/refine/contour_light_p.h"
 #include "raster/refine/contour_mixer_p.h"
+#include "raster/refine/find_jumps_p.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 
 namespace l3d_detail {
 
 namespace {
 
-/// Levels that a surface grows brighter by from the middle of a pixel to the contour beside it. On
-/// a straight slope over 3/4 pixel, the pixel's mean light is then 8 to 10 levels above its
-/// middle's.
-constexpr float steep_rim = 48;
-
-/// Levels that a pixel may be too dark by for a small share of light that is left out.
-constexpr float most_left_out = 8;
+/// Levels that a pixel may be too dark by for a small share of light that is left out: no more than
+/// neighbours on one surface differ by.
+constexpr float most_left_out = jump_levels;
 
 /// How far the bits of the channels are from a word's end.
 constexpr int channels[] = {0, 8, 16};

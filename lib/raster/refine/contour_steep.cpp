@@ -64,9 +64,6 @@ struct share_means {
     }
 };
 
-/// A fold that is brighter than ambient light by more is not taken for dark unasked.
-constexpr float most_guessed = 48;
-
 /// Whether a surface's word has a single level. A transparent word has none.
 bool is_grey(std::uint32_t word) {
     constexpr std::uint32_t all_channels = 0x010101;
@@ -142,10 +139,10 @@ bool contour_mixer::find_steep(const contour_pixel& pixel, step away, bool is_ow
             levels[1] - places[1] * (levels[2] - levels[1]) / (places[2] - places[1]);
         const bool is_lit = guess > ambient + 0.5f * pixel.level();
         levels[0] = ambient + (is_lit ? pixel.level() : 0.0f);
-        if (!is_lit && pixel.level() > most_guessed) {
+        if (!is_lit && pixel.level() > steep_rim) {
             surface_light light;
             if (find_light(pixel, place_on_right(pixel), light) &&
-                light.level > levels[1] + most_guessed)
+                light.level > levels[1] + steep_rim)
                 return false; // a bright rim, which is narrower than a pixel
         }
     }
