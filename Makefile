@@ -28,15 +28,11 @@ uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
-links_raster  := -ltbb -lhwy -lfreetype
+links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz
 needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
-needs_raster  := tbb libhwy freetype2
+needs_raster  := tbb libhwy freetype2 harfbuzz
 
 include config.mk
-
-# HarfBuzz kerns text that becomes paths, if it is there.
-links_raster += $(if $(HARFBUZZ),-lharfbuzz)
-needs_raster += $(if $(HARFBUZZ),harfbuzz)
 
 # ---- variant: one folder per choice of scalar, mode and compiler --------------------------------
 
@@ -199,7 +195,7 @@ judge = $(if $(dry_run),: $(1),\
 all: ## build the library and the programs (the default)
 	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
 
-run: ## build, then show the teapot: in a window, or as a PNG where there is no display
+run: packages-run ## build, then show the teapot: in a window, or as a PNG where there is no display
 	+@$(call build,$(SLOW_FIRST) $(OUT)/bin/teapot_afd)
 	@if [ -n "$$DISPLAY" ]; then $(OUT)/bin/teapot_afd --no-input --backend auto; else \
 	    $(OUT)/bin/teapot_afd --no-input --backend memory --output $(OUT)/teapot.png && \
@@ -246,7 +242,7 @@ tidy: packages-tidy ## clang-tidy, warnings are errors
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)
 
-golden: $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
+golden: packages-test $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
 pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests/bench/fixed_failure_bench $(OUT)/tests/bench/depth_bits_bench ## the documents' pictures that are no report's
@@ -289,9 +285,7 @@ fuzz-each: $(FUZZERS)
 	    $$fuzzer -max_total_time=$(FUZZ_SECONDS) $(FUZZ_LIMITS) -artifact_prefix=$$fuzzer.found- \
 	    $$fuzzer.corpus tests/fuzz/corpus/$${fuzzer##*/}; done
 
-packages: packages-build packages-test packages-lint packages-text ## install the Debian packages that are missing
-packages-test packages-lint packages-tidy packages-bench packages-matrix packages-fuzz \
-    packages-stability packages-faults packages-models packages-report: packages-build
+packages: packages-build packages-run packages-test packages-lint ## install the Debian packages that are missing
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
@@ -335,10 +329,8 @@ $(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
 $(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
 $(PLUGINS): | $(DOOR)
 
-# One source knows HarfBuzz, and it alone is compiled anew when that comes or goes.
-$(call remember,$(OUT)/harfbuzz,$(HARFBUZZ))
-$(OUT)/lib/raster/shapes/text_shaper.o: $(OUT)/harfbuzz
-$(OUT)/lib/raster/shapes/text_shaper.o: private FLAGS_lib += $(if $(HARFBUZZ),-DL3D_HARFBUZZ -isystem $(HARFBUZZ))
+# One source knows HarfBuzz.
+$(OUT)/lib/raster/shapes/text_shaper.o: private FLAGS_lib += -isystem $(HARFBUZZ)
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %
@@ -350,7 +342,8 @@ $(OUT)/%.bytes: %
 	$(Q)mkdir -p $(@D); od -An -v -tu1 $< | sed 's/[0-9]\+/&,/g' > $@
 $(OUT)/lib/tool_2d/x11/x11_icon.o: $(OUT)/packaging/desktop/icon.png.bytes
 
-$(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/%
+# A layer of headers alone has no object that the packages come before.
+$(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/% | packages-build
 	$(call say,AR,$@)
 	$(Q)rm -f $@; ar rcs $@ $(filter %.o,$^)
 

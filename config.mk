@@ -15,7 +15,7 @@ ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
 FREETYPE     ?= /usr/include/freetype2#  where the headers of FreeType 2 are
-HARFBUZZ     ?= $(wildcard /usr/include/harfbuzz)#  where the headers of HarfBuzz are; empty: text is kerned without
+HARFBUZZ     ?= /usr/include/harfbuzz#  where the headers of HarfBuzz are
 WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the hooks do
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
@@ -31,28 +31,30 @@ PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) lib
     libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
     libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp libtbb-dev:oneapi/tbb/parallel_for.h \
-    libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h
+    libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h libharfbuzz-dev:harfbuzz/hb.h
 CHARTS          := libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
-PACKAGES_text   := libharfbuzz-dev:harfbuzz/hb.h
+FONT            := fonts-dejavu-core:/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+PACKAGES_run    := $(FONT)
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
-    parallel:parallel libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
-    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS)
+    parallel:parallel strace:strace libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
+    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS) $(FONT)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
-PACKAGES_package := debhelper:dh lintian:lintian
+PACKAGES_bare   := debootstrap:debootstrap
+PACKAGES_package := $(PACKAGES_build) build-essential:/usr/share/build-essential/list debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_stability := gnuplot-nox:gnuplot python3:python3 libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
 PACKAGES_models := assimp-utils:assimp python3:python3
-PACKAGES_displays := xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
+PACKAGES_displays := python3:python3 xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
     tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \
     twm:twm openbox:openbox icewm:icewm fluxbox:fluxbox i3-wm:i3 awesome:awesome xfwm4:xfwm4 \
     metacity:metacity mutter:mutter kwin-x11:kwin_x11 dbus:dbus-run-session \
     matchbox-window-manager:matchbox-window-manager
 PACKAGES_fuzz   := $(PACKAGES_matrix)
-PACKAGES_bench  := libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
+PACKAGES_bench  := python3:python3 libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so \
     libembree-dev:embree3/rtcore.h xvfb:Xvfb libbenchmark-dev:benchmark/benchmark.h \
     libcairo2-dev:cairo/cairo.h libagg-dev:agg2/agg_basics.h
 PACKAGES_report := gnuplot-nox:gnuplot graphviz:dot python3:python3 $(CHARTS)

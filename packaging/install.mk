@@ -29,7 +29,7 @@ SHAREDIR   ?= $(PREFIX)/share
 # Where programs look, from their own place: ../lib/l3d, whatever LIBDIR is.
 PLUGINDIR  := $(PREFIX)/lib/l3d
 
-.PHONY: install install-programs install-library uninstall installcheck exported export-list dist package
+.PHONY: install install-programs install-library uninstall installcheck bare exported export-list dist package
 
 libraries: $(STATIC) $(SHARED)
 
@@ -75,8 +75,11 @@ uninstall: ## remove what install has put there, given the same PREFIX and DESTD
 	rm -f $(foreach r,float double fixed,$(addprefix $(DESTDIR)$(LIBDIR)/,lib$(NAME_$(r)).a \
 	    lib$(NAME_$(r)).so lib$(NAME_$(r)).so.* pkgconfig/$(NAME_$(r)).pc))
 
-installcheck: packages-install ## install into an empty place; build and run the examples with nothing else
+installcheck: packages-test packages-install ## install into an empty place; build and run the examples with nothing else
 	@$(call judge,$(OUT)/log/installcheck.log)
+
+bare: packages-bare ## what a new machine lacks: make run and make test on a bare Debian in build/bare, as root; ARGS="run" for one
+	@tests/install/bare.sh $(BUILD)/bare $(ARGS)
 
 exported: ## list the names that the shared libraries export, as make installcheck compares them, in packaging/exported
 	+@set -e; for real in $(REALS); do $(again) REAL=$$real export-list; done

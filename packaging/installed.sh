@@ -24,4 +24,5 @@ advice=$(set_path PATH "$1" "$PATH"
     set_path PKG_CONFIG_PATH "$2/pkgconfig" "$PKG_CONFIG_PATH" /usr/lib/pkgconfig /usr/local/lib/pkgconfig
     set_path CMAKE_PREFIX_PATH "${2%/lib}" "$CMAKE_PREFIX_PATH" /usr /usr/local)
 [ -z "$advice" ] || { echo "Set, unless it is:"; echo "$advice"; }
+command -v pkg-config > /dev/null || echo "Programs of your own are built with pkg-config, which is not here (Debian: pkgconf)."
 [ "$2" != /usr/local/lib ] || echo "Run ldconfig as root if the loader does not find libl3d.so."

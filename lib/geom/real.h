@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #if defined(L3D_REAL_FLOAT) + defined(L3D_REAL_DOUBLE) + defined(L3D_REAL_FIXED) != 1
-#error "define exactly one of L3D_REAL_FLOAT, L3D_REAL_DOUBLE, L3D_REAL_FIXED"
+#error "define L3D_REAL_FLOAT, _DOUBLE or _FIXED, as `pkg-config --cflags l3d` does"
 #endif
 
 // Every object refers to the symbol of its own kind, and the library defines only one of them:

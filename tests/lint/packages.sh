@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # packages.sh PACKAGE:PROOF...: makes sure of Debian packages.
-# A proof is a header, a library, a script for web pages or a program; dpkg-query knows better where there is one.
+# A proof is a header, a library, a file or a program; dpkg-query knows better where there is one.
 # Installs what is missing where that needs no password; else says in one line what to install.
 
 known_to_dpkg() { dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null | grep -q '^installed'; }
@@ -16,15 +16,25 @@ installed() {
         else
             echo "#include <$2>" | ${CXX:-c++} -std=c++20 -fsyntax-only -x c++ - 2> /dev/null
         fi ;;
-    *.js) [ -e "$2" ] ;;
+    /*) [ -e "$2" ] ;;
     *) command -v "$2" > /dev/null ;;
     esac
 }
 
-missing=
-for entry; do
-    installed "${entry%%:*}" "${entry#*:}" || missing="$missing ${entry%%:*}"
-done
+find_missing() {
+    missing=
+    for entry; do
+        installed "${entry%%:*}" "${entry#*:}" || missing="$missing ${entry%%:*}"
+    done
+}
+
+find_missing "$@"
+[ "$missing" ] || exit 0
+
+# make -j starts several of these, and apt-get would fail where another one runs.
+exec 9< "$0"
+flock 9
+find_missing "$@"
 [ "$missing" ] || exit 0
 
 fail() {

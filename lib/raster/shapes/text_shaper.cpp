@@ -6,14 +6,11 @@
 
 #include <cstdint>
 
-#ifdef L3D_HARFBUZZ
 #include <hb.h>
-#endif
 
 namespace l3d_detail {
 namespace {
 
-#ifdef L3D_HARFBUZZ
 struct buffer_closer {
     void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
 };
@@ -38,13 +35,6 @@ hb_font_t* harfbuzz_font(const std::string& file) {
 void close_font(hb_font_t* font) {
     hb_font_destroy(font);
 }
-#else
-hb_font_t* harfbuzz_font(const std::string&) {
-    return nullptr;
-}
-
-void close_font(hb_font_t*) {}
-#endif
 
 } // namespace
 
@@ -58,9 +48,8 @@ const std::vector<placed_glyph>& text_shaper::shape(std::string_view text, doubl
 }
 
 /// Characters are read here, so that broken bytes mean the same as everywhere.
-double text_shaper::shape_by_harfbuzz([[maybe_unused]] std::string_view text) {
+double text_shaper::shape_by_harfbuzz(std::string_view text) {
     double x = 0;
-#ifdef L3D_HARFBUZZ
     std::vector<hb_codepoint_t> codes;
     while (!text.empty())
         codes.push_back(static_cast<hb_codepoint_t>(take_character(text)));
@@ -77,7 +66,6 @@ double text_shaper::shape_by_harfbuzz([[maybe_unused]] std::string_view text) {
             {infos[i].codepoint, x + places[i].x_offset, static_cast<double>(places[i].y_offset)});
         x += places[i].x_advance;
     }
-#endif
     return x;
 }
 
