@@ -240,6 +240,12 @@ private:
 
 std::unique_ptr<l3d_object>
 l3d_plugin_loader::load(const std::string& file, const std::string& parameters, std::string& why) {
+    std::error_code unknown;
+    const auto status = std::filesystem::status(file, unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        why = file + ": is no regular file"; // to open a pipe would wait for its writer
+        return nullptr;
+    }
     const library tried(file);
     why = fault_of(tried, file);
     if (!why.empty())

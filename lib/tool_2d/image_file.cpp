@@ -5,6 +5,7 @@
 #include "tool_2d/error.h"
 #include "tool_2d/output_file_p.h"
 #include "tool_2d/screen_info.h"
+#include "tool_2d/text_file.h"
 
 #include <algorithm>
 #include <array>
@@ -59,16 +60,13 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     });
 }
 
-/// As l3d_write_ppm makes it: no comments, 255 levels.
-bool is_whole_ppm(std::FILE* file, l3d_size size) {
-    int width = 0, height = 0;
-    char after = 0;
-    if (std::fscanf(file, "P6 %9d %9d 255%c", &width, &height, &after) != 3 || after != '\n' ||
-        l3d_size{width, height} != size)
-        return false;
-    const long begin = std::ftell(file);
-    const auto bytes = static_cast<long>(rgb_bytes) * width * height;
-    return std::fseek(file, 0, SEEK_END) == 0 && std::ftell(file) - begin == bytes;
+/// What a PPM of that size begins with, and the bytes behind it.
+std::string ppm_head(l3d_size size) {
+    return "P6\n" + std::to_string(size.width) + " " + std::to_string(size.height) + "\n255\n";
+}
+
+std::size_t ppm_bytes(l3d_size size) {
+    return rgb_bytes * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
 /// libpng's picture, which holds memory between its calls.
@@ -78,6 +76,48 @@ struct png_picture : png_image {
     png_picture& operator=(const png_picture&) = delete;
     ~png_picture() { png_image_free(this); }
 };
+
+/// Whether that many bytes can hold a picture of one bit for a pixel, the least there is. Deflate
+/// shortens 258 bytes to 2 bits at best.
+bool may_hold(std::size_t bytes, const png_image& picture) {
+    constexpr std::uint64_t most_pixels = std::uint64_t{258} * 4 * 8; // for each byte of the file
+    return std::uint64_t{picture.width} * picture.height <= most_pixels * bytes;
+}
+
+/// The picture of a PNG file's text.
+/// Errors:  l3d_error(bad_input) that names the path and the reason.
+l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha alpha) {
+    const bool with_alpha = alpha == l3d_alpha::transparency;
+    const auto refuse = [&path](const std::string& why) {
+        throw l3d_error(l3d_exit::bad_input, path + ": " + why);
+    };
+    png_picture picture;
+    if (png_image_begin_read_from_memory(&picture, text.data(), text.size()) == 0)
+        refuse(picture.message);
+    if (!may_hold(text.size(), picture))
+        refuse(std::to_string(picture.width) + " by " + std::to_string(picture.height) +
+               " pixels do not fit into a file of " + std::to_string(text.size()) + " bytes");
+    picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    picture.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // libpng would take 16 bits for amounts of light
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(picture));
+    const png_color black{};
+    if (png_image_finish_read(&picture, with_alpha ? nullptr : &black, bytes.data(), 0, nullptr) ==
+        0)
+        refuse(picture.message);
+
+    l3d_image image({static_cast<int>(picture.width), static_cast<int>(picture.height)},
+                    static_cast<std::ptrdiff_t>(picture.width));
+    const auto* rgb = bytes.data();
+    for (int y = 0; y < image.pixels().height; ++y) {
+        for (auto& word : image.pixels().row(y)) {
+            word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
+            if (with_alpha)
+                word |= static_cast<std::uint32_t>(rgb[rgb_bytes] ^ 0xff) << 24;
+            rgb += rgb_bytes + (with_alpha ? 1 : 0);
+        }
+    }
+    return image;
+}
 
 } // namespace
 
@@ -107,9 +147,7 @@ void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha 
 }
 
 void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels) {
-    write_text(file, name,
-               "P6\n" + std::to_string(pixels.width) + " " + std::to_string(pixels.height) +
-                   "\n255\n");
+    write_text(file, name, ppm_head(pixels.size()));
     std::vector<std::uint8_t> bytes;
     bytes.reserve(rgb_bytes * static_cast<std::size_t>(pixels.width));
     for (int y = 0; y < pixels.height; ++y) {
@@ -166,53 +204,20 @@ void l3d_write_image(const std::string& path, const l3d_pixels& pixels, l3d_alph
 }
 
 l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha) {
-    const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
-    if (!file)
-        throw l3d_error(l3d_exit::bad_input, path + ": " + std::strerror(errno));
-    const bool with_alpha = alpha == l3d_alpha::transparency;
-    png_picture picture;
-    std::vector<std::uint8_t> bytes;
-    bool well = png_image_begin_read_from_stdio(&picture, file.get()) != 0;
-    if (well) {
-        picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-        bytes.resize(PNG_IMAGE_SIZE(picture));
-        const png_color black{};
-        well = png_image_finish_read(&picture, with_alpha ? nullptr : &black, bytes.data(), 0,
-                                     nullptr) != 0;
-    }
-    if (!well)
-        throw l3d_error(l3d_exit::bad_input, path + ": " + picture.message);
-
-    l3d_image image({static_cast<int>(picture.width), static_cast<int>(picture.height)},
-                    static_cast<std::ptrdiff_t>(picture.width));
-    const auto* rgb = bytes.data();
-    for (int y = 0; y < image.pixels().height; ++y) {
-        for (auto& word : image.pixels().row(y)) {
-            word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
-            if (with_alpha)
-                word |= static_cast<std::uint32_t>(rgb[rgb_bytes] ^ 0xff) << 24;
-            rgb += rgb_bytes + (with_alpha ? 1 : 0);
-        }
-    }
-    return image;
+    return decoded(l3d_read_text_file(path), path, alpha);
 }
 
 bool l3d_is_whole_image(const std::string& path, l3d_size size) {
-    const l3d_detail::unique_file file(std::fopen(path.c_str(), "rb"));
-    if (!file)
-        return false;
-    if (!ends_with(path, ".png"))
-        return is_whole_ppm(file.get(), size);
+    // libpng stops reading behind the last row. A file ends with an empty chunk and its checksum.
+    constexpr std::string_view last_chunk("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
     try {
-        if (l3d_read_png(path).pixels().size() != size)
-            return false;
+        const std::string text = l3d_read_text_file(path);
+        if (ends_with(path, ".png"))
+            return decoded(text, path, l3d_alpha::none).pixels().size() == size &&
+                   text.ends_with(last_chunk);
+        const std::string head = ppm_head(size);
+        return text.starts_with(head) && text.size() - head.size() == ppm_bytes(size);
     } catch (const l3d_error&) {
         return false;
     }
-    // libpng stops reading behind the last row. A file ends with an empty chunk and its checksum.
-    constexpr std::string_view last_chunk("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
-    std::array<char, last_chunk.size()> end{};
-    return std::fseek(file.get(), -static_cast<long>(end.size()), SEEK_END) == 0 &&
-           std::fread(end.data(), 1, end.size(), file.get()) == end.size() &&
-           std::string_view(end.data(), end.size()) == last_chunk;
 }

@@ -51,10 +51,12 @@ L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int widt
 L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels,
                                 l3d_alpha alpha = l3d_alpha::none);
 
-/// Reads any PNG as 8-bit RGB, rows without padding. With l3d_alpha::transparency, the words'
-/// highest bytes say how transparent they are, as l3d_write_png takes them; else the picture is
-/// laid on black.
-/// Errors:  l3d_error(bad_input) that names the path and the reason.
+/// Reads any PNG as 8-bit RGB, rows without padding. Numbers of 8 and of 16 bits are levels, unless
+/// the file says otherwise (gAMA, sRGB). With l3d_alpha::transparency, the words' highest bytes say
+/// how transparent they are, as l3d_write_png takes them; else the picture is laid on black, in
+/// linear light.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is too
+///          short for its picture, before memory is taken for it.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
 /// Whether a file holds a whole PNG or PPM of that size. Its name says which kind, as for

@@ -1,26 +1,100 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_text_file: by standard streams.
+// l3d_read_text_file: sizes before memory, and no wait without an end.
 #include "tool_2d/text_file.h"
 
 #include "tool_2d/error.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <sstream>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace {
+
+/// A mesh counts in 32 bits, and so does the container of glTF.
+constexpr std::uint64_t most_of_file = std::uint64_t{1} << 32;
+/// What gives more than any model that comes through a pipe, as /dev/zero does, has no end.
+constexpr std::uint64_t most_of_stream = std::uint64_t{256} << 20;
+/// A shell starts both ends of a pipe together; one of them is there first.
+constexpr int patience_ms = 2000;
+
+/// An open file. Opening a pipe does not wait for a program at its other end.
+class opened {
+public:
+    explicit opened(const std::string& path)
+        : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
+    opened(const opened&) = delete;
+    opened& operator=(const opened&) = delete;
+    ~opened() {
+        if (descriptor_ >= 0)
+            close(descriptor_);
+    }
+    int get() const { return descriptor_; }
+
+    /// Waits until there is something to read, or its end. Errors: false after that time.
+    bool is_ready_within(int milliseconds) const {
+        pollfd waiting{descriptor_, POLLIN, 0};
+        return poll(&waiting, 1, milliseconds) != 0;
+    }
+
+private:
+    int descriptor_;
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+    throw l3d_error(l3d_exit::bad_input, path + ": " + why);
+}
+
+[[noreturn]] void refuse(const std::string& path) {
+    refuse(path, std::strerror(errno));
+}
+
+} // namespace
 
 std::string l3d_read_text_file(const std::string& path) {
-    const auto refuse = [&path]() {
-        throw l3d_error(l3d_exit::bad_input, path + ": " + std::strerror(errno ? errno : EIO));
-    };
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        refuse();
-    std::ostringstream text;
-    text << file.rdbuf();
-    // A folder opens like a file and fails only when read.
-    if (errno == EISDIR || file.bad() || text.bad())
-        refuse();
-    return text.str();
+    const opened file(path);
+    struct stat status {};
+    if (file.get() < 0 || fstat(file.get(), &status) != 0)
+        refuse(path);
+    // The system's own files, as in /proc, say that they are empty.
+    const bool is_sized = S_ISREG(status.st_mode) && status.st_size > 0;
+    const auto size = is_sized ? static_cast<std::uint64_t>(status.st_size) : 0;
+    if (size > most_of_file)
+        refuse(path, "has " + std::to_string(size) + " bytes; files of up to 4 GB are read");
+    const std::uint64_t most = is_sized ? most_of_file : most_of_stream;
+
+    constexpr std::size_t least_step = std::size_t{1} << 16;
+    std::string text;
+    std::size_t length = 0;
+    bool may_wait = S_ISFIFO(status.st_mode);
+    for (;;) {
+        if (length == text.size()) // one byte more than there should be shows the end
+            text.resize(std::max(length == 0 ? size + 1 : 2 * length, least_step));
+        const ssize_t count = read(file.get(), text.data() + length, text.size() - length);
+        if (count > 0) {
+            length += static_cast<std::size_t>(count);
+            if (length > most)
+                refuse(path, "has no end within 256 MB, the most that is read of what is no "
+                             "regular file");
+        } else if (count < 0) {
+            if (errno != EAGAIN || !file.is_ready_within(-1))
+                refuse(path);
+            may_wait = false; // somebody is there, but has said nothing yet
+        } else if (length == 0 && may_wait) {
+            may_wait = false;
+            if (!file.is_ready_within(patience_ms) &&
+                read(file.get(), text.data(), text.size()) == 0)
+                refuse(path, "no program writes into this pipe");
+        } else {
+            break;
+        }
+    }
+    text.resize(length);
+    return text;
 }

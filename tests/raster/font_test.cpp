@@ -12,6 +12,9 @@
 #include <optional>
 #include <string>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace {
 
 using l3d_detail::replacement_character;
@@ -75,6 +78,11 @@ TEST(font, reasons_name_the_file) {
     EXPECT_NE(why.find("/no/such/font.ttf: No such file"), std::string::npos) << why;
     EXPECT_FALSE(l3d_font::load("/proc/self/exe", why));
     EXPECT_NE(why.find("/proc/self/exe: is no font"), std::string::npos) << why;
+    const std::string pipe = testing::TempDir() + "font_" + std::to_string(getpid());
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_FALSE(l3d_font::load(pipe, why));
+    EXPECT_EQ(why, pipe + ": is no regular file");
+    unlink(pipe.c_str());
 }
 
 TEST(font, of_the_system_is_what_the_environment_says) {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <sys/stat.h>
+
 namespace {
 
 std::string file_of(const std::string& plugin) {
@@ -87,6 +89,9 @@ TEST(book_plugin, refused_with_the_reason) {
     const std::string text = folder.file("text.so");
     std::ofstream(text) << "no library\n";
     EXPECT_NE(refusal_of(text).find("text.so: "), std::string::npos);
+    const std::string pipe = folder.file("pipe");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(refusal_of(pipe), pipe + ": is no regular file");
     EXPECT_NE(refusal_of("/").find("/: "), std::string::npos);
     EXPECT_NE(refusal_of("").find(": "), std::string::npos);
 }

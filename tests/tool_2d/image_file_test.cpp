@@ -9,10 +9,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <random>
+#include <vector>
 
+#include <png.h>
 #include <unistd.h>
 
 namespace {
@@ -244,6 +247,131 @@ TEST_F(image_file, reading_names_what_is_wrong) {
               l3d_exit::bad_input);
     std::ofstream(path("bad.png")) << "not a picture";
     EXPECT_EQ(code_of([&] { l3d_read_png(path("bad.png")); }, "bad.png: "), l3d_exit::bad_input);
+}
+
+/// A PNG that our writer does not write: libpng's description of it, and its rows.
+struct described_png {
+    int depth, channels, interlace = PNG_INTERLACE_NONE;
+    std::vector<std::vector<png_byte>> rows{};
+    std::function<void(png_structp, png_infop)> more{}; ///< chunks before the rows
+};
+
+std::string written(const described_png& what, const std::string& path) {
+    std::FILE* const file = std::fopen(path.c_str(), "wb");
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    const std::size_t channels = what.channels == PNG_COLOR_TYPE_RGB          ? 3
+                                 : what.channels == PNG_COLOR_TYPE_RGB_ALPHA  ? 4
+                                 : what.channels == PNG_COLOR_TYPE_GRAY_ALPHA ? 2
+                                                                              : 1;
+    const auto bits = static_cast<std::size_t>(what.depth) * channels;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(8 * what.rows[0].size() / bits),
+                 static_cast<png_uint_32>(what.rows.size()), what.depth, what.channels,
+                 what.interlace, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (what.more)
+        what.more(png, info);
+    std::vector<std::vector<png_byte>> rows = what.rows;
+    std::vector<png_bytep> starts;
+    for (auto& row : rows)
+        starts.push_back(row.data());
+    png_set_rows(png, info, starts.data());
+    png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    png_destroy_write_struct(&png, &info);
+    std::fclose(file);
+    return path;
+}
+
+/// The words of the first row.
+std::vector<std::uint32_t> words_of(const described_png& what, const std::string& path,
+                                    l3d_alpha alpha = l3d_alpha::none) {
+    l3d_image image = l3d_read_png(written(what, path), alpha);
+    const auto row = image.pixels().row(0);
+    return {row.begin(), row.end()};
+}
+
+using words = std::vector<std::uint32_t>;
+
+/// Numbers of 16 bits are levels as those of 8 bits are, unless the file says otherwise.
+TEST_F(image_file, png_of_16_bits_holds_levels) {
+    const described_png grey{
+        16, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, {{0xff, 0xff, 0x80, 0x00, 0x01, 0x00}}};
+    EXPECT_EQ(words_of(grey, path("g.png")), (words{0xffffff, 0x808080, 0x010101}));
+    const described_png rgb{
+        16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, {{0xff, 0xff, 0x80, 0x80, 0x20, 0x20}}};
+    EXPECT_EQ(words_of(rgb, path("c.png")), words{0xff8020});
+    const described_png clear{16,
+                              PNG_COLOR_TYPE_RGB_ALPHA,
+                              PNG_INTERLACE_NONE,
+                              {{0xff, 0xff, 0x80, 0x80, 0x20, 0x20, 0x40, 0x40}}};
+    EXPECT_EQ(words_of(clear, path("a.png"), l3d_alpha::transparency), words{0xbfff8020});
+}
+
+/// Every other kind that the format has: few bits, palettes, keys of transparency, interlacing.
+TEST_F(image_file, png_of_any_kind_has_the_levels_that_it_says) {
+    const words two{0x000000, 0xffffff, 0x000000, 0xffffff, 0, 0, 0, 0};
+    EXPECT_EQ(words_of({1, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, {{0x50}}}, path("1.png")), two);
+    EXPECT_EQ(words_of({2, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, {{0x1b}}}, path("2.png")),
+              (words{0, 0x555555, 0xaaaaaa, 0xffffff}));
+    EXPECT_EQ(words_of({4, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, {{0x18}}}, path("4.png")),
+              (words{0x111111, 0x888888}));
+    described_png keyed{8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_ADAM7, {{0x80, 0x81}}};
+    keyed.more = [](png_structp png, png_infop info) {
+        png_color_16 key{};
+        key.gray = 0x80;
+        png_set_tRNS(png, info, nullptr, 0, &key);
+    };
+    EXPECT_EQ(words_of(keyed, path("k.png"), l3d_alpha::transparency),
+              (words{0xff808080, 0x818181}));
+    described_png palette{8, PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_ADAM7, {{1, 0}}};
+    palette.more = [](png_structp png, png_infop info) {
+        const png_color colors[] = {{0x80, 0x40, 0x20}, {1, 2, 3}};
+        png_set_PLTE(png, info, colors, 2);
+        const png_byte alpha[] = {0x40};
+        png_set_tRNS(png, info, alpha, 1, nullptr);
+    };
+    EXPECT_EQ(words_of(palette, path("p.png"), l3d_alpha::transparency),
+              (words{0x010203, 0xbf804020}));
+}
+
+/// A file that says how its levels stand for light is taken at its word. libpng's screen has the
+/// exponent 2.2: 255 * (128 / 255)^(1 / 2.2) = 186.
+TEST_F(image_file, png_that_says_what_its_levels_mean_is_heeded) {
+    for (const int depth : {8, 16}) {
+        described_png grey{depth, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, {{0x80, 0x80}}};
+        const auto level = [&](auto more) {
+            grey.more = more;
+            return words_of(grey, path("m.png"))[0] & 0xff;
+        };
+        EXPECT_EQ(level([](auto png, auto info) { png_set_gAMA(png, info, 1.0); }), 186u);
+        EXPECT_EQ(level([](auto png, auto info) { png_set_gAMA(png, info, 0.45455); }), 128u);
+        EXPECT_EQ(level([](auto png, auto info) { png_set_sRGB(png, info, 0); }), 128u);
+    }
+}
+
+/// The words of a picture would take 64 GB, but so small a file cannot hold as much.
+TEST_F(image_file, png_that_promises_more_than_it_holds_is_refused_before_it_takes_memory) {
+    std::FILE* const file = std::fopen(path("large.png").c_str(), "wb");
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    png_set_IHDR(png, info, 131071, 131071, 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(png, info);
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"),
+                    reinterpret_cast<png_const_bytep>("few bytes"), 9);
+    png_destroy_write_struct(&png, &info);
+    std::fclose(file);
+    EXPECT_EQ(code_of([&] { l3d_read_png(path("large.png")); },
+                      "large.png: 131071 by 131071 pixels do not fit into a file of " +
+                          std::to_string(fs::file_size(path("large.png"))) + " bytes"),
+              l3d_exit::bad_input);
+}
+
+TEST_F(image_file, reading_what_has_no_end_ends) {
+    EXPECT_EQ(code_of([] { l3d_read_png("/dev/zero"); }, "/dev/zero: has no end within 256 MB"),
+              l3d_exit::bad_input);
+    EXPECT_FALSE(l3d_is_whole_image("/dev/zero", {5, 4}));
 }
 
 } // namespace

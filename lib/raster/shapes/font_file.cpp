@@ -174,6 +174,10 @@ std::optional<l3d_font> l3d_font::load(const std::string& file, std::string& why
         why = file + ": " + std::strerror(error ? error.value() : ENOENT);
         return std::nullopt;
     }
+    if (!std::filesystem::is_regular_file(status)) { // to open a pipe would wait for its writer
+        why = file + ": is no regular file";
+        return std::nullopt;
+    }
     FT_Face face = nullptr;
     if (FT_New_Face(library.get(), file.c_str(), 0, &face) != 0) {
         why = file + ": is no font that can be read";
