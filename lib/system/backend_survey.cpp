@@ -128,7 +128,7 @@ const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
         out << "Number or name [" << usual + 1 << "], or q to quit: " << std::flush;
         std::string line;
         if (!std::getline(in, line)) {
-            out << '\n'; // ends the line that the question began
+            out << rows_[serving[usual]].name << '\n'; // on the line that the question began
             return &rows_[serving[usual]];
         }
         const std::string answer = without_blanks_around(line);

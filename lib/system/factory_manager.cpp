@@ -14,6 +14,7 @@
 #include "system/dispatcher_window.h"
 #include "system/options.h"
 #include "system/standard_output_p.h"
+#include "system/terminal_lines_p.h"
 
 #include <cassert>
 #include <cstdlib>
@@ -78,7 +79,11 @@ void l3d_factory_manager::add(l3d_backend row) {
 }
 
 bool l3d_factory_manager::choose(l3d_options& options) {
-    return choose(options, std::cin, std::cout, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
+    constexpr int patience = 10; // seconds: enough to read five lines
+    const bool may_ask = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+    l3d_detail::terminal_lines typed(STDIN_FILENO, std::cout, patience);
+    std::istream lines(&typed);
+    return choose(options, may_ask ? lines : std::cin, std::cout, may_ask);
 }
 
 bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::ostream& out,

@@ -126,6 +126,14 @@ def enter_takes_the_default(program):
         expect_window(it, program)
 
 
+def silence_takes_the_default(program):
+    """After a countdown of ten seconds, of which a first key takes away what is left."""
+    with asked(program) as it:
+        wait_for(lambda: "(10 s) \b" in it.read(), "a countdown")
+        expect_window(it, program)
+        expect("(1 s) " in it.text and it.text.rstrip().endswith("xshm"), repr(it.text))
+
+
 def number_is_taken(program):
     with asked(program) as it:
         it.answer(number_of(it, "memory") + "\n")
@@ -150,6 +158,12 @@ def nonsense_is_asked_again(program):
             it.answer(answer + "\n")
             it.await_questions(count)
         it.answer("memory\n")
+        expect_picture(it, program)
+
+
+def keys_can_be_taken_back(program):
+    with asked(program) as it:
+        it.answer("ximag\x7f\x7f\x15memorx\x7fy\n")
         expect_picture(it, program)
 
 
@@ -236,6 +250,7 @@ def half_a_terminal_is_not_asked(program):
 CHECKS = (
     lists_what_there_is,
     enter_takes_the_default,
+    keys_can_be_taken_back,
     number_is_taken,
     name_is_taken,
     window_by_name,
@@ -253,6 +268,7 @@ CHECKS = (
 
 if __name__ == "__main__":
     checks = Checks()
+    checks.run("prompt.silence_takes_the_default", silence_takes_the_default, harness.PROGRAMS[0])
     for program in harness.PROGRAMS:
         for check in CHECKS:
             checks.run("prompt.%s.%s" % (program.name, check.__name__), check, program)

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// terminal_lines: keys, and the countdown before the first.
+#include "system/terminal_lines_p.h"
+
+#include "system/signal_watch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace l3d_detail {
+
+/// A terminal that hands over each key and shows none. It is as before when this dies, by a signal,
+/// too: the watch, which dies last, passes it on.
+struct terminal_lines::keys {
+    explicit keys(int terminal) : terminal_(terminal) {
+        tcgetattr(terminal, &before);
+        termios each_key = before;
+        each_key.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        each_key.c_cc[VMIN] = 1;
+        each_key.c_cc[VTIME] = 0;
+        tcsetattr(terminal, TCSANOW, &each_key);
+    }
+    keys(const keys&) = delete;
+    keys& operator=(const keys&) = delete;
+    ~keys() { tcsetattr(terminal_, TCSANOW, &before); }
+
+    /// Whether a key, a signal or the terminal's end comes in time. Units: milliseconds, -1: any.
+    bool come_within(int time) const {
+        std::array<pollfd, 2> files{pollfd{terminal_, POLLIN, 0},
+                                    pollfd{watch_.waker(), POLLIN, 0}};
+        return poll(files.data(), files.size(), time) != 0;
+    }
+
+    /// The next key; nothing at the terminal's end and after a signal.
+    std::optional<unsigned char> next() const {
+        unsigned char key = 0;
+        if (come_within(-1) && !watch_.caught() && read(terminal_, &key, 1) == 1)
+            return key;
+        return {};
+    }
+
+    /// Whether a key is that of a special meaning, such as VERASE.
+    bool mean(unsigned char key, int meaning) const {
+        return key == before.c_cc[meaning] && key != _POSIX_VDISABLE;
+    }
+
+private:
+    l3d_signal_watch watch_;
+    int terminal_;
+    termios before{};
+};
+
+terminal_lines::int_type terminal_lines::underflow() {
+    if (!read_line())
+        return traits_type::eof();
+    setg(line_.data(), line_.data(), line_.data() + line_.size());
+    return traits_type::to_int_type(line_.front());
+}
+
+/// Whether a key comes before the countdown is over. It leaves the line as it was.
+bool terminal_lines::first_key_comes(keys& typed) {
+    bool has_come = false;
+    for (int left = seconds_; left > 0 && !has_come; --left) {
+        const std::string told = "(" + std::to_string(left) + " s) ";
+        out_ << told << std::flush;
+        has_come = typed.come_within(1000);
+        for (const char* const step : {"\b", " ", "\b"})
+            for (std::size_t i = 0; i < told.size(); ++i)
+                out_ << step;
+    }
+    out_ << std::flush;
+    return has_come || typed.come_within(0);
+}
+
+/// Gets a whole line with its end, and tells whether there is one.
+bool terminal_lines::read_line() {
+    line_.clear();
+    keys typed(terminal_);
+    if (!is_somebody_there_ && !first_key_comes(typed))
+        return false;
+    is_somebody_there_ = true;
+    while (const auto key = typed.next()) {
+        if (typed.mean(*key, VEOF))
+            return false;
+        if (*key == '\n') {
+            line_ += '\n';
+            out_ << '\n' << std::flush;
+            return true;
+        }
+        const bool takes_one = typed.mean(*key, VERASE);
+        if (takes_one || typed.mean(*key, VKILL)) {
+            for (std::size_t left = takes_one ? 1 : line_.size(); left > 0 && !line_.empty();
+                 --left) {
+                line_.pop_back();
+                out_ << "\b \b";
+            }
+        } else if (*key >= ' ' && *key < 0x7f) { // the names are of such
+            line_ += static_cast<char>(*key);
+            out_ << static_cast<char>(*key);
+        }
+        out_ << std::flush;
+    }
+    return false;
+}
+
+} // namespace l3d_detail
