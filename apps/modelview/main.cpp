@@ -71,10 +71,6 @@ private:
         const auto dispatcher = program_.create_dispatcher(); // step 3
         l3d_viewer<Pipeline> pipeline(program_, afd_, program_.create_canvas(afd_.model_title()),
                                       arguments...);
-        // Half a sheet is a riddle, and what turns its back is a black picture.
-        if constexpr (requires { pipeline.turns_its_back(); })
-            if (pipeline.settings().cull && pipeline.turns_its_back())
-                pipeline.settings().cull = false;
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5
         pipeline.finish();

@@ -179,8 +179,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--report", report_,
                 "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
     options.add("--one-sided", settings_.one_sided,
-                "leave out what shows nothing but its back: patches, or sixteenths of large "
-                "ones; backs beside a fold stay");
+                "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
+                "patches; backs beside a fold stay");
     options.add("--explain", explain_, "tell what the last frame did not need, and why");
     options.add("--statistics", statistics_,
                 "tell at the end how many polygons were drawn, in how many seconds");

@@ -25,7 +25,6 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
          {"mesa", l3d_pipeline_kind::mesa}});
     options.add("--parallel", parallel_, "parallel projection of polygons");
     options.add("--hidden-lines", hidden_lines_, "lines of polygons, without what faces hide");
-    options.add("--all-faces", all_faces_, "draw faces seen from behind, too");
     options.add("--rotate", rotation_,
                 "degrees that polygons are turned about x, y and z, round their middle");
     options.add_choice<l3d_rotation_order>("--rotate-order", rotation_order_,
@@ -65,7 +64,6 @@ void l3d_polygon_options::refuse_for_patches() const {
     const std::pair<const char*, bool> of_polygons[] = {
         {"--parallel", parallel_},
         {"--hidden-lines", hidden_lines_},
-        {"--all-faces", all_faces_},
         {"--rotate", rotation_ != usual.rotation},
         {"--rotate-order", rotation_order_ != usual.rotation_order},
         {"--to-origin", to_origin_},
@@ -94,7 +92,6 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
                         "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
                         "gaussian, mean and draft look at");
     const std::pair<const char*, bool> of_patches[] = {{"--net", shared.net},
-                                                       {"--one-sided", shared.one_sided},
                                                        {"--tolerance", shared_.gives_tolerance()},
                                                        {"--lateral-only", shared.lateral_only},
                                                        {"--keep-all", shared.keep.drawing}};
@@ -125,7 +122,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     }
     settings.rotation = rotation_;
     settings.rotation_order = rotation_order_;
-    settings.cull = !all_faces_;
+    settings.cull = shared.one_sided;
     settings.antialias = shared.antialias;
     settings.background = shared.background;
     settings.fog = shared.fog;

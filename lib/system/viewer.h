@@ -132,7 +132,7 @@ private:
         if (reason == l3d_without_area || reason == l3d_too_small)
             return "";
         if (reason == l3d_turning_its_back)
-            return "; give --all-faces, or press b in a window";
+            return "; leave out --one-sided, or press b in a window";
         if (reason.ends_with("plane"))
             return "; leave out --near and --far, or press f in a window";
         return asked_.places_camera() ? "; leave out --eye and --target, or press f in a window"

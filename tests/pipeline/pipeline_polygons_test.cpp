@@ -183,45 +183,113 @@ TEST(pipeline_polygons, mesa_agrees) {
     EXPECT_LE(differing(a, b, 1) * 1000, lit(a)); // it rounds where depths nearly tie
 }
 
-/// A closed body shows the same with and without the faces that are seen from behind.
-TEST(pipeline_polygons, culling_leaves_out_what_is_not_seen) {
-    const l3d_polygon_model model(l3d_torus_mesh(24, 16, 1.7, 0.7));
+/// A closed body shows the same with and without the faces that are seen from behind, so they are
+/// left out unasked. No side of it may be missing or turned round, and no plane may cut it open.
+TEST(pipeline_polygons, closed_bodies_are_shown_without_their_backs) {
+    const l3d_polygon_mesh torus = l3d_torus_mesh(24, 16, 1.7, 0.7);
     for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
         l3d_polygon_settings settings;
         settings.projection = projection;
         settings.rotation = {-31, 12, 5};
-        l3d_polygon_report report, all_report;
-        const picture culled = by_zsort(model, camera(), settings, &report);
-        settings.cull = false;
-        const picture all = by_zsort(model, camera(), settings, &all_report);
-        // On an outline, where a face from behind and one from in front share an edge, depths tie.
-        EXPECT_LE(differing(culled, all, 0), 20);
+        l3d_polygon_report report, open_report;
+        const picture closed = by_zsort(l3d_polygon_model(torus), camera(), settings, &report);
         EXPECT_GT(report.polygons.back, 200);
-        EXPECT_EQ(all_report.polygons.back, 0);
         EXPECT_EQ(report.polygons.drawn + report.polygons.back + report.polygons.subpixel +
                       report.polygons.offscreen,
                   768);
+        settings.cull = true;
+        EXPECT_EQ(closed, by_zsort(l3d_polygon_model(torus), camera(), settings));
+        settings.cull = false;
+
+        l3d_polygon_mesh with_dot = torus; // a triangle far below a pixel opens the model
+        const auto first = static_cast<std::uint32_t>(with_dot.vertices.size());
+        for (const double x : {0.0, 1e-9, 2e-9})
+            with_dot.vertices.push_back({1.7 + x, x * x * 1e9, 0.0});
+        with_dot.corners.insert(with_dot.corners.end(), {first, first + 1, first + 2});
+        with_dot.face_ends.push_back(static_cast<std::uint32_t>(with_dot.corners.size()));
+        const picture all = by_zsort(l3d_polygon_model(with_dot), camera(), settings, &open_report);
+        EXPECT_EQ(open_report.polygons.back, 0);
+        // On an outline, where a face from behind and one from in front share an edge, depths tie.
+        EXPECT_LE(differing(closed, all, 0), 20);
     }
 }
 
-TEST(pipeline_polygons, tell_that_a_sheet_turns_its_back_and_a_body_does_not) {
-    const auto turns = [](const l3d_polygon_mesh& mesh, const l3d_camera& from,
-                          l3d_projection projection, double pitch = 0) {
-        l3d_polygon_settings settings;
-        settings.projection = projection;
-        settings.rotation = {pitch, 0, 0};
-        return l3d_pipeline_zbuffer(canvas(), l3d_polygon_model(mesh), from, settings, sw)
-            .turns_its_back();
-    };
-    const l3d_polygon_mesh sheet = l3d_grid_mesh(4, [](double x, double y) { return 0.2 * x * y; });
-    for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
-        EXPECT_FALSE(turns(sheet, camera(0.3, 0.2, 4), projection)) << "from above";
-        EXPECT_TRUE(turns(sheet, camera(0.3, 0.2, -4), projection)) << "from below";
-        EXPECT_TRUE(turns(sheet, camera(0.3, 0.2, 4), projection, 180)) << "turned over";
-        for (const double z : {-9.0, -1.3, 1.3, 2.0, 9.0}) // also with the eye near the body
-            EXPECT_FALSE(turns(l3d_sphere_mesh(24, 12), camera(0.1, 0.2, z), projection)) << z;
+std::int64_t backs_left_out(const l3d_polygon_mesh& mesh, const l3d_camera& from,
+                            const l3d_polygon_settings& settings = {}) {
+    l3d_pipeline_zbuffer pipeline(canvas(), l3d_polygon_model(mesh), from, settings, sw);
+    pipeline.draw_event();
+    return pipeline.report().polygons.back;
+}
+
+/// The corners of each face run the other way.
+l3d_polygon_mesh turned_inside_out(l3d_polygon_mesh mesh) {
+    for (std::size_t begin = 0; const std::uint32_t end : mesh.face_ends) {
+        std::reverse(mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                     mesh.corners.begin() + static_cast<std::ptrdiff_t>(end));
+        begin = end;
     }
-    EXPECT_FALSE(turns({}, camera(), l3d_projection::perspective));
+    return mesh;
+}
+
+TEST(pipeline_polygons, backs_that_may_be_seen_are_drawn) {
+    const l3d_polygon_mesh sphere = l3d_sphere_mesh(24, 12);
+    EXPECT_GT(backs_left_out(sphere, camera()), 0);
+    EXPECT_EQ(backs_left_out(turned_inside_out(sphere), camera()), 0);
+
+    l3d_polygon_mesh apart = sphere; // each face has vertices of its own, as in many files
+    apart.vertices.clear();
+    for (std::uint32_t& corner : apart.corners) {
+        apart.vertices.push_back(sphere.vertices[corner]);
+        corner = static_cast<std::uint32_t>(apart.vertices.size() - 1);
+    }
+    EXPECT_EQ(backs_left_out(apart, camera()), backs_left_out(sphere, camera()));
+
+    l3d_polygon_mesh one_face_turned = sphere;
+    std::swap(one_face_turned.corners[0], one_face_turned.corners[1]);
+    EXPECT_EQ(backs_left_out(one_face_turned, camera()), 0);
+
+    l3d_polygon_mesh two = sphere; // the second one is inside out, and as large
+    const l3d_polygon_mesh other = turned_inside_out(sphere);
+    const auto count = static_cast<std::uint32_t>(sphere.vertices.size());
+    for (const auto& place : other.vertices)
+        two.vertices.push_back(place * 0.5 + l3d_polygon_model::vector(3.0, 0.0, 0.0));
+    for (const std::uint32_t corner : other.corners)
+        two.corners.push_back(corner + count);
+    for (const std::uint32_t end : other.face_ends)
+        two.face_ends.push_back(end + static_cast<std::uint32_t>(sphere.corners.size()));
+    EXPECT_EQ(backs_left_out(two, camera()), 0);
+
+    l3d_camera within = camera(0.1, 0.2, 0.3);
+    EXPECT_EQ(backs_left_out(sphere, within), 0);
+    within = camera(0, -3, 0);
+    within.near = 2.5; // it cuts the sphere open
+    EXPECT_EQ(backs_left_out(sphere, within), 0);
+    l3d_polygon_settings parallel; // without a near plane
+    parallel.projection = l3d_projection::parallel;
+    EXPECT_GT(backs_left_out(sphere, within, parallel), 0);
+}
+
+/// Whatever way the corners of faces run, and whatever side a file's normals are on.
+TEST(pipeline_polygons, the_side_that_is_seen_is_lit) {
+    const l3d_polygon_mesh sheet =
+        l3d_grid_mesh(4, [](double x, double y) { return 0.3 * x * x - 0.2 * x * y * y; });
+    l3d_polygon_settings settings;
+    settings.shade = l3d_shade::lambert;
+    settings.light = {0.3, -0.4, 1};
+    const auto seen = [&](l3d_polygon_mesh mesh, double normal) {
+        if (normal != 0)
+            mesh.vertex_normals.assign(mesh.vertices.size(), {0.1 * normal, 0.0, normal});
+        return by_zbuffer(l3d_polygon_model(mesh), camera(), settings);
+    };
+    for (const double normal : {0.0, 1.0}) {
+        const picture lit_sheet = seen(sheet, normal);
+        EXPECT_GT(lit(lit_sheet), 5000);
+        for (const std::uint32_t word : lit_sheet)
+            EXPECT_TRUE(word == 0 || (word & 255) > 120) << (word & 255);
+        EXPECT_EQ(differing(lit_sheet, seen(turned_inside_out(sheet), normal), 1), 0) << normal;
+        EXPECT_EQ(differing(lit_sheet, seen(sheet, -normal), 1), 0) << normal;
+        EXPECT_EQ(differing(lit_sheet, seen(turned_inside_out(sheet), -normal), 1), 0) << normal;
+    }
 }
 
 void expect_hidden_lines_among_all(bool smooth) {

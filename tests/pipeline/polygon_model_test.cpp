@@ -176,7 +176,7 @@ TEST(polygon_model, with_creases_keeps_those_of_the_parts_that_are_shown) {
 }
 
 /// The mesh turns over between its first and its second triangle, and its normals turn with it. A
-/// file whose normals all point inwards keeps them.
+/// file whose normals all point inwards has them turned.
 TEST(polygon_model, normals_at_a_fold_are_those_of_the_triangle_s_own_side) {
     l3d_polygon_mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 1}};
@@ -196,7 +196,7 @@ TEST(polygon_model, normals_at_a_fold_are_those_of_the_triangle_s_own_side) {
     mesh.face_ends.resize(1);
     const l3d_polygon_model inwards(mesh);
     EXPECT_FALSE(inwards.has_creases());
-    EXPECT_EQ(inwards.corner_normal(0, 0)[2], -1);
+    EXPECT_EQ(inwards.corner_normal(0, 0)[2], 1);
 }
 
 TEST(polygon_model, tessellated_patches_share_their_boundaries) {

@@ -16,7 +16,7 @@ from visual_test import CLASSES, FARTHEST, is_close
 
 PAPER = 0x404040
 MODELS = ("thing.asc", "ball.asc", "torus.off")
-STYLES = (["--wireframe", "--all-faces"], ["--hidden-lines"], ["--shade", "flat"],
+STYLES = (["--wireframe"], ["--hidden-lines"], ["--shade", "flat"],
           ["--shade", "lambert"])
 
 

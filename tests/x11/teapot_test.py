@@ -354,8 +354,8 @@ def shows_the_error_where_it_is_bounded():
 def modelview_refuses_what_its_pipeline_has_not():
     """What is given as its default is no wish."""
     viewer = Program("modelview", (97, 73))
-    of_patches = (("--net",), ("--one-sided",), ("--tolerance", "50"), ("--lateral-only",), ("--keep-all",))
-    of_polygons = (("--rotate", "30,0,0"), ("--parallel",), ("--hidden-lines",), ("--to-origin",), ("--all-faces",),
+    of_patches = (("--net",), ("--tolerance", "50"), ("--lateral-only",), ("--keep-all",))
+    of_polygons = (("--rotate", "30,0,0"), ("--parallel",), ("--hidden-lines",), ("--to-origin",),
                    ("--facets", "4"), ("--rotate-order", "zyx"), ("--crease-angle", "10"))
     usual = ("--rotate", "0,0,0")
     with folder() as path:

@@ -150,7 +150,7 @@ def says_that_a_model_has_no_area():
     with folder() as path:
         for viewer, name, *more in (
             ("teapot_afd", "line.bpt"), ("teapot_afd", "point.bpt"), ("modelview", "line.bpt", "--pipeline", "afd"),
-            ("modelview", "faces.obj"), ("modelview", "faces.obj", "--all-faces"),
+            ("modelview", "faces.obj"), ("modelview", "faces.obj", "--one-sided"),
         ):
             said = draw(viewer, (80, 60), flat_model(path, name), *more, "--output", "o.png", cwd=path)
             expect_equal(said, (0, b"", viewer + empty), " ".join((name, *more)))
@@ -159,7 +159,7 @@ def says_that_a_model_has_no_area():
             expect_equal(said, (5, b"", "modelview: " + name + ": no polygons, and patches without any area\n"))
         said = draw("teapot_afd", (80, 60), "line.bpt", "--wireframe", "--output", "o.png", cwd=path)
         expect_equal(said, (0, b"", ""), "its lines are seen")
-        said = draw("modelview", (80, 60), "faces.obj", "--explain", "--output", "o.png", cwd=path)[2]
+        said = draw("modelview", (80, 60), "faces.obj", "--one-sided", "--explain", "--output", "o.png", cwd=path)[2]
         expect("2 of 2 triangles (back): the eye lies behind the planes of their faces, or these have no area" in said,
                said)
 
@@ -203,19 +203,36 @@ def shows_models_on_a_gradient():
                 expect(harness.has_picture(rows), "no model", viewer, more)
 
 
-def shows_a_sheet_that_turns_its_back():
-    """Its back, as --all-faces does: nobody wants a black picture. The same from the front is as ever."""
+def shows_both_sides():
+    """A sheet has the same picture from the side that it turns to the eye and from the other, unless one is left out."""
     with folder() as path:
-        for corners, is_back in (("0 1 2", True), ("0 2 1", False)):
-            with open(os.path.join(path, "sheet.off"), "w", encoding="ascii") as file:
-                file.write("OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 " + corners + "\n")
+        for pipeline in ("zbuffer", "zsort", "mesa"):
             pictures = []
-            for more in ((), ("--all-faces",)):
-                said = draw("modelview", (80, 60), "sheet.off", *more, "--output", "o.png", cwd=path)
-                expect_equal(said, (0, b"", ""), is_back)
+            for corners, is_back in (("0 1 2", True), ("0 2 1", False)):
+                with open(os.path.join(path, "sheet.off"), "w", encoding="ascii") as file:
+                    file.write("OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 " + corners + "\n")
+                command = ("modelview", (80, 60), "sheet.off", "--pipeline", pipeline, "--output", "o.png")
+                expect_equal(draw(*command, cwd=path), (0, b"", ""), is_back)
                 pictures.append(harness.read_png(os.path.join(path, "o.png")))
-            expect_equal(pictures[0], pictures[1], "with --all-faces")
-            expect(harness.has_picture(pictures[0]), "a black picture", is_back)
+                empty = ("modelview: the picture is empty, as the model is turning its back; leave out --one-sided, "
+                         "or press b in a window\n")
+                expect_equal(draw(*command, "--one-sided", cwd=path), (0, b"", empty if is_back else ""), pipeline)
+            expect_equal(pictures[0], pictures[1], pipeline)
+            expect(harness.has_picture(pictures[0]), "a black picture", pipeline)
+
+
+def shows_a_whole_teapot_from_behind():
+    """Half of its patches turn the other way: its polygons are where its patches are."""
+    behind = ("--eye", "-4,4,-8", "--target", "0,1.3,0", "--antialias", "off", "--background", "0,0,0")
+    with folder() as path:
+        shown = {}
+        for pipeline in ("afd", "zbuffer", "zsort"):
+            draw("modelview", (240, 180), "--pipeline", pipeline, *behind, "--output", "o.png", cwd=path)
+            rows = harness.read_png(os.path.join(path, "o.png"))
+            shown[pipeline] = {(x, y) for y, row in enumerate(rows) for x, word in enumerate(row) if word & 0xFFFFFF}
+        for pipeline in ("zbuffer", "zsort"):
+            missing = len(shown["afd"] ^ shown[pipeline])
+            expect(missing * 100 < len(shown["afd"]), pipeline, missing, "of", len(shown["afd"]))
 
 
 def picks_from_the_command_line():
@@ -373,7 +390,7 @@ def main():
         says_why_a_picture_is_empty, says_that_a_model_has_no_area,
         says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,
-        shows_a_sheet_that_turns_its_back, picks_from_the_command_line, obeys_every_key_of_the_view,
+        shows_both_sides, shows_a_whole_teapot_from_behind, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size, frames_a_flat_model_from_its_front,
         says_in_the_window_that_it_is_empty,
     ):

@@ -110,7 +110,8 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
                  {.cull = settings_.cull,
                   .smooth = smooth,
                   .antialias = shading.antialias,
-                  .parts = draws_parts(shading.antialias)},
+                  .parts = draws_parts(shading.antialias),
+                  .cull_hidden = true},
                  workers_);
     report.polygons = frame_->counts();
     const std::vector<l3d_material> repainted(settings_.material ? model_.materials().size() + 1
@@ -152,7 +153,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
     const auto cull = [this] {
         settings_.cull = !settings_.cull;
         controls_.say(settings_.cull ? "faces seen from behind are left out"
-                                     : "all faces are drawn");
+                                     : "both sides of faces are drawn");
     };
     const auto antialias = [this] {
         settings_.antialias = !settings_.antialias;

@@ -62,8 +62,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The material of all faces, whatever the model says.
     std::optional<l3d_material> material{};
 
-    /// Faces that are seen from behind are left out.
-    bool cull = true;
+    /// Faces that are seen from behind are left out. Else both sides of all faces are shown, with
+    /// the normals turned to the eye. What closed bodies hide costs nothing then, either.
+    bool cull = false;
 
     /// What is seen where nothing is drawn.
     l3d_background background{};
@@ -116,12 +117,6 @@ public:
     /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back or
     /// l3d_without_area; "" if it may show something.
     std::string why_empty() const;
-
-    /// Whether the eye looks at the back of more than two thirds of the model, as of an open sheet
-    /// that faces the other way. Then little is left of it without back faces. Faces count by their
-    /// area in the picture, hidden ones too; so half of a closed body is seen from behind.
-    /// Cost: linear in triangles.
-    bool turns_its_back() const;
 
     /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
     /// settings.

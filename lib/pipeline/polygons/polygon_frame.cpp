@@ -77,8 +77,12 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     constexpr std::size_t in_block = l3d_facing_block::triangles; // chunks are of whole blocks
     const std::size_t in_chunk =
         std::clamp(triangles / chunks_wanted / in_block * in_block, least_chunk, most_chunk);
-    const frame_input& in =
+    const bool may_hide = how.cull_hidden && !how.cull;
+    if (how.antialias || may_hide)
+        neighbours_.make(model);
+    frame_input& in =
         input_.emplace(frame_input{model, view, window_of(view), how, ends, in_chunk});
+    in.how.cull = how.cull || (may_hide && hides_backs(model, view));
     const double middle = placed(view.matrix(), model.centre())[2];
     const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
     depth_step_ = -0.5 / radius;
@@ -100,10 +104,8 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     const std::size_t count = ends.empty() ? chunks_of(triangles, in_chunk) : ends.size();
     if (chunks_.size() < count)
         chunks_.resize(count);
-    if (how.antialias) {
-        neighbours_.make(model);
+    if (how.antialias)
         turns_.assign(triangles, turn::not_drawn);
-    }
     workers.for_each_beside(static_cast<int>(count),
                             [&](int i, int) { place_chunk(in, static_cast<std::size_t>(i)); });
     if (how.antialias)
@@ -117,6 +119,13 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
             parts_.push_back(&chunks_[i].part);
         counts_.add(chunks_[i].counts);
     }
+}
+
+/// Where the near plane cuts a body, its inside is seen; the ball around the model tells.
+bool l3d_polygon_frame::hides_backs(const l3d_polygon_model& model,
+                                    const l3d_polygon_view& view) const {
+    const double nearest = placed(view.matrix(), model.centre())[2] - model.radius() * (1 + 1e-9);
+    return neighbours_.are_closed() && (view.is_parallel() || nearest > view.camera().near);
 }
 
 void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {

@@ -42,6 +42,8 @@ public:
         bool antialias = false;
         /// Parts are made. Else triangles can only be listed. Expects: true for anti-aliasing.
         bool parts = true;
+        /// Faces seen from behind are left out, too, where closed bodies hide them all.
+        bool cull_hidden = false;
     };
 
     /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
@@ -99,6 +101,7 @@ private:
 
     using normal = std::array<float, 3>;
 
+    bool hides_backs(const l3d_polygon_model& model, const l3d_polygon_view& view) const;
     void place_chunk(const frame_input& in, std::size_t index);
     static bool has_vertex_normals(const frame_input& in) {
         return in.how.smooth && !in.model.has_creases();

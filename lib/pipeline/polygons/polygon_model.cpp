@@ -143,7 +143,7 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
     for (const vector& v : mesh.vertex_normals.empty() ? sums : mesh.vertex_normals)
         vertex_normals.push_back(unit(v));
     if (!mesh.vertex_normals.empty())
-        return turn_normals_at_folds();
+        return turn_normals_to_faces();
     const l3d_detail::crease_normals creases(mesh, areas, face_normals, vertex_normals,
                                              crease_angle);
     if (creases.empty())
@@ -181,21 +181,28 @@ void l3d_polygon_model::contents::make_facing_blocks() {
     }
 }
 
-/// Where a surface folds over, a vertex' normal points to one side of it for some faces, and to the
-/// other side for others. Between two opposite normals there would be darkness.
-void l3d_polygon_model::contents::turn_normals_at_folds() {
+/// Normals point to the side from which corners run counterclockwise, whatever a file takes for
+/// its outside: the side that is seen is lit. Where a surface folds over, a vertex' normal points
+/// to one side of it for some faces, and to the other side for others. Between two opposite normals
+/// there would be darkness.
+void l3d_polygon_model::contents::turn_normals_to_faces() {
+    const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
+        return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);
+    };
+    std::ptrdiff_t before = 0;
+    for (const l3d_model_triangle& t : triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            before += (side_of(t, k) > 0) - (side_of(t, k) < 0);
+    if (before < 0)
+        for (direction& normal : vertex_normals)
+            normal = normal * -1.0F;
     std::vector<std::uint32_t> turned(vertex_normals.size(), no_crease);
     crease_corners.assign(triangles.size(), {no_crease, no_crease, no_crease});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const l3d_model_triangle& t = triangles[i];
-        const auto side_of = [&](std::size_t k) {
-            return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);
-        };
-        if (side_of(0) <= 0 && side_of(1) <= 0 && side_of(2) <= 0)
-            continue; // a file's own idea of inside and outside
         for (std::size_t k = 0; k < 3; ++k) {
             std::uint32_t& normal = turned[t.corners[k]];
-            if (side_of(k) >= 0)
+            if (side_of(t, k) >= 0)
                 continue;
             if (normal == no_crease) {
                 normal = static_cast<std::uint32_t>(crease_normals.size());

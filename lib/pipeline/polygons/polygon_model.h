@@ -89,8 +89,9 @@ public:
     /// face of no area.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The normals of vertices: the mesh's own if it has any, else the mean of the faces around,
-    /// weighted by area. Unit vectors; zero where no face is. At creases, corner_normal has others.
+    /// The normals of vertices: the mesh's own if it has any, on the side of most faces' normals;
+    /// else the mean of the faces around, weighted by area. Unit vectors; zero where no face is. At
+    /// creases, corner_normal has others.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner: its vertex's, or another one where the
@@ -153,7 +154,7 @@ private:
         void make_triangles();
         void make_normals(double crease_angle);
         void make_facing_blocks();
-        void turn_normals_at_folds();
+        void turn_normals_to_faces();
         void make_materials(std::span<const l3d_material> looks);
         void keep_triangles(const std::vector<bool>& of_faces);
 

@@ -84,24 +84,6 @@ std::string l3d_pipeline_polygons::why_empty() const {
     return polygons.back == report_.triangles ? l3d_turning_its_back : "not where a pixel shows it";
 }
 
-bool l3d_pipeline_polygons::turns_its_back() const {
-    const l3d_polygon_view now = view();
-    double front = 0, back = 0; // solid angles, or areas in parallel projection
-    for (const l3d_model_triangle& triangle : model_.triangles()) {
-        const auto corner = [&](std::size_t i) -> const vector& {
-            return model_.mesh().vertices[triangle.corners[i]];
-        };
-        const vector sides = l3d_cross(corner(1) - corner(0), corner(2) - corner(0));
-        const vector middle = (corner(0) + corner(1) + corner(2)) / 3.0;
-        const auto placed = now.placement() * l3d_vector<double, 4>(middle, 1.0);
-        const double distance = l3d_length(camera_.eye - vector(placed[0], placed[1], placed[2]));
-        const double facing = now.faces_eye(sides, middle);
-        const double seen = now.is_parallel() ? facing : facing / (distance * distance * distance);
-        (seen > 0 ? front : back) += std::abs(seen);
-    }
-    return back > 2 * front;
-}
-
 std::optional<l3d_polygon_pick> l3d_pipeline_polygons::pick(double x, double y) const {
     return l3d_polygon_pick_at(model_, view(), settings_.cull, x, y);
 }

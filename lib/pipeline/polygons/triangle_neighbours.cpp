@@ -42,8 +42,43 @@ void triangle_neighbours::make(const l3d_polygon_model& model) {
     model_ = model;
     std::vector<std::uint32_t> names(model.mesh().vertices.size());
     std::iota(names.begin(), names.end(), 0u);
-    if (!match(names))
-        match(names_of_places(model.mesh().vertices));
+    const bool is_matched = match(names) || match(names_of_places(model.mesh().vertices));
+    are_closed_ = is_matched && face_outward();
+}
+
+/// A body is a set of triangles that hang together. Its volume is a sum of determinants, each of
+/// three vectors from one corner of it. The rounding of one is less than 16 times 2^-53 of the
+/// product of their lengths, and each addition rounds by 2^-53 of less than the sum of these.
+bool triangle_neighbours::face_outward() const {
+    const auto triangles = model_.triangles();
+    const auto& vertices = model_.mesh().vertices;
+    std::vector<bool> is_known(triangles.size(), false);
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t first = 0; first < triangles.size(); ++first) {
+        if (is_known[first] || across_[first][0] == none)
+            continue;
+        const l3d_polygon_model::vector origin = vertices[triangles[first].corners[0]];
+        double volume = 0, lengths = 0, count = 16;
+        is_known[first] = true;
+        open.push_back(first);
+        for (; !open.empty(); ++count) {
+            const std::uint32_t t = open.back();
+            open.pop_back();
+            const auto corner = [&](std::size_t k) {
+                return vertices[triangles[t].corners[k]] - origin;
+            };
+            volume += l3d_dot(corner(0), l3d_cross(corner(1), corner(2)));
+            lengths += l3d_length(corner(0)) * l3d_length(corner(1)) * l3d_length(corner(2));
+            for (const std::uint32_t other : across_[t])
+                if (!is_known[other]) {
+                    is_known[other] = true;
+                    open.push_back(other);
+                }
+        }
+        if (!(volume > count * 0x1p-53 * lengths))
+            return false;
+    }
+    return true;
 }
 
 /// Returns whether each side has a neighbour.
@@ -55,8 +90,16 @@ bool triangle_neighbours::match(std::span<const std::uint32_t> names) {
         const auto& corners = triangles[side / 3].corners;
         return std::pair(names[corners[side % 3]], names[corners[(side + 1) % 3]]);
     };
+    const auto has_no_inside = [&](std::uint32_t side) {
+        const auto [a, b, c] = triangles[side / 3].corners;
+        return names[a] == names[b] || names[b] == names[c] || names[c] == names[a];
+    };
     std::size_t alone = 0;
     for (std::uint32_t side = 0; side < 3 * triangles.size(); ++side) {
+        if (side % 3 == 0 && has_no_inside(side)) {
+            side += 2;
+            continue;
+        }
         const auto [from, to] = ends(side);
         std::uint32_t& here = across_[side / 3][side % 3];
         std::size_t at = mixed(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// triangle_neighbours: which triangles of a model share a side.
+// triangle_neighbours: which triangles of a model share a side, and whether they close a body.
 #ifndef L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
 #define L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
 
@@ -15,7 +15,8 @@ namespace l3d_detail {
 
 /// Of each side of each triangle of a model, the triangle on its other side.
 ///
-/// Vertices at the same place are the same, whatever their numbers.
+/// Vertices at the same place are the same, whatever their numbers. A triangle with two corners at
+/// one place has no neighbours: those on its two sides meet.
 /// Cost:    12 bytes per triangle, and linear time when a model comes for the first time.
 class triangle_neighbours {
 public:
@@ -31,11 +32,18 @@ public:
         return across_[triangle][side];
     }
 
+    /// Whether the model consists of closed bodies whose fronts are outside: two triangles meet at
+    /// each side, their corners go round alike, and each body's volume is certainly positive. So
+    /// from outside, no face is seen from behind, unless a body goes through itself.
+    bool are_closed() const { return are_closed_; }
+
 private:
     bool match(std::span<const std::uint32_t> names);
+    bool face_outward() const;
 
     l3d_polygon_model model_; ///< kept, so that no other one has its address
     std::vector<std::array<std::uint32_t, 3>> across_;
+    bool are_closed_ = false;
 };
 
 } // namespace l3d_detail
