@@ -10,6 +10,7 @@ namespace {
 class camspikes_world final : public l3d_world {
 public:
     camspikes_world(l3d_size size, std::uint64_t seed) : l3d_world(size), random_(seed) {
+        order = l3d_draw_order::far_first;
         camera.near_z = 0.01;
         const spike_kind kind{.spread = 300,
                               .nearest_start = 200,
@@ -17,7 +18,7 @@ public:
                               .slowest = 10,
                               .fastest = 49};
         for (int i = 0; i < 150; ++i)
-            objects.push_back(std::make_unique<spike>(kind, random_));
+            add(std::make_unique<spike>(kind, random_));
     }
 
 private:

@@ -113,6 +113,7 @@ private:
 class collide_world final : public l3d_world {
 public:
     collide_world(l3d_size size, std::uint64_t seed, int count) : l3d_world(size) {
+        order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -60);
         l3d_random random(seed);
         constexpr std::array<std::uint32_t, 6> colors{0xe0952f, 0x4f7fc8, 0xc8557b,
@@ -128,9 +129,9 @@ public:
                                                colors[static_cast<std::size_t>(i) % colors.size()],
                                                vector(x, y, z), vector(pitch, yaw, 0.0));
             bodies.push_back(made.get());
-            objects.push_back(std::move(made));
+            add(std::move(made));
         }
-        objects.push_back(std::make_unique<laws>(std::move(bodies)));
+        add(std::make_unique<laws>(std::move(bodies)));
     }
 };
 

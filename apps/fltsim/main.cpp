@@ -35,14 +35,15 @@ private:
 class fltsim_world final : public l3d_world {
 public:
     fltsim_world(l3d_size size, std::uint64_t seed, const std::string& plugin) : l3d_world(size) {
+        order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -50);
         l3d_random random(seed);
         for (int i = 0; i < 10; ++i)
-            objects.push_back(std::make_unique<pyramid>(1 + 20 * i, random));
+            add(std::make_unique<pyramid>(1 + 20 * i, random));
         std::string why;
         l3d_plugin_loader loader("fltsim", seed);
         if (auto object = loader.load(plugin, "", why))
-            objects.push_back(std::move(object));
+            add(std::move(object));
         else
             std::cerr << "fltsim: going on without the plug-in: " << why << '\n';
     }

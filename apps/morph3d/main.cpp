@@ -151,8 +151,9 @@ private:
 class morph3d_world final : public l3d_world {
 public:
     explicit morph3d_world(l3d_size size) : l3d_world(size) {
+        order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -20);
-        objects.push_back(std::make_unique<morphing>());
+        add(std::make_unique<morphing>());
     }
 };
 

@@ -43,6 +43,7 @@ private:
 class objcopy_world final : public l3d_world {
 public:
     objcopy_world(l3d_size size, std::uint64_t seed, l3d_cut_end end) : l3d_world(size) {
+        order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(2, 3, -15);
         l3d_random random(seed);
         auto original = std::make_unique<half_pyramid>(random);
@@ -52,8 +53,8 @@ public:
         original->set_mesh(l3d_cut_mesh(original->mesh(), plane, end));
         copy->set_mesh(l3d_cut_mesh(copy->mesh(), plane.flipped(), end));
         static_cast<half_pyramid&>(*copy).set_speed(0.25);
-        objects.push_back(std::move(original));
-        objects.push_back(std::move(copy));
+        add(std::move(original));
+        add(std::move(copy));
     }
 };
 

@@ -16,7 +16,7 @@ public:
         world_.camera.near_z = 1;
         world_.camera.far_z = 2000;
         for (int i = 0; i < 150; ++i)
-            world_.objects.push_back(std::make_unique<spike>(kind, random_));
+            world_.add(std::make_unique<spike>(kind, random_));
     }
 
     void update_event(double seconds) override { world_.update_all(seconds); }
@@ -29,7 +29,7 @@ public:
 private:
     void draw(l3d_rasterizer_2d& rasterizer) override {
         rasterizer.clear_buffer();
-        world_.draw_all(rasterizer, size());
+        world_.draw_all({rasterizer, screen().pixels()});
     }
 
     l3d_random random_;

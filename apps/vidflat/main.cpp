@@ -14,12 +14,13 @@ public:
     vidflat_world(l3d_size size, l3d_plugin_loader loader, const std::string& plugin,
                   const std::string& parameters)
         : l3d_world(size) {
+        order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -50);
         std::string why;
         auto object = loader.load(plugin, parameters, why);
         if (!object)
             throw l3d_error(l3d_exit::bad_input, why);
-        objects.push_back(std::move(object));
+        add(std::move(object));
     }
 };
 

@@ -100,6 +100,51 @@ TYPED_TEST(book_moveable, view_transform) {
         EXPECT_NEAR(l3d_to_double(back[i] - p[i]), 0, 1e-5);
 }
 
+TYPED_TEST(book_moveable, axes_can_be_set) {
+    using T = TypeParam;
+    using point = l3d_point<T>;
+    l3d_moveable<T> body;
+    body.place = point::of(1, 2, 3);
+    ASSERT_TRUE(body.look_at(point::of(1, 2, -50))); // back, upright
+    EXPECT_NEAR(number(body.forward(), 2), -1, 1e-6);
+    EXPECT_NEAR(number(body.up(), 1), 1, 1e-6);
+    EXPECT_NEAR(number(body.right(), 0), -1, 1e-6);
+    const auto up = point::of(0, 1, 0).from_origin, along = point::of(0, 3, 0).from_origin;
+    const auto none = point::of(0, 0, 0).from_origin;
+    EXPECT_FALSE(body.set_axes(along, up));
+    EXPECT_FALSE(body.set_axes(none, up));
+    EXPECT_FALSE(body.set_axes(up, none));
+    EXPECT_FALSE(body.look_at(body.place));
+    EXPECT_NEAR(number(body.forward(), 2), -1, 1e-6); // as it was
+    std::mt19937 random(5);
+    const auto any = [&] { return static_cast<double>(random()) / 0x1p31 - 1; };
+    for (int i = 0; i < 1000; ++i) {
+        const double scale = std::exp2(9 * any()); // of very short and very long directions
+        const point target = point::of(1 + scale * any(), 2 + scale * any(), 3 + scale * any());
+        if (!body.look_at(target, point::of(any(), any(), any()).from_origin))
+            continue;
+        expect_orthonormal(body, 1e-6);
+        const auto seen = l3d_transformed(body.viewing_transform(), target);
+        EXPECT_GT(l3d_to_double(seen[2]), 0);
+        EXPECT_NEAR(l3d_to_double(seen[0]), 0, 1e-5 * scale + 1e-6);
+        EXPECT_NEAR(l3d_to_double(seen[1]), 0, 1e-5 * scale + 1e-6);
+    }
+}
+
+/// The book's transform: a body is moved and turned as everything else is by a matrix.
+TYPED_TEST(book_moveable, is_transformed) {
+    using T = TypeParam;
+    l3d_moveable<T> body;
+    body.place = l3d_point<T>::of(10, 0, 0);
+    ASSERT_TRUE(body.transform(l3d_translation<T>(0, 0, 5) * l3d_rotation_y<T>(90)));
+    EXPECT_NEAR(l3d_to_double(body.place[0]), 0, 1e-6);
+    EXPECT_NEAR(l3d_to_double(body.place[2]), -5, 1e-6); // x turns towards -z
+    EXPECT_NEAR(number(body.forward(), 0), 1, 1e-6);
+    EXPECT_NEAR(number(body.right(), 2), -1, 1e-6);
+    EXPECT_FALSE(body.transform(l3d_scaling<T>(0, 0, 0)));
+    EXPECT_NEAR(l3d_to_double(body.place[2]), -5, 1e-6);
+}
+
 /// One push travels 0.2 * 0.95 / 0.05 = 3.8 units in the end, as in the book; one turn turns
 /// 5 * 0.85 / 0.15 degrees, of which the book cut off the fractions.
 TYPED_TEST(book_moveable, a_push_is_damped_and_ends) {

@@ -21,7 +21,7 @@ struct flown {
             mesh.vertices.insert(mesh.vertices.end(), {{x, 1, 0}, {x + 2, 1, 0}, {x, -2, 0}});
             mesh.add_face({{3 * i, 3 * i + 1, 3 * i + 2}});
         }
-        world.objects.push_back(std::make_unique<l3d_object>(mesh));
+        world.add(std::make_unique<l3d_object>(mesh));
     }
 
     void press(const char* keys) {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -199,24 +200,24 @@ TEST(book_world, visibility) {
         world.camera.place = l3d_point<real>::of(0, 0, 0);
         auto near = card(-2, -2, 4, 4, 10, 0xff0000);
         auto far = card(-8, -8, 2, 2, 20, 0x0000ff);
-        world.objects.push_back(std::move(near_first ? near : far));
-        world.objects.push_back(std::move(near_first ? far : near));
+        world.add(std::move(near_first ? near : far));
+        world.add(std::move(near_first ? far : near));
         picture image(size);
-        EXPECT_EQ(world.draw_all(image.rasterizer, size), 2u);
+        EXPECT_EQ(world.draw_all({image.rasterizer, image.pixels}), 2u);
         EXPECT_EQ(image.at(41, 29), 0xff0000u);
         EXPECT_EQ(image.at(30, 40), 0x0000ffu);
         world.order = l3d_draw_order::as_added;
-        world.draw_all(image.rasterizer, size);
+        world.draw_all({image.rasterizer, image.pixels});
         EXPECT_EQ(image.at(41, 29), near_first ? 0x0000ffu : 0xff0000u);
     }
     // Equal depth: as added, frame after frame.
     l3d_world world(size);
     world.camera.place = l3d_point<real>::of(0, 0, 0);
     for (std::uint32_t i = 1; i <= 100; ++i)
-        world.objects.push_back(card(-2, -2, 4, 4, 10, i));
+        world.add(card(-2, -2, 4, 4, 10, i));
     picture image(size);
     for (int frame = 0; frame < 3; ++frame) {
-        world.draw_all(image.rasterizer, size);
+        world.draw_all({image.rasterizer, image.pixels});
         EXPECT_EQ(image.at(41, 29), 100u);
     }
 }
@@ -225,12 +226,12 @@ TEST(book_world, far_away_is_nothing) {
     const l3d_size size{80, 60};
     l3d_world world(size);
     world.camera.place = l3d_point<real>::of(0, 0, 0);
-    world.objects.push_back(card(-2, -2, 4, 4, 499, 0xff0000));
-    world.objects.push_back(card(-2, -2, 4, 4, 501, 0x0000ff));
+    world.add(card(-2, -2, 4, 4, 499, 0xff0000));
+    world.add(card(-2, -2, 4, 4, 501, 0x0000ff));
     picture image(size);
-    EXPECT_EQ(world.draw_all(image.rasterizer, size), 1u);
+    EXPECT_EQ(world.draw_all({image.rasterizer, image.pixels}), 1u);
     world.camera.far_z = 502;
-    EXPECT_EQ(world.draw_all(image.rasterizer, size), 2u);
+    EXPECT_EQ(world.draw_all({image.rasterizer, image.pixels}), 2u);
 }
 
 TEST(book_world, no_fixed_limits) {
@@ -247,9 +248,9 @@ TEST(book_world, no_fixed_limits) {
     world.camera.place = l3d_point<real>::of(0, 0, 0);
     world.camera.fovx = 0.5; // a unit at z = 100 is a pixel
     world.camera.fovy = 1;
-    world.objects.push_back(std::make_unique<l3d_object>(mesh));
+    world.add(std::make_unique<l3d_object>(mesh));
     picture image(size);
-    EXPECT_EQ(world.draw_all(image.rasterizer, size), 20000u);
+    EXPECT_EQ(world.draw_all({image.rasterizer, image.pixels}), 20000u);
     std::size_t covered = 0;
     for (const std::uint32_t word : image.words)
         covered += word != 0;
@@ -325,17 +326,166 @@ TEST(book_object, behaviour_by_subclass) {
 
 TEST(book_world, updates_objects_and_camera) {
     l3d_world world({64, 40});
-    world.objects.push_back(std::make_unique<pyramid>(1));
+    world.add(std::make_unique<pyramid>(1));
     world.camera.push({0, 0, 1});
     world.update_all(0.1);
-    const auto turned = world.objects[0]->modeling_transform();
+    const auto turned = world.objects()[0]->modeling_transform();
     EXPECT_NE(turned, l3d_translation<real>(1, 1, 1));
     const auto place = world.camera.place;
     EXPECT_NE(place, l3d_point<real>::of(50, 5, 50));
     world.frozen = true;
     world.update_all(0.1);
-    EXPECT_EQ(world.objects[0]->modeling_transform(), turned);
+    EXPECT_EQ(world.objects()[0]->modeling_transform(), turned);
     EXPECT_NE(world.camera.place, place);
+}
+
+/// Leaves copies of itself, and goes after so many updates.
+class spawner final : public l3d_object {
+public:
+    spawner(l3d_world& world, int lives, int& updates)
+        : l3d_object(l3d_pyramid_mesh()), world_(world), lives_(lives), updates_(updates) {}
+    ~spawner() override { mark_ = 0; }
+
+private:
+    void do_update(double) override {
+        ++updates_;
+        for (int i = 0; i < 20 && lives_ > 1; ++i) // enough to make any list move
+            world_.add(std::make_unique<spawner>(world_, 1, updates_));
+        if (--lives_ == 0) {
+            EXPECT_TRUE(world_.remove(*this));
+            EXPECT_FALSE(world_.remove(*this)); // once is enough
+        }
+        EXPECT_EQ(mark_, 7); // it lives until its update ends
+    }
+
+    l3d_world& world_;
+    int lives_, mark_ = 7;
+    int& updates_;
+};
+
+TEST(book_world, objects_come_and_go_while_they_are_updated) {
+    l3d_world world({64, 40});
+    int updates = 0;
+    world.add(std::make_unique<spawner>(world, 3, updates));
+    world.update_all(0.1); // twenty come
+    EXPECT_EQ(updates, 1);
+    EXPECT_EQ(world.objects().size(), 21u);
+    world.update_all(0.1); // they go, and twenty others come
+    EXPECT_EQ(updates, 22);
+    EXPECT_EQ(world.objects().size(), 21u);
+    world.update_all(0.1); // all go
+    EXPECT_EQ(updates, 43);
+    EXPECT_TRUE(world.objects().empty());
+    const l3d_object stranger;
+    EXPECT_FALSE(world.remove(stranger));
+}
+
+/// Takes its neighbour out of the world, wherever the two stand in the list.
+class remover final : public l3d_object {
+public:
+    remover(l3d_world& world, const l3d_object*& victim) : world_(world), victim_(victim) {}
+
+private:
+    void do_update(double) override {
+        if (const l3d_object* const victim = std::exchange(victim_, nullptr)) {
+            EXPECT_TRUE(world_.remove(*victim));
+        }
+    }
+
+    l3d_world& world_;
+    const l3d_object*& victim_;
+};
+
+TEST(book_world, what_was_removed_is_not_updated) {
+    for (const bool victim_first : {false, true}) {
+        l3d_world world({64, 40});
+        int updates = 0;
+        const l3d_object* victim = nullptr;
+        if (victim_first)
+            victim = &world.add(std::make_unique<spawner>(world, 9, updates));
+        world.add(std::make_unique<remover>(world, victim));
+        if (!victim_first)
+            victim = &world.add(std::make_unique<spawner>(world, 9, updates));
+        world.update_all(0.1);
+        EXPECT_EQ(updates, victim_first ? 1 : 0);
+        EXPECT_EQ(world.objects().size(), victim_first ? 21u : 1u);
+    }
+}
+
+/// An object that throws leaves the world as whole as it was.
+TEST(book_world, goes_on_after_an_object_threw) {
+    class thrower final : public l3d_object {
+    public:
+        explicit thrower(l3d_world& world) : world_(world) {}
+
+    private:
+        void do_update(double) override {
+            world_.remove(*this);
+            throw 1;
+        }
+        l3d_world& world_;
+    };
+    l3d_world world({64, 40});
+    world.add(std::make_unique<thrower>(world));
+    EXPECT_THROW(world.update_all(0.1), int);
+    EXPECT_TRUE(world.objects().empty());
+    world.update_all(0.1);
+}
+
+/// The book's portals override these two, and its cameras override update.
+TEST(book_world, what_the_book_overrides_can_be_overridden) {
+    class falling final : public l3d_world::camera_type {
+    public:
+        using l3d_world::camera_type::l3d_camera_left_handed;
+        void update(double seconds) override {
+            place += l3d_point<real>::of(0, -10 * seconds, 0).from_origin;
+        }
+    };
+    class twice final : public l3d_world {
+    public:
+        explicit twice(l3d_size size) : l3d_world(std::make_unique<falling>(size)) {}
+        void update_all(double seconds) override { l3d_world::update_all(2 * seconds); }
+        std::size_t draw_all(const l3d_world_target& target) override {
+            return 100 + l3d_world::draw_all(target);
+        }
+    };
+    twice own({64, 40});
+    l3d_world& world = own;
+    world.camera.place = l3d_point<real>::of(0, 0, 0);
+    world.update_all(0.5);
+    EXPECT_NEAR(l3d_to_double(world.camera.place[1]), -10, 1e-6);
+    picture image({64, 40});
+    EXPECT_EQ(world.draw_all({image.rasterizer, image.pixels}), 100u);
+}
+
+TEST(book_object, moves_with_its_parent) {
+    auto sun = std::make_unique<l3d_object>(), earth = std::make_unique<l3d_object>();
+    l3d_object moon;
+    EXPECT_TRUE(earth->set_parent(sun.get()));
+    EXPECT_TRUE(moon.set_parent(earth.get()));
+    EXPECT_EQ(moon.parent(), earth.get());
+    sun->set_transform(0, l3d_translation<real>(0, 0, 100));
+    earth->set_transform(0, l3d_translation<real>(10, 0, 0));
+    earth->set_transform(1, l3d_rotation_z<real>(90));
+    moon.set_transform(0, l3d_translation<real>(1, 0, 0));
+    const auto centre = l3d_point<real>::of(0, 0, 0);
+    EXPECT_EQ(l3d_transformed(moon.world_transform(), centre), l3d_point<real>::of(0, 11, 100));
+    EXPECT_EQ(l3d_transformed(moon.modeling_transform(), centre), l3d_point<real>::of(1, 0, 0));
+    sun->set_transform(0, l3d_translation<real>(0, 0, 200));
+    EXPECT_EQ(l3d_transformed(moon.world_transform(), centre), l3d_point<real>::of(0, 11, 200));
+    // No circles.
+    EXPECT_FALSE(sun->set_parent(&moon));
+    EXPECT_FALSE(sun->set_parent(sun.get()));
+    EXPECT_EQ(sun->parent(), nullptr);
+    // A copy hangs from the same parent and has no children; who loses a parent stands alone.
+    const auto copy = earth->clone();
+    EXPECT_EQ(copy->parent(), sun.get());
+    sun.reset();
+    EXPECT_EQ(earth->parent(), nullptr);
+    EXPECT_EQ(copy->parent(), nullptr);
+    EXPECT_EQ(l3d_transformed(moon.world_transform(), centre), l3d_point<real>::of(0, 11, 0));
+    earth.reset();
+    EXPECT_EQ(moon.parent(), nullptr);
 }
 
 } // namespace

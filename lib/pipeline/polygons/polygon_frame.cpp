@@ -132,6 +132,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     chunk& to = chunks_[index];
     to.part.triangles.clear();
     to.part.border.clear();
+    to.part.material = in.how.first_material;
     to.names.clear();
     to.signs.clear();
     to.pieces.clear();
@@ -177,8 +178,7 @@ void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangle
         return;
     for (std::size_t i = 0; i < count; ++i) {
         if (of_materials)
-            triangles.materials.push_back(
-                in.model.material_of(in.model.triangles()[chosen.triangle[i]].face));
+            triangles.materials.push_back(material_of(in, chosen.triangle[i]));
         if (of_vertices)
             continue;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -243,7 +243,7 @@ l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, st
 void l3d_polygon_frame::add_piece(const frame_input& in, std::size_t number,
                                   const std::array<l3d_micro_vertex, 3>& v, std::uint32_t sides,
                                   chunk& to) {
-    const std::uint32_t material = in.model.material_of(in.model.triangles()[number].face);
+    const std::uint32_t material = material_of(in, number);
     to.pieces.push_back({v, 0, sides, material});
     to.names.push_back(static_cast<std::uint32_t>(number));
     to.signs.push_back(static_cast<std::uint32_t>(to.pieces.size()));
@@ -312,7 +312,7 @@ void l3d_polygon_frame::list(std::vector<l3d_painter_triangle>& out, l3d_workers
 void l3d_polygon_frame::list_part(std::size_t part, std::span<l3d_painter_triangle> out) const {
     const chunk& of = chunks_[part];
     const frame_input& in = *input_;
-    const bool of_vertices = has_vertex_normals(in), of_materials = !in.model.materials().empty();
+    const bool of_vertices = has_vertex_normals(in);
     const std::span<const l3d_model_triangle> triangles = in.model.triangles();
     for (std::size_t i = 0; i < out.size(); ++i) {
         const std::uint32_t sign = of.signs[i];
@@ -334,6 +334,6 @@ void l3d_polygon_frame::list_part(std::size_t part, std::span<l3d_painter_triang
         }
         to.color = 0;
         to.sides = triangle.sides;
-        to.material = of_materials ? in.model.material_of(triangle.face) : 0;
+        to.material = material_of(in, of.names[i]);
     }
 }

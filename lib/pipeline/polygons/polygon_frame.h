@@ -44,6 +44,8 @@ public:
         bool parts = true;
         /// Faces seen from behind are left out, too, where closed bodies hide them all.
         bool cull_hidden = false;
+        /// The place of the model's first material among those of the picture.
+        std::uint32_t first_material = 0;
     };
 
     /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
@@ -103,6 +105,9 @@ private:
 
     bool hides_backs(const l3d_polygon_model& model, const l3d_polygon_view& view) const;
     void place_chunk(const frame_input& in, std::size_t index);
+    static std::uint32_t material_of(const frame_input& in, std::size_t triangle) {
+        return in.how.first_material + in.model.material_of(in.model.triangles()[triangle].face);
+    }
     static bool has_vertex_normals(const frame_input& in) {
         return in.how.smooth && !in.model.has_creases();
     }

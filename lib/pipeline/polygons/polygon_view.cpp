@@ -46,8 +46,9 @@ l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
 }
 
 l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
-                                   l3d_projection projection, const l3d_matrix<double>& placement)
-    : camera_(camera), size_(size), projection_(projection), placement_(placement) {
+                                   l3d_projection projection, const l3d_matrix<double>& placement,
+                                   const l3d_picture_fit& fit)
+    : camera_(camera), size_(size), projection_(projection), fit_(fit), placement_(placement) {
     l3d_matrix<double> image = camera.image_matrix(size);
     const l3d_vector<double, 4> distance = image.row(3);
     const double to_target = l3d_length(camera.target - camera.eye);
@@ -59,6 +60,10 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
             image(1, i) /= to_target;
             image(3, i) = i == 3 ? 1 : 0;
         }
+    }
+    for (int i = 0; i < 4; ++i) {
+        image(0, i) = image(0, i) * fit.stretch + image(3, i) * fit.shift;
+        image(1, i) += image(3, i) * fit.shift;
     }
     matrix_ = image * placement;
     const vector moved{placement(0, 3), placement(1, 3), placement(2, 3)};
@@ -89,6 +94,13 @@ l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
         for (std::size_t i = 0; i < 3; ++i)
             result.look[i] = static_cast<float>(forward[static_cast<int>(i)]);
         result.look_right = result.look_down = {0, 0, 0};
+    }
+    // A column is 1 / stretch as wide, and the picture's middle lies `shift` to the right and down.
+    const double left = size_.width / 2.0 * (1 - 1 / fit_.stretch) - fit_.shift / fit_.stretch;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.look[i] +=
+            static_cast<float>(left * result.look_right[i] - fit_.shift * result.look_down[i]);
+        result.look_right[i] = static_cast<float>(result.look_right[i] / fit_.stretch);
     }
     return result;
 }

@@ -24,12 +24,22 @@ L3D_PUBLIC l3d_matrix<double>
 l3d_euler_rotation(const l3d_vector<double, 3>& degrees, const l3d_vector<double, 3>& centre,
                    l3d_rotation_order order = l3d_rotation_order::xyz);
 
+/// How the picture of a camera lies on the pixels.
+struct L3D_PUBLIC l3d_picture_fit {
+    /// Widths of the picture are so many times what they are in heights. Expects: > 0.
+    double stretch = 1;
+    /// The picture is moved so far to the right and down. Units: pixels.
+    double shift = 0;
+};
+
 /// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///
 /// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The pixel is the picture's centre
 ///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
 ///          else 1.
-/// Expects: a valid camera; a placement that turns and moves, and leaves lengths as they are.
+/// Expects: a valid camera; a placement that turns, moves and perhaps mirrors, and leaves lengths
+/// as
+///          they are.
 class L3D_PUBLIC l3d_polygon_view {
 public:
     /// A place or a direction.
@@ -37,7 +47,7 @@ public:
 
     /// The view of a model that stands at `placement`, in a picture of that size.
     l3d_polygon_view(const l3d_camera& camera, l3d_size size, l3d_projection projection,
-                     const l3d_matrix<double>& placement);
+                     const l3d_matrix<double>& placement, const l3d_picture_fit& fit = {});
 
     /// From the model to the picture, as said above.
     const l3d_matrix<double>& matrix() const { return matrix_; }
@@ -74,6 +84,7 @@ private:
     l3d_camera camera_;
     l3d_size size_;
     l3d_projection projection_;
+    l3d_picture_fit fit_;
     l3d_matrix<double> placement_, matrix_;
     vector eye_, forward_; ///< in model space
 };

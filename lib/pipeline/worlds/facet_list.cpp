@@ -29,7 +29,7 @@ void l3d_facet_list::begin(const l3d_camera_left_handed<real>& camera, l3d_size 
 }
 
 std::size_t l3d_facet_list::add(const l3d_object& object) {
-    const l3d_matrix<real> to_camera = viewing_ * object.modeling_transform();
+    const l3d_matrix<real> to_camera = viewing_ * object.world_transform();
     const auto vertices = object.vertices();
     points_.clear();
     for (const l3d_point<real>& v : vertices)
@@ -100,7 +100,7 @@ std::span<const l3d_point_2d> l3d_facet_list::corners(std::size_t which) const {
 void l3d_facet_list::draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order) {
     order_.clear();
     for (const polygon& p : polygons_)
-        order_.push_back({order == l3d_draw_order::far_first ? key_of(p.depth) : 0,
+        order_.push_back({order == l3d_draw_order::as_added ? 0 : key_of(p.depth),
                           static_cast<std::uint32_t>(order_.size())});
     l3d_radix_sort(order_, sorting_);
     for (const l3d_sort_item& item : order_)

@@ -17,6 +17,7 @@
 enum class L3D_PUBLIC l3d_draw_order {
     as_added,  ///< what comes later covers what came before
     far_first, ///< the painter's: by the mean distance of the corners, equal ones as added
+    by_depth,  ///< each pixel shows the polygon that is nearest there
 };
 
 /// Transforms, clips and projects polygons, and holds those that are left for one frame.
@@ -41,7 +42,7 @@ public:
     /// Polygons added and neither behind the eye nor outside the picture.
     std::size_t polygons() const { return polygons_.size(); }
 
-    /// Draws what was added since begin(), each polygon in its own colour.
+    /// Draws what was added since begin(), each polygon in its own colour; `by_depth` is far_first.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order);
 
     /// The corners of a polygon, in the order of addition. Units: pixels.

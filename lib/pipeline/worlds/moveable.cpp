@@ -26,6 +26,10 @@ constexpr double largest_spin = 95 * l3d_book_rate;
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
+/// Directions whose angle has a smaller sine lie on a line: rounding of a float, 2^-24, would
+/// decide the third axis.
+constexpr double least_sine = 0x1p-20;
+
 void add_up_to(double& velocity, double step, double limit) {
     if (std::abs(velocity) < limit || velocity * step < 0)
         velocity += step;
@@ -78,6 +82,32 @@ template <class T> void l3d_moveable<T>::turn_about_up(double degrees) {
 template <class T> void l3d_moveable<T>::turn_about_forward(double degrees) {
     up_ = turned(up_, forward_, degrees);
     straighten();
+}
+
+template <class T> bool l3d_moveable<T>::set_axes(const vector& forward, const vector& up) {
+    // In double: the products of small vectors would be lost in fixed point.
+    using wide = l3d_vector<double, 3>;
+    const auto direction = [](const wide& v) {
+        const double largest =
+            std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); // its square may overflow
+        return largest > 0 && std::isfinite(largest) ? l3d_normalized(v / largest) : wide(0.0);
+    };
+    const wide along = direction(l3d_converted<double, T, 3>(forward));
+    const wide side = l3d_cross(direction(l3d_converted<double, T, 3>(up)), along);
+    if (!(l3d_length(side) > least_sine))
+        return false;
+    const wide right = l3d_normalized(side);
+    forward_ = l3d_converted<T, double, 3>(along);
+    right_ = l3d_converted<T, double, 3>(right);
+    up_ = l3d_converted<T, double, 3>(l3d_cross(along, right));
+    return true;
+}
+
+template <class T> bool l3d_moveable<T>::transform(const l3d_matrix<T>& m) {
+    if (!set_axes(l3d_transformed(m, forward_), l3d_transformed(m, up_)))
+        return false;
+    place = l3d_transformed(m, place);
+    return true;
 }
 
 /// Two cross products and two divisions: forward and up say all, right follows.

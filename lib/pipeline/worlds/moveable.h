@@ -26,6 +26,13 @@ public:
     /// A direction in the world.
     using vector = l3d_vector<T, 3>;
 
+    l3d_moveable() = default;
+    /// Copies the place, the axes and the motion.
+    l3d_moveable(const l3d_moveable&) = default;
+    /// Takes the other one's place, axes and motion.
+    l3d_moveable& operator=(const l3d_moveable&) = default;
+    virtual ~l3d_moveable() = default;
+
     /// Numbers that belong to the three axes.
     struct by_axis {
         /// Along or about each axis; positive forward, up and to the right.
@@ -61,10 +68,25 @@ public:
     /// Turns at once about the axis forward(). Units: degrees.
     void turn_about_forward(double degrees);
 
-    /// Flies on. Expects: seconds >= 0.
+    /// Sets the axes: forward() points along `forward`, and up() is the direction perpendicular to
+    /// it that is nearest to `up`. Both may have any length.
+    /// Errors:  false, and nothing changes, if one is zero or both lie on a line.
+    bool set_axes(const vector& forward, const vector& up);
+
+    /// Turns so that forward() points from the place to `target`; `up` is as of set_axes.
+    /// Errors:  as set_axes.
+    bool look_at(const point& target, const vector& up = point::of(0, 1, 0).from_origin) {
+        return set_axes(target - place, up);
+    }
+
+    /// Moves the place by a matrix, and turns the axes by it.
+    /// Errors:  false, and nothing changes, if the matrix leaves no axes.
+    bool transform(const l3d_matrix<T>& m);
+
+    /// Flies on. A subclass that moves otherwise overrides it. Expects: seconds >= 0.
     /// Cost:    one turn about each axis that spins; the axes are made perpendicular and of length
     ///          1 again, so that no rounding adds up.
-    void update(double seconds);
+    virtual void update(double seconds);
 
     /// From the world to the three axes with the place as origin.
     l3d_matrix<T> viewing_transform() const;

@@ -7,9 +7,11 @@
 #include "geom/polygon_3d.h"
 #include "geom/polygon_mesh.h"
 #include "geom/transform.h"
+#include "pipeline/polygons/polygon_model.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -54,7 +56,8 @@ public:
     /// An object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
-    virtual ~l3d_object() = default;
+    /// Leaves its children where they are among their own matrices, without a parent.
+    virtual ~l3d_object();
 
     std::string name; ///< for messages; need not differ from others
 
@@ -62,6 +65,10 @@ public:
     void set_mesh(l3d_polygon_mesh mesh);
     /// The polygons, in the object's own coordinates.
     const l3d_polygon_mesh& mesh() const { return mesh_; }
+
+    /// The mesh ready to be filled by depth, with creases of the usual angle.
+    /// Cost:    made when it is asked for after set_mesh; a copy shares its contents.
+    const l3d_polygon_model& model() const;
 
     /// The mesh's vertices in the numbers that pictures are computed in.
     std::span<const l3d_point<real>> vertices() const { return vertices_; }
@@ -71,8 +78,20 @@ public:
     /// The matrices of the placement, the first one applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
 
-    /// All of them, multiplied: from the object's own coordinates to the world's.
+    /// All of them, multiplied: from the object's own coordinates to its parent's, or to the
+    /// world's if it has none.
     const l3d_matrix<real>& modeling_transform() const;
+
+    /// Hangs the object to another one, whose placement then moves it as well; null for none.
+    /// Errors:  false, and nothing changes, if the parent is the object or hangs from it.
+    /// Lives:   borrows the parent; when that goes, the object has none.
+    bool set_parent(l3d_object* parent);
+    /// The object that it hangs from; null if it stands in the world.
+    l3d_object* parent() const { return parent_; }
+
+    /// From the object's own coordinates to the world's: the matrices of all its parents, too.
+    /// Cost:    a product for each parent.
+    l3d_matrix<real> world_transform() const;
 
     /// Gives it this behaviour instead of the one that it had; null for none.
     void plug(std::unique_ptr<l3d_object_behaviour> behaviour) {
@@ -82,8 +101,8 @@ public:
     /// Lets time pass. Units: seconds.
     void update(double seconds) { do_update(seconds); }
 
-    /// A copy in depth, of the same class, with a behaviour of its own.
-    /// Errors:  none; a behaviour that cannot be copied is left out.
+    /// A copy in depth, of the same class, with a behaviour of its own. It has the same parent and
+    /// no children. Errors:  none; a behaviour that cannot be copied is left out.
     std::unique_ptr<l3d_object> clone() const;
 
 protected:
@@ -99,6 +118,9 @@ private:
     std::vector<l3d_matrix<real>> transforms_;
     mutable l3d_matrix<real> product_ = l3d_identity<real>();
     mutable bool product_is_old_ = false;
+    mutable std::optional<l3d_polygon_model> model_; ///< of the mesh, once somebody asked for it
+    l3d_object* parent_ = nullptr;
+    std::vector<l3d_object*> children_;
     std::unique_ptr<l3d_object_behaviour> behaviour_; // last: it may refer to all above
 };
 

@@ -20,6 +20,17 @@ constexpr double least_fov = 0.05; // 169 degrees
 /// How many frames each figure of the frame rate is the mean of.
 constexpr int frames_of_mean = 64;
 
+l3d_draw_order after(l3d_draw_order order) {
+    switch (order) {
+    case l3d_draw_order::by_depth:
+        return l3d_draw_order::far_first;
+    case l3d_draw_order::far_first:
+        return l3d_draw_order::as_added;
+    default:
+        return l3d_draw_order::by_depth;
+    }
+}
+
 constexpr std::uint32_t text_color = 0x00ffffff;
 constexpr int second_line = 16;   // the book's; pixels from the top
 constexpr int least_height = 300; // of a picture, for each pixel of a letter's dots
@@ -37,11 +48,17 @@ std::vector<l3d_caption_row> l3d_world_keys() {
             {"X, x", "width of the view"},
             {"Y, y", "height of the view"},
             {"0, 1", "stop and start the world"},
+            {"o", "by depth, far first, as added"},
             {"n", "status"}};
 }
 
 l3d_pipeline_world::l3d_pipeline_world(l3d_canvas canvas, l3d_world& world)
-    : l3d_pipeline_2d(std::move(canvas)), world_(world), seen_size_(size()) {}
+    : l3d_pipeline_world(canvas.rasterizers, std::move(canvas), world) {}
+
+l3d_pipeline_world::l3d_pipeline_world(std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
+                                       l3d_canvas&& canvas, l3d_world& world)
+    : l3d_pipeline_2d(std::move(canvas)), world_(world), rasterizers_(std::move(rasterizers)),
+      seen_size_(size()) {}
 
 void l3d_pipeline_world::key_event(int key) {
     if (!turn_key(key) && !thrust_key(key) && !look_key(key))
@@ -126,6 +143,9 @@ bool l3d_pipeline_world::look_key(int key) {
     case 'N':
         status_shown_ = !status_shown_;
         return true;
+    case 'o':
+        world_.order = after(world_.order);
+        return true;
     case '0':
     case '1':
         world_.frozen = key == '0';
@@ -152,10 +172,23 @@ void l3d_pipeline_world::update_event(double seconds) {
 }
 
 void l3d_pipeline_world::draw(l3d_rasterizer_2d& rasterizer) {
-    rasterizer.clear_buffer();
-    const std::size_t drawn = world_.draw_all(rasterizer, size());
-    if (!status_shown_)
-        return;
+    l3d_world_target target{rasterizer, screen().pixels()};
+    if (world_.order == l3d_draw_order::by_depth) {
+        if (!surfaces_) {
+            workers_ = std::make_unique<l3d_workers>(world_.surfaces.threads);
+            surfaces_ = rasterizers_->create_surface(*workers_);
+        }
+        target.surfaces = surfaces_.get();
+        target.workers = workers_.get();
+    } else
+        rasterizer.clear_buffer();
+    const std::size_t drawn = world_.draw_all(target);
+    draw_overlay(rasterizer);
+    if (status_shown_)
+        draw_status(rasterizer, drawn);
+}
+
+void l3d_pipeline_world::draw_status(l3d_rasterizer_2d& rasterizer, std::size_t drawn) {
     const auto whole = static_cast<long>(frame_rate_ + 0.5);
     const int scale = std::max(1, size().height / least_height);
     l3d_draw_text(rasterizer, 0, 0, "FPS " + std::to_string(whole), text_color, scale);

@@ -4,38 +4,88 @@
 #define L3D_PIPELINE_WORLDS_WORLD_H
 
 #include "base/public.h"
+#include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/worlds/facet_list.h"
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
+
+class l3d_world_surfaces;
+
+/// Where a world is drawn: a picture, and what draws into it.
+///
+/// A part of a picture will do: its first word and its size in `pixels`, with the whole one's
+/// stride. So a mirror or a window onto another place is drawn by a second call of draw_all.
+/// Expects: the rasterizer draws into the same pixels.
+/// Lives:   borrowed while drawing.
+struct L3D_PUBLIC l3d_world_target {
+    l3d_rasterizer_2d& rasterizer; ///< draws lines, and polygons that are painted in an order
+    l3d_pixels pixels;             ///< the picture
+    /// Fills surfaces by depth. Null: the order `by_depth` is painted as `far_first`.
+    l3d_surface_rasterizer* surfaces = nullptr;
+    /// The threads that `surfaces` was made with. Null if that is.
+    l3d_workers* workers = nullptr;
+};
 
 /// A left-handed world. A program populates it in the constructor of a subclass.
 class L3D_PUBLIC l3d_world {
 public:
+    /// The kind of camera that a world has.
+    using camera_type = l3d_camera_left_handed<l3d_real>;
+
     /// An empty world, whose camera makes pictures of this size.
-    explicit l3d_world(l3d_size size) : camera(size) {}
+    explicit l3d_world(l3d_size size) : l3d_world(std::make_unique<camera_type>(size)) {}
+    /// An empty world seen by a camera of a class of its own. Expects: not null.
+    explicit l3d_world(std::unique_ptr<camera_type> seen_by);
     l3d_world(const l3d_world&) = delete;
     l3d_world& operator=(const l3d_world&) = delete;
-    virtual ~l3d_world() = default;
+    virtual ~l3d_world();
 
     /// Where the world is seen from.
-    l3d_camera_left_handed<l3d_real> camera;
-    /// All that is in the world.
-    std::vector<std::unique_ptr<l3d_object>> objects;
+    camera_type& camera;
     /// In which order polygons are drawn.
-    l3d_draw_order order = l3d_draw_order::far_first;
+    l3d_draw_order order = l3d_draw_order::by_depth;
+    /// How surfaces look that are drawn by depth: style, shade, lights, material, background, fog,
+    /// anti-aliasing and culling count. Lights are given in the left-handed world.
+    l3d_polygon_settings surfaces;
     /// Only the camera moves.
     bool frozen = false;
 
-    /// Lets time pass for every object, then for the camera. Units: seconds.
-    void update_all(double seconds);
+    /// Puts an object into the world, behind those that are there. Allowed at any time: one that
+    /// comes while objects are updated is updated from the next time on. Expects: not null.
+    /// Returns: the object.
+    l3d_object& add(std::unique_ptr<l3d_object> object);
 
-    /// Draws all that the camera sees. Returns the number of polygons drawn.
-    std::size_t draw_all(l3d_rasterizer_2d& rasterizer, l3d_size size);
+    /// Takes an object out of the world. Allowed at any time: while objects are updated, it takes
+    /// part in nothing more and lives until the update ends, so it may remove itself.
+    /// Errors:  false if the object is not in the world.
+    bool remove(const l3d_object& object);
+
+    /// All that is in the world, in the order of addition. Lives: until the next add or remove.
+    std::span<const std::unique_ptr<l3d_object>> objects() const { return objects_; }
+
+    /// Lets time pass for every object, then for the camera. Units: seconds.
+    virtual void update_all(double seconds);
+
+    /// Draws all that the camera sees. By depth, the picture shows the background of `surfaces`
+    /// first; else it keeps what is there.
+    /// Returns: the number of polygons drawn; by depth, of the triangles that they are made of.
+    virtual std::size_t draw_all(const l3d_world_target& target);
 
 private:
+    class update_scope;
+
+    bool is_removed(const l3d_object* object) const;
+    void drop_removed();
+
+    std::unique_ptr<camera_type> owned_camera_; ///< what `camera` names
+    std::vector<std::unique_ptr<l3d_object>> objects_;
+    std::vector<const l3d_object*> removed_; ///< while objects are updated, those that are to go
+    int updates_ = 0;                        ///< calls of update_all that have not returned
     l3d_facet_list facets_;
+    std::unique_ptr<l3d_world_surfaces> drawn_; ///< made by the first frame that is drawn by depth
 };
 
 #endif

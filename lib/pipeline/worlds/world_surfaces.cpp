@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// l3d_world_surfaces: place what may be seen, fill it in one call.
+#include "pipeline/worlds/world_surfaces.h"
+
+#include "pipeline/wire_p.h"
+#include "raster/shapes/hidden_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using vector = l3d_vector<double, 3>;
+
+/// Objects of more triangles are placed by all threads together: some tenths of a millisecond.
+constexpr std::size_t large = 4096;
+
+constexpr std::uint32_t wire_color = 0x0080d0ff;
+
+l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
+    l3d_matrix<double> result;
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 4; ++k)
+            result(i, k) = l3d_to_double(m(i, k));
+    return result;
+}
+
+/// Whether a placement leaves lengths and angles as they are. Products of rotations in floats are
+/// some 2^-23 off in each factor; lights see nothing below 2^-16.
+bool is_rigid(const l3d_matrix<double>& placement) {
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k <= i; ++k) {
+            double product = 0;
+            for (int row = 0; row < 3; ++row)
+                product += placement(row, i) * placement(row, k);
+            if (!(std::abs(product - (i == k)) < 0x1p-16))
+                return false;
+        }
+    return true;
+}
+
+/// The mesh with all vertices and normals taken through the linear part of a matrix. A mirror turns
+/// faces round, too, so that their corners' order still tells which side is outside.
+l3d_polygon_model reshaped(const l3d_polygon_mesh& mesh, const l3d_matrix<double>& shape) {
+    l3d_polygon_mesh result = mesh;
+    for (vector& v : result.vertices)
+        v = l3d_transformed(shape, v);
+    for (vector& normal : result.vertex_normals)
+        normal = l3d_transformed_normal(shape, normal).value_or(vector(0.0));
+    if (l3d_determinant(shape) < 0)
+        for (std::size_t face = 0; face < result.faces(); ++face) {
+            const std::size_t begin = face == 0 ? 0 : result.face_ends[face - 1];
+            std::reverse(result.corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                         result.corners.begin() +
+                             static_cast<std::ptrdiff_t>(result.face_ends[face]));
+        }
+    return l3d_polygon_model(std::move(result));
+}
+
+} // namespace
+
+/// What all objects of a frame share.
+struct l3d_world_surfaces::frame_input {
+    l3d_camera camera; ///< right-handed
+    l3d_size size;
+    l3d_picture_fit fit;
+    const l3d_polygon_settings& settings;
+    l3d_shading shading;
+    std::array<vector, 4> sides; ///< of the view, right-handed, from the eye; they point inwards
+
+    /// Whether a ball may be seen, in the right-handed world.
+    bool may_show(const vector& centre, double radius) const {
+        const vector from_eye = centre - camera.eye;
+        const double depth = l3d_dot(from_eye, camera.axes().forward);
+        return depth + radius >= camera.near && depth - radius <= camera.far &&
+               std::ranges::all_of(
+                   sides, [&](const vector& side) { return l3d_dot(side, from_eye) >= -radius; });
+    }
+};
+
+std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>> objects,
+                                     const l3d_world::camera_type& camera,
+                                     const l3d_polygon_settings& settings,
+                                     const l3d_world_target& target) {
+    const l3d_size size = target.pixels.size();
+    // The book's pixels have their centres at whole numbers, ours at halves.
+    const l3d_picture_fit fit{camera.fovx * size.width / (camera.fovy * size.height), 0.5};
+    const l3d_camera ours = l3d_right_handed(camera);
+    const l3d_camera::frame axes = ours.axes();
+    // What is seen of a pixel reaches half a pixel beyond its centre; one more for rounding.
+    const double right = (1 + 2.0 / size.width) / (2 * camera.fovx);
+    const double up = (1 + 2.0 / size.height) / (2 * camera.fovy);
+    frame_input in{ours,
+                   size,
+                   fit,
+                   settings,
+                   {},
+                   {l3d_normalized(axes.forward * right - axes.right),
+                    l3d_normalized(axes.forward * right + axes.right),
+                    l3d_normalized(axes.forward * up - axes.up),
+                    l3d_normalized(axes.forward * up + axes.up)}};
+    const auto mirrored = [](vector v) {
+        v[2] = -v[2];
+        return v;
+    };
+    l3d_lighting lighting = settings.lighting;
+    for (std::size_t i = 0; i < lighting.count; ++i)
+        lighting.lights[i].direction[2] = -lighting.lights[i].direction[2];
+    const l3d_polygon_view view(ours, size, l3d_projection::perspective, l3d_identity<double>(),
+                                fit);
+    in.shading = view.shading(settings.shade, mirrored(settings.light), lighting);
+    in.shading.background = settings.background;
+    if (settings.style == l3d_polygon_style::solid) {
+        in.shading.antialias = settings.antialias && target.surfaces->antialiases();
+        in.shading.fog = settings.fog;
+    }
+    place_all(in, objects);
+    if (settings.style == l3d_polygon_style::wireframe)
+        return draw_wires(in, target);
+    gather_materials(settings);
+    make_frames(in, *target.workers);
+    return fill(in, target);
+}
+
+void l3d_world_surfaces::place_all(const frame_input& in,
+                                   std::span<const std::unique_ptr<l3d_object>> objects) {
+    while (placed_.size() < objects.size())
+        placed_.push_back(std::make_unique<placed>());
+    placed_.resize(objects.size());
+    seen_.clear();
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (place(in, *objects[i], *placed_[i]))
+            seen_.push_back(placed_[i].get());
+}
+
+/// Returns whether anything of the object may be seen.
+bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, placed& to) const {
+    const l3d_polygon_model& model = object.model();
+    if (model.triangles().empty())
+        return false;
+    const l3d_matrix<double> placement = in_double(object.world_transform());
+    l3d_matrix<double> mirror = l3d_identity<double>();
+    mirror(2, 2) = -1;
+    const bool is_new = !to.plain || &to.plain->mesh() != &model.mesh();
+    if (is_new) {
+        to.plain = model;
+        to.shaped.reset();
+    }
+    l3d_matrix<double> rest = placement;
+    if (is_rigid(placement))
+        to.shaped.reset();
+    else {
+        l3d_matrix<double> shape = placement;
+        for (int i = 0; i < 3; ++i) {
+            shape(i, 3) = 0;
+            for (int k = 0; k < 3; ++k)
+                rest(i, k) = i == k;
+        }
+        if (!to.shaped || !(shape == to.shape)) {
+            to.shaped = reshaped(model.mesh(), shape);
+            to.shape = shape;
+        }
+    }
+    const l3d_matrix<double> ours = mirror * rest;
+    const vector c = to.model().centre();
+    const auto centre = ours * l3d_vector<double, 4>(c, 1.0);
+    // Far beyond what rounding of the centre and of the planes can do.
+    const double radius = to.model().radius() * (1 + 1e-6) + 1e-9 * l3d_length(in.camera.eye);
+    if (!in.may_show(vector(centre[0], centre[1], centre[2]), radius))
+        return false;
+    to.view.emplace(in.camera, in.size, l3d_projection::perspective, ours, in.fit);
+    return true;
+}
+
+/// Those of all models one after the other. An object without any gets a white one, unless no
+/// object has any.
+void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) {
+    materials_.clear();
+    const bool all_plain = !settings.material && std::ranges::all_of(seen_, [](const placed* p) {
+        return p->model().materials().empty();
+    });
+    for (placed* p : seen_) {
+        p->first_material = static_cast<std::uint32_t>(materials_.size());
+        const auto own = p->model().materials();
+        if (settings.material)
+            materials_.resize(materials_.size() + std::max<std::size_t>(own.size(), 1),
+                              *settings.material);
+        else if (!own.empty())
+            materials_.insert(materials_.end(), own.begin(), own.end());
+        else if (!all_plain)
+            materials_.emplace_back();
+        else
+            p->first_material = 0;
+    }
+}
+
+void l3d_world_surfaces::make_frames(const frame_input& in, l3d_workers& workers) {
+    while (alone_.size() < static_cast<std::size_t>(workers.count()))
+        alone_.push_back(std::make_unique<l3d_workers>(1));
+    const auto make = [&](placed& p, l3d_workers& by) {
+        p.frame.make(p.model(), *p.view,
+                     {.cull = in.settings.cull,
+                      .smooth = in.settings.shade != l3d_shade::flat,
+                      .antialias = in.shading.antialias,
+                      .parts = true,
+                      .cull_hidden = true,
+                      .first_material = p.first_material},
+                     by);
+    };
+    const auto is_large = [](const placed& p) { return p.model().triangles().size() > large; };
+    for (placed* p : seen_)
+        if (is_large(*p))
+            make(*p, workers);
+    workers.for_each(static_cast<int>(seen_.size()), [&](int i, int worker) {
+        placed& p = *seen_[static_cast<std::size_t>(i)];
+        if (!is_large(p))
+            make(p, *alone_[static_cast<std::size_t>(worker)]);
+    });
+}
+
+std::size_t l3d_world_surfaces::draw_wires(const frame_input& in, const l3d_world_target& target) {
+    in.settings.background.fill(target.pixels);
+    l3d_detail::wire_drawer drawer(target.rasterizer, wire_color, in.settings.antialias, 1);
+    std::size_t count = 0;
+    for (placed* p : seen_) {
+        const auto lines = p->wires.make(p->model(), *p->view, in.settings.cull);
+        drawer.draw(lines);
+        count += lines.size();
+    }
+    return count;
+}
+
+std::size_t l3d_world_surfaces::fill(const frame_input& in, const l3d_world_target& target) {
+    parts_.clear();
+    std::size_t count = 0;
+    for (const placed* p : seen_) {
+        parts_.insert(parts_.end(), p->frame.parts().begin(), p->frame.parts().end());
+        count += static_cast<std::size_t>(p->frame.counts().drawn);
+    }
+    const bool lines = in.settings.style == l3d_polygon_style::hidden_lines;
+    target.rasterizer.finish();
+    if (lines)
+        depth_.resize(in.size);
+    target.surfaces->count_pixels(in.settings.count_pixels);
+    target.surfaces->use_materials(materials_);
+    target.surfaces->begin(target.pixels, lines ? &depth_ : nullptr, in.shading);
+    target.surfaces->draw(parts_);
+    target.surfaces->finish();
+    if (lines) {
+        triangles_.clear();
+        for (const placed* p : seen_) {
+            p->frame.list(of_object_, *target.workers);
+            triangles_.insert(triangles_.end(), of_object_.begin(), of_object_.end());
+        }
+        l3d_draw_seen_sides(target.pixels, depth_, triangles_, in.shading.background,
+                            {wire_color, in.settings.antialias});
+    }
+    return count;
+}

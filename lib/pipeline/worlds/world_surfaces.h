@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// l3d_world_surfaces: a world's objects through a depth buffer, as single models of polygons are.
+#ifndef L3D_PIPELINE_WORLDS_WORLD_SURFACES_H
+#define L3D_PIPELINE_WORLDS_WORLD_SURFACES_H
+
+#include "pipeline/polygons/polygon_frame.h"
+#include "pipeline/polygons/polygon_wires.h"
+#include "pipeline/worlds/world.h"
+#include "raster/depth_buffer.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Draws all objects of a world into one picture, by the frames of polygon models.
+///
+/// Objects whose ball is outside of the view are left out as a whole. An object that is scaled or
+/// sheared gets a model of its own with this shape, so that its normals are right.
+/// Cost:    linear in the triangles of objects that may be seen. Small objects are placed one a
+///          thread, large ones by all threads together.
+class l3d_world_surfaces {
+public:
+    /// Draws a frame. Returns: the number of triangles drawn, or of lines as wires.
+    /// Expects: target.surfaces and target.workers are there.
+    std::size_t draw(std::span<const std::unique_ptr<l3d_object>> objects,
+                     const l3d_world::camera_type& camera, const l3d_polygon_settings& settings,
+                     const l3d_world_target& target);
+
+private:
+    /// What one object becomes. It is kept from frame to frame for its memory, and for its shape.
+    struct placed {
+        std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
+        std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
+        l3d_matrix<double> shape = l3d_identity<double>(); ///< that scaled and sheared it
+        std::optional<l3d_polygon_view> view;
+        l3d_polygon_frame frame;
+        l3d_polygon_wires wires;
+        std::uint32_t first_material = 0;
+
+        const l3d_polygon_model& model() const { return shaped ? *shaped : *plain; }
+    };
+
+    struct frame_input;
+
+    void place_all(const frame_input& in, std::span<const std::unique_ptr<l3d_object>> objects);
+    bool place(const frame_input& in, const l3d_object& object, placed& to) const;
+    void gather_materials(const l3d_polygon_settings& settings);
+    void make_frames(const frame_input& in, l3d_workers& workers);
+    std::size_t draw_wires(const frame_input& in, const l3d_world_target& target);
+    std::size_t fill(const frame_input& in, const l3d_world_target& target);
+
+    std::vector<std::unique_ptr<placed>> placed_; ///< one an object, in their order
+    std::vector<placed*> seen_;                   ///< those that this frame may show
+    std::vector<l3d_material> materials_;
+    std::vector<const l3d_surface_part*> parts_;
+    std::vector<l3d_painter_triangle> triangles_, of_object_; ///< for hidden lines
+    std::vector<std::unique_ptr<l3d_workers>> alone_;         ///< one a thread, for small objects
+    l3d_depth_buffer depth_;
+};
+
+#endif
