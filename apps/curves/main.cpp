@@ -90,6 +90,7 @@ public:
         fresh_ = false;
     }
 
+    bool is_at_rest() const override { return true; }
     bool needs_redraw() const override { return !fresh_; }
 
 private:

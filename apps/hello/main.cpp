@@ -74,6 +74,7 @@ public:
         y_ = event.y;
     }
 
+    bool is_at_rest() const override { return lesson_ != lesson::image; }
     bool needs_redraw() const override { return changed_ || lesson_ == lesson::image; }
 
 private:

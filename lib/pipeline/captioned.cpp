@@ -50,12 +50,26 @@ void captioned::resize_event(l3d_size size) {
 }
 
 void captioned::update_event(double seconds) {
-    if (hint_is_shown()) {
-        hint_seconds_ -= seconds;
-        is_old_ |= !hint_is_shown();
-    }
+    pass_hint(seconds);
     shown_.update_event(seconds);
     follow();
+}
+
+double captioned::rest_left() const {
+    return hint_is_shown() ? std::min(hint_seconds_, shown_.rest_left()) : shown_.rest_left();
+}
+
+void captioned::rest_event(double seconds) {
+    pass_hint(seconds);
+    shown_.rest_event(seconds);
+    follow();
+}
+
+void captioned::pass_hint(double seconds) {
+    if (!hint_is_shown())
+        return;
+    hint_seconds_ -= seconds;
+    is_old_ |= !hint_is_shown();
 }
 
 void captioned::draw_event() {

@@ -38,11 +38,14 @@ public:
     l3d_pixel_box changed() const override { return changed_; }
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override;
-    bool is_at_rest() const override { return !hint_is_shown() && shown_.is_at_rest(); }
+    bool is_at_rest() const override { return shown_.is_at_rest(); }
+    double rest_left() const override;
+    void rest_event(double seconds) override;
     bool needs_redraw() const override { return is_old_ || shown_.needs_redraw(); }
 
 private:
     bool hint_is_shown() const { return hint_seconds_ > 0; }
+    void pass_hint(double seconds);
     void follow() { done |= shown_.done; }
     void uncover();
     void cover();

@@ -68,6 +68,13 @@ public:
     /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
     virtual bool is_at_rest() const { return false; }
 
+    /// How long it stays at rest, if no event comes. Units: seconds, more than 0. Then, or at the
+    /// event, rest_event comes. Expects: is_at_rest().
+    virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
+
+    /// So many seconds of a rest went by, for which no update_event comes.
+    virtual void rest_event(double seconds) { static_cast<void>(seconds); }
+
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
     virtual bool needs_redraw() const { return true; }

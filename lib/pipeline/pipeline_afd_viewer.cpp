@@ -114,6 +114,11 @@ void l3d_pipeline_afd_viewer::update_event(double seconds) {
         redraw();
 }
 
+void l3d_pipeline_afd_viewer::rest_event(double seconds) {
+    if (controls_.rest(seconds))
+        redraw();
+}
+
 void l3d_pipeline_afd_viewer::draw_overlay() {
     if (screen().is_window())
         controls_.set_empty(

@@ -29,6 +29,8 @@ public:
     /// Time alone changes only what controls() change. A subclass that overrides update_event
     /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
+    double rest_left() const override { return controls_.rest_left(); }
+    void rest_event(double seconds) override;
 
 protected:
     void draw_overlay() override;

@@ -176,11 +176,10 @@ bool l3d_viewer_controls::update(double seconds) {
     if (turns)
         steering_.turn(turntable_degrees_ * seconds * degree, 0);
     first_frame_ = false;
-    return passes_hint(seconds) || turns;
+    return rest(seconds) || turns;
 }
 
-/// Whether its time is over now.
-bool l3d_viewer_controls::passes_hint(double seconds) {
+bool l3d_viewer_controls::rest(double seconds) {
     const bool was_shown = hint_seconds_ > 0;
     hint_seconds_ -= seconds;
     return was_shown && !(hint_seconds_ > 0);

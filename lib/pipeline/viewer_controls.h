@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -84,8 +85,15 @@ public:
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
-    /// Whether time alone changes no picture: nothing turns, and no hint is about to end.
-    bool is_at_rest() const { return (turntable_degrees_ == 0 || paused_) && !(hint_seconds_ > 0); }
+    /// Whether nothing turns.
+    bool is_at_rest() const { return turntable_degrees_ == 0 || paused_; }
+    /// How long time alone changes no picture while nothing turns: until the hint ends.
+    /// Units: seconds.
+    double rest_left() const {
+        return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
+    }
+    /// Lets seconds of a rest pass. Returns whether the hint ends, so that a picture is due.
+    bool rest(double seconds);
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
 
@@ -128,7 +136,6 @@ public:
               const l3d_standing_panel& standing = {}) const;
 
 private:
-    bool passes_hint(double seconds);
     std::vector<l3d_panel> help_pages() const;
     l3d_panel message_panel() const;
     l3d_panel status_panel(double milliseconds, std::span<const std::string> lines) const;

@@ -43,6 +43,7 @@ private:
 
     bool rests() const;
     void sleep(steady_clock::time_point now);
+    void rest(steady_clock::time_point now);
     void handle_events();
     void handle(const l3d_event& event);
     void show_again();
@@ -109,12 +110,24 @@ bool l3d_dispatcher_window::loop::rests() const {
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Time that nobody sees, or that changes nothing, does not count.
+/// Time that nobody sees does not count, and of a rest only the pipeline is told.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());
-    screen_.wait(longest_rest, signals_.waker());
+    if (hidden_)
+        screen_.wait(longest_rest, signals_.waker());
+    else
+        rest(now);
     last_update_ = steady_clock::now();
+}
+
+/// One timer, at the moment at which the pipeline wants to be woken.
+void l3d_dispatcher_window::loop::rest(steady_clock::time_point now) {
+    // Rounded up: a sleep that ends before the rest would be followed by one of no time.
+    const auto left = std::chrono::ceil<std::chrono::nanoseconds>(std::chrono::duration<double>(
+        std::min(pipeline_.rest_left(), std::chrono::duration<double>(longest_rest).count())));
+    screen_.wait(left, signals_.waker());
+    pipeline_.rest_event(seconds_between(now, steady_clock::now()));
 }
 
 void l3d_dispatcher_window::loop::show_again() {

@@ -94,7 +94,6 @@ TEST_F(captioned_row, shows_a_hint_at_first_and_leaves_the_picture_as_it_would_b
     for (double seconds = step; seconds < hint_seconds; seconds += step) {
         pass(step);
         EXPECT_FALSE(is_plain());
-        EXPECT_FALSE(shown.is_at_rest());
     }
     pass(step);
     EXPECT_TRUE(is_plain()) << "what the panel covered is there again";
@@ -105,10 +104,14 @@ TEST_F(captioned_row, asks_for_a_picture_when_its_panel_comes_or_goes) {
     row.moves = false;
     pass(0.1);
     EXPECT_FALSE(shown.needs_redraw());
-    EXPECT_FALSE(shown.is_at_rest()) << "time takes the hint away";
-    shown.update_event(hint_seconds);
-    EXPECT_TRUE(shown.needs_redraw());
     EXPECT_TRUE(shown.is_at_rest());
+    EXPECT_DOUBLE_EQ(shown.rest_left(), hint_seconds - 0.1) << "time takes the hint away";
+    shown.rest_event(hint_seconds - 1);
+    EXPECT_FALSE(shown.needs_redraw()) << "a key may end a rest, and leave the hint";
+    EXPECT_NEAR(shown.rest_left(), 0.9, 1e-12);
+    shown.rest_event(1);
+    EXPECT_TRUE(shown.needs_redraw());
+    EXPECT_GT(shown.rest_left(), 1e9);
     shown.draw_event();
     EXPECT_FALSE(shown.needs_redraw());
     EXPECT_TRUE(is_plain());

@@ -152,6 +152,18 @@ TEST(viewer_controls, tell_of_the_help_for_some_seconds_or_until_a_key) {
     EXPECT_EQ(it.text_rows(), 0);
 }
 
+TEST(viewer_controls, rest_until_their_hint_ends) {
+    nothing_viewer it;
+    EXPECT_GT(it.controls.rest_left(), 1e9);
+    it.controls.show_hint(1);
+    EXPECT_TRUE(it.controls.is_at_rest());
+    EXPECT_FALSE(it.controls.rest(0.25));
+    EXPECT_DOUBLE_EQ(it.controls.rest_left(), 0.75);
+    EXPECT_TRUE(it.controls.rest(0.75)) << "it has to go";
+    EXPECT_GT(it.controls.rest_left(), 1e9);
+    EXPECT_FALSE(it.controls.rest(9));
+}
+
 /// With letters made for finer displays, too: everything is inside, as margins show.
 TEST(viewer_controls, fit_into_every_window) {
     for (const l3d_size size : {l3d_size{320, 240}, {403, 311}, {640, 480}, {240, 900}}) {

@@ -174,9 +174,23 @@ TEST(dispatcher_window, nothing_wakes_up_while_nothing_changes) {
     run.screen.arrivals = {{}, {make_key('a')}, {make_key('q')}};
     run.dispatcher.start();
     // Once the first picture is there, there are only sleeps.
-    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "key a", "key q"}));
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "rest", "rest", "key a", "rest",
+                                 "key q"}));
     EXPECT_EQ(run.screen.waits, 3);
     EXPECT_GE(run.screen.longest_wait, 1h);
+}
+
+TEST(dispatcher_window, wakes_up_once_for_what_ends_a_rest_by_itself) {
+    window_run run(frames(0, 500));
+    run.pipeline.lazy = run.pipeline.rests = true;
+    run.pipeline.rest = 0.1; // fifty frames
+    run.pipeline.on_update = [&](int update) { run.pipeline.done = update == 2; };
+    run.dispatcher.start();
+    EXPECT_EQ(run.log, (call_log{"update", "draw", "show", "frame", "rest", "update", "draw",
+                                 "show", "frame"}));
+    EXPECT_EQ(run.screen.waits, 1);
+    EXPECT_LT(run.pipeline.steps.at(1), run.pipeline.rest) << "of a rest only rest_event tells";
+    EXPECT_GE(run.pipeline.rested, run.pipeline.rest);
 }
 
 TEST(dispatcher_window, the_first_picture_after_a_rest_comes_at_once_and_no_time_has_passed) {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <thread>
@@ -101,8 +102,10 @@ class fake_pipeline final : public l3d_pipeline {
 public:
     fake_pipeline(call_log& log, l3d_screen& screen) : log_(log), screen_(screen) {}
 
-    bool lazy = false;                    ///< never needs to be redrawn
-    bool rests = false;                   ///< time changes nothing
+    bool lazy = false;                                     ///< never needs to be redrawn
+    bool rests = false;                                    ///< time changes nothing
+    double rest = std::numeric_limits<double>::infinity(); ///< but for the end of so many seconds
+    double rested = 0;                                     ///< seconds that it was told of
     bool skips = false;                   ///< its pictures do not depend on each other
     std::optional<l3d_pixel_box> changes; ///< in every frame; else all
     std::vector<double> steps;
@@ -135,6 +138,12 @@ public:
     }
     bool needs_redraw() const override { return !lazy; }
     bool is_at_rest() const override { return rests; }
+    double rest_left() const override { return rest - rested; }
+    void rest_event(double seconds) override {
+        log_.push_back("rest");
+        rested += seconds;
+        lazy = rested < rest;
+    }
     void frame_event(const l3d_frame_times& frame) override {
         log_.push_back("frame");
         times.push_back(frame);

@@ -190,6 +190,10 @@ void l3d_pipeline_polygons::update_event(double seconds) {
     stale_ |= controls_.update(seconds);
 }
 
+void l3d_pipeline_polygons::rest_event(double seconds) {
+    stale_ |= controls_.rest(seconds);
+}
+
 void l3d_pipeline_polygons::tell_empty() {
     const std::string why = report_.polygons.drawn == 0 ? why_empty() : "";
     controls_.set_empty(why, why == l3d_without_area       ? '\0'

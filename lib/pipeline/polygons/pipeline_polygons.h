@@ -133,6 +133,8 @@ public:
     /// Time alone changes only what controls() change. A subclass that overrides update_event
     /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
+    double rest_left() const override { return controls_.rest_left(); }
+    void rest_event(double seconds) override;
     void draw_event() override;
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override {

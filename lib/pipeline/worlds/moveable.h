@@ -88,13 +88,15 @@ public:
     ///          1 again, so that no rounding adds up.
     virtual void update(double seconds);
 
+    /// Whether update() changes anything. A subclass that overrides that overrides this, too.
+    virtual bool moves() const;
+
     /// From the world to the three axes with the place as origin.
     l3d_matrix<T> viewing_transform() const;
     /// From the three axes with the place as origin to the world.
     l3d_matrix<T> inverse_viewing_transform() const;
 
 private:
-    bool moves() const;
     void fly(double seconds);
     void straighten();
     void spin_by(double share);

@@ -60,6 +60,10 @@ l3d_pipeline_world::l3d_pipeline_world(std::shared_ptr<const l3d_rasterizer_fact
     : l3d_pipeline_2d(std::move(canvas)), world_(world), rasterizers_(std::move(rasterizers)),
       seen_size_(size()) {}
 
+void l3d_pipeline_world::any_event(const l3d_event&) {
+    is_stale_ = true;
+}
+
 void l3d_pipeline_world::key_event(int key) {
     if (!turn_key(key) && !thrust_key(key) && !look_key(key))
         l3d_pipeline_2d::key_event(key);
@@ -162,6 +166,7 @@ void l3d_pipeline_world::resize_event(l3d_size size) {
 }
 
 void l3d_pipeline_world::update_event(double seconds) {
+    is_stale_ |= !is_at_rest();
     world_.update_all(seconds);
     seconds_ += seconds;
     if (++frames_ == frames_of_mean) {
@@ -172,6 +177,7 @@ void l3d_pipeline_world::update_event(double seconds) {
 }
 
 void l3d_pipeline_world::draw(l3d_rasterizer_2d& rasterizer) {
+    is_stale_ = false;
     l3d_world_target target{rasterizer, screen().pixels()};
     if (world_.order == l3d_draw_order::by_depth) {
         if (!surfaces_) {

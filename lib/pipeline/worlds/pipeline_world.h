@@ -26,10 +26,15 @@ public:
     /// Shows this world on that canvas. Errors: as l3d_pipeline_2d.
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
+    void any_event(const l3d_event& event) override;
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
     bool skip_event() override { return true; }
+    /// Whether the world is stopped and the camera stands still. A subclass in which more moves
+    /// overrides it.
+    bool is_at_rest() const override { return world_.frozen && !world_.camera.moves(); }
+    bool needs_redraw() const override { return is_stale_; }
 
 protected:
     /// Draws what lies over the picture of the world, such as instruments. The status lines come
@@ -52,7 +57,8 @@ private:
     std::unique_ptr<l3d_surface_rasterizer> surfaces_; // after workers_, which it borrows
     l3d_size seen_size_;
     bool status_shown_ = false;
-    int frames_ = 0; ///< since the frame rate was last computed
+    bool is_stale_ = true; ///< the picture may be another one than that which was drawn
+    int frames_ = 0;       ///< since the frame rate was last computed
     double seconds_ = 0;
     double frame_rate_ = 0;
 };
