@@ -221,6 +221,23 @@ def expect_large_pixels(it, scale):
         expect(all(row[x] == first[x - x % scale] for x in range(size[0])), "row", y)
 
 
+def grows_in_its_own_colours(program):
+    """What the server shows until the program comes to draw: the mean of the last column."""
+    width, height = program.size
+    size = (width + 40, height + 30)
+    with Session(program) as it:
+        settle(it)
+        column = [row[-1] for row in it.picture()]
+        means = [sum(word >> shift & 255 for word in column) // height for shift in (16, 8, 0)]
+        it.process.send_signal(signal.SIGSTOP)
+        xdotool(it.display, "windowsize", it.window, *size)
+        rows = wait_for(lambda: it.picture(size), "the larger window")
+        it.process.send_signal(signal.SIGCONT)
+        margin = {word for row in rows[height:] for word in row}
+        margin |= {word for row in rows for word in row[width:]}
+        expect_equal(margin, {means[0] << 16 | means[1] << 8 | means[2]}, "new parts")
+
+
 def tells_who_it_is(program):
     with Session(program) as it:
         for question in (
@@ -312,6 +329,7 @@ CHECKS = (
     resizes_its_picture,
     covers_the_screen_and_goes_back,
     shows_large_pixels,
+    grows_in_its_own_colours,
     tells_who_it_is,
     has_the_title_that_was_asked_for,
     survives_a_storm_of_sizes,

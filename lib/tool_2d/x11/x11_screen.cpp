@@ -32,6 +32,20 @@ constexpr double local_fps = 60, network_fps = 15;
 // Keeps a deadline inside the clock's range.
 constexpr std::chrono::nanoseconds longest_wait = 24h;
 
+/// What a picture would show a little farther to the right: the mean of its last column. A
+/// background of ours differs from row to row, and a window has one colour.
+std::uint32_t margin_word(const l3d_pixels& picture) {
+    std::uint64_t sums[3]{};
+    for (int y = 0; y < picture.height; ++y)
+        for (int i = 0; i < 3; ++i)
+            sums[i] += picture.row(y).back() >> 8 * i & 255;
+    std::uint32_t word = 0;
+    for (int i = 0; i < 3; ++i)
+        word |= static_cast<std::uint32_t>(sums[i] / static_cast<std::uint64_t>(picture.height))
+                << 8 * i;
+    return word;
+}
+
 /// Window, image and events of one display.
 ///
 /// If a picture is to be shown before there is a buffer for it, show waits a little. Then it leaves
@@ -99,9 +113,11 @@ private:
     std::string remark_;
     std::unique_ptr<x11_image> image_;
     l3d_image picture_;
-    l3d_pixel_box due_;           ///< is to be put once there is a buffer for it
-    bool is_forgotten_ = true;    ///< nobody knows what the window shows: all is to be put
-    bool sync_is_due_ = false;    ///< a picture was put, and perhaps waits to be sent
+    l3d_pixel_box due_;        ///< is to be put once there is a buffer for it
+    bool is_forgotten_ = true; ///< nobody knows what the window shows: all is to be put
+    bool ground_is_due_ =
+        false;                 ///< a whole picture was put, to which the window's ground has to fit
+    bool sync_is_due_ = false; ///< a picture was put, and perhaps waits to be sent
     bool window_is_gone_ = false; ///< another program destroyed it
     bool lost_is_told_ = false;
     bool letters_changed_ = false; ///< the program shall draw them anew
@@ -177,8 +193,8 @@ void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     if (window_->connection().lost() || window_is_gone_)
         return;
     const l3d_pixels picture = picture_.pixels();
-    image_->put(picture, std::exchange(is_forgotten_, false) ? l3d_whole(picture.size()) : part,
-                deadline);
+    image_->put(picture, is_forgotten_ ? l3d_whole(picture.size()) : part, deadline);
+    ground_is_due_ |= std::exchange(is_forgotten_, false);
     sync_is_due_ = true;
 }
 
@@ -204,6 +220,8 @@ void l3d_screen_x11::look_around() {
     events_.look_after();
     if (is_forgotten_)
         return;
+    if (std::exchange(ground_is_due_, false))
+        window_->set_ground(margin_word(picture_.pixels()));
     state_.look_after();
     resolution_.look_after();
     scroll_.look_after();

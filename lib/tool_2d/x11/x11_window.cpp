@@ -100,8 +100,8 @@ void x11_window::create(l3d_size native) {
     attributes.colormap = colormap_->id();
     // Not inherited: a parent of another depth has no pixel for the border.
     attributes.border_pixel = 0;
-    attributes.background_pixel = info().to_display(0);
-    // The picture stays when the window grows, so that only new parts turn black.
+    attributes.background_pixel = ground_ = info().to_display(0);
+    // The picture stays when the window grows: only new parts show the ground.
     attributes.bit_gravity = NorthWestGravity;
     attributes.event_mask = events_always;
     window_ = XCreateWindow(
@@ -183,6 +183,12 @@ void x11_window::set_protocols() {
 bool x11_window::set_fineness(double fineness) {
     const double text_scale = std::max(1.0, fineness / scale_);
     return std::exchange(text_scale_, text_scale) != text_scale;
+}
+
+void x11_window::set_ground(std::uint32_t word) {
+    const unsigned long pixel = info().to_display(word);
+    if (std::exchange(ground_, pixel) != pixel)
+        XSetWindowBackground(display(), window_, pixel);
 }
 
 void x11_window::watch_pointer(bool always) const {

@@ -65,6 +65,9 @@ public:
 
     void map() { XMapWindow(display(), window_); }
 
+    /// What new parts of a window that grows show until their picture comes: a pixel word.
+    void set_ground(std::uint32_t word);
+
     /// Hears of the pointer at all times, or only while a button is held.
     void watch_pointer(bool always) const;
 
@@ -98,6 +101,7 @@ private:
     bool managed_ = false;
     Window window_ = 0;
     GC graphics_ = nullptr;
+    unsigned long ground_ = 0; ///< of the window, a pixel of the display's
 };
 
 } // namespace l3d_detail
