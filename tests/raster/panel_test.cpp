@@ -223,6 +223,59 @@ TEST(panel, pages_of_a_long_help_leave_half_of_the_picture_free) {
     }
 }
 
+/// The height of the first capital or digit of a panel.
+int letter_height(const l3d_panel& panel, l3d_size size, const l3d_panel_style& style) {
+    canvas it(size.width, size.height);
+    l3d_pixel_box free = l3d_whole(size);
+    const l3d_pixel_box box = panel.draw(it.draw, free, l3d_corner::top_left, style);
+    const auto has_letter = [&](int y) {
+        for (int x = box.left; x < box.right; ++x)
+            if ((it.at(x, y) & 255) > 0x80)
+                return true;
+        return false;
+    };
+    int first = box.top;
+    while (first < box.bottom && !has_letter(first))
+        ++first;
+    int end = first;
+    while (end < box.bottom && has_letter(end))
+        ++end;
+    return end - first;
+}
+
+/// Letters that a fine display asks for may leave no room for all lines at once: then there are
+/// more pages of them, never smaller letters than those of a coarser display.
+TEST(panel, pages_have_no_smaller_letters_where_larger_ones_are_wanted) {
+    l3d_panel panel;
+    for (int i = 0; i < 24; ++i)
+        panel.add("KEY", "HELP LINE");
+    for (const l3d_size size : {l3d_size{640, 400}, {1024, 768}, {320, 240}}) {
+        int before = 0;
+        std::size_t pages_before = 0;
+        for (const double text_scale : {1.0, 1.5, 2.0, 3.0, 5.0, 8.0}) {
+            l3d_panel_style style;
+            style.size = l3d_panel_style::size_for(size, text_scale);
+            const auto pages = panel.pages(size, "h", style);
+            const int height = letter_height(pages.front(), size, style);
+            EXPECT_GE(height, before) << size.width << " by " << text_scale;
+            EXPECT_GE(pages.size(), pages_before) << size.width << " by " << text_scale;
+            for (const l3d_panel& page : pages)
+                EXPECT_EQ(letter_height(page, size, style), height) << "one size for all pages";
+            before = height;
+            pages_before = pages.size();
+        }
+    }
+}
+
+TEST(panel, letters_grow_with_the_display_as_long_as_a_dozen_lines_have_room) {
+    constexpr l3d_size usual{1024, 768};
+    EXPECT_EQ(l3d_panel_style::size_for(usual), 15);
+    EXPECT_EQ(l3d_panel_style::size_for(usual, 2), 30);
+    EXPECT_EQ(l3d_panel_style::size_for(usual, 8), 48);
+    EXPECT_EQ(l3d_panel_style::size_for({8192, 6144}, 8), 128) << "a window of such a display";
+    EXPECT_EQ(l3d_panel_style::size_for({64, 48}, 8), 12);
+}
+
 /// Half of a window of 320 x 240.
 TEST(panel, pages_of_a_narrow_picture_leave_no_line_out) {
     l3d_panel panel;

@@ -88,13 +88,16 @@ void l3d_panel::add_lines(const std::string& key, const std::string& text, bool 
 
 int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
     constexpr int part = 50, least = 12, most = 16;
+    constexpr int largest_part = 16; // a line is 1.2 times as high: 13 of them have room
     const int at_usual_dots = std::clamp(picture.height / part, least, most);
-    return static_cast<int>(std::lround(at_usual_dots * text_scale));
+    const auto wanted = static_cast<int>(std::lround(at_usual_dots * text_scale));
+    return std::min(wanted, std::max(at_usual_dots, picture.height / largest_part));
 }
 
 std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key,
                                         const l3d_panel_style& style) const {
     constexpr std::size_t fewest_rows = 4; // of a page that is worth a press of a key
+    l3d_panel_style looks = style;
     const auto fewest_that = [&](const auto& suit) {
         std::vector<l3d_panel> result;
         for (std::size_t count = 1; count * fewest_rows <= rows_.size(); ++count)
@@ -102,18 +105,22 @@ std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key
                 return result;
         return std::vector<l3d_panel>();
     };
-    auto result =
-        fewest_that([&](const l3d_panel& page) { return page.leaves_half(picture, style); });
-    l3d_panel_style looks = style;
+    const auto leaves_half = [&](const l3d_panel& page) {
+        return page.leaves_half(picture, looks);
+    };
     const auto has_room = [&](const l3d_panel& page) {
         return !page.box_in(l3d_whole(picture), l3d_corner::top_left, looks).empty();
     };
-    looks.size = std::min(style.size, smallest_size);
-    if (result.empty() && has_room(*this))
-        return {*this};
-    for (looks.size = style.size; result.empty() && looks.size >= smallest_size; --looks.size)
-        result = fewest_that(has_room);
-    return result.empty() ? std::vector{*this} : result;
+    for (; looks.size >= smallest_size; --looks.size) {
+        auto result = fewest_that(leaves_half);
+        if (result.empty())
+            result = fewest_that(has_room);
+        for (l3d_panel& page : result)
+            page.largest_size_ = looks.size;
+        if (!result.empty())
+            return result;
+    }
+    return {*this};
 }
 
 /// Panels of as many rows each, and with the line that tells of the key.
@@ -144,13 +151,14 @@ bool l3d_panel::leaves_half(l3d_size picture, const l3d_panel_style& style) cons
 
 l3d_pixel_box l3d_panel::box_in(const l3d_pixel_box& free, l3d_corner corner,
                                 const l3d_panel_style& style) const {
-    const l3d_pixel_box room = free.grown(-style.size / 2);
+    const int size = std::min(style.size, largest_size_);
+    const l3d_pixel_box room = free.grown(-size / 2);
     if (empty() || room.empty())
         return {};
     const std::vector<panel_row> rows = laid_out(rows_);
     panel_layout layout(style.font, rows);
     for (int columns = 1; columns <= most_columns; ++columns)
-        if (layout.make(style.size, columns, {room.right - room.left, room.bottom - room.top}))
+        if (layout.make(size, columns, {room.right - room.left, room.bottom - room.top}))
             return place_of(layout.size(), room, corner);
     return {};
 }
@@ -160,13 +168,14 @@ l3d_pixel_box l3d_panel::draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free
     if (empty() || free.empty())
         return {};
     const std::vector<panel_row> rows = laid_out(rows_);
-    const l3d_pixel_box room = free.grown(-style.size / 2);
+    const int wanted = std::min(style.size, largest_size_);
+    const l3d_pixel_box room = free.grown(-wanted / 2);
     if (room.empty())
         return {};
     panel_layout layout(style.font, rows);
     const l3d_size most{room.right - room.left, room.bottom - room.top};
     bool fits = false;
-    for (int size = style.size; size >= std::min(style.size, smallest_size) && !fits; --size)
+    for (int size = wanted; size >= std::min(wanted, smallest_size) && !fits; --size)
         for (int columns = 1; columns <= most_columns && !fits; ++columns)
             fits = layout.make(size, columns, most);
     if (!fits)

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct L3D_PUBLIC l3d_panel_style {
     /// How much the ground hides, from 0 to 255.
     int ground_coverage = 200;
 
-    /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale.
+    /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale. A
+    /// sixteenth of the height is the most: larger letters leave no room for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
@@ -74,9 +76,10 @@ public:
     bool empty() const { return rows_.empty(); }
 
     /// Divides the lines among as few panels as possible, each of which leaves half of a picture
-    /// free. If there are several, each says that `key` shows the next. Pictures so small that a
-    /// panel would have hardly any line get one panel, which covers more. If even its smallest
-    /// letters would leave lines out, there are several again, and they cover more, too.
+    /// free. If there are several, each says that `key` shows the next. Where panels of a few lines
+    /// would still cover more, they do. Letters are as large as the style says, or as large as has
+    /// room, and the same on all pages. Pictures so small that the smallest letters leave no room
+    /// for a few lines get one panel.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 
@@ -107,6 +110,7 @@ private:
     bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
 
     std::vector<row> rows_;
+    int largest_size_ = std::numeric_limits<int>::max(); ///< of its letters: that of its page
 };
 
 #endif
