@@ -2,6 +2,7 @@
 // l3d_method_choice: names, and what they stand for.
 #include "compare/method_choice.h"
 
+#include "base/did_you_mean_p.h"
 #include "geom/real.h"
 #include "compare/plotters/blinn_plotter.h"
 #include "compare/dicers/fd_dicer.h"
@@ -25,7 +26,9 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace {
 
@@ -142,8 +145,13 @@ std::optional<l3d_method_choice> l3d_method_choice::from_name(std::string_view n
         why = '\'' + std::string(name) + "' " + reason;
         return std::nullopt;
     };
-    if (found == rows.end())
-        return refuse("is unknown; there are " + all_names());
+    if (found == rows.end()) {
+        std::vector<std::string_view> names;
+        for (const method_row& row : rows)
+            names.emplace_back(row.name);
+        return refuse("is unknown; there are " + all_names() +
+                      l3d_detail::did_you_mean(word, names));
+    }
     l3d_method_choice result;
     result.method = found->method;
     result.resolution = found->usual;

@@ -2,6 +2,7 @@
 // l3d_parts: runs with names become parts.
 #include "geom/parts.h"
 
+#include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ std::string l3d_parts::complaint(std::string_view name) const {
     constexpr std::size_t most = 40; // what a screen of text has room for
     for (std::size_t i = 0; i < std::min(most, names_.size()); ++i)
         why += (i > 0 ? ", " : "") + l3d_detail::printable(names_[i]);
-    return names_.size() > most ? why + " and " + std::to_string(names_.size() - most) + " more"
-                                : why;
+    if (names_.size() > most)
+        why += " and " + std::to_string(names_.size() - most) + " more";
+    return why + l3d_detail::did_you_mean(name, names_);
 }

@@ -5,6 +5,7 @@
 #include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "scene/model_loader.h"
+#include "system/color_text_p.h"
 #include "system/number_text.h"
 #include "system/output_names_p.h"
 #include "system/places.h"
@@ -41,18 +42,32 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-constexpr double white = 255;
+/// Reads the numbers that a list begins with. The rest, behind a comma, is left to be read as a
+/// colour; it is empty without one.
+/// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
+template <std::size_t N>
+std::optional<std::string_view> read_before_color(std::string_view text,
+                                                  std::array<double, N>& numbers) {
+    std::size_t end = text.find(',');
+    for (std::size_t i = 1; i < N && end != text.npos; ++i)
+        end = text.find(',', end + 1);
+    if (!l3d_read_numbers(text.substr(0, end), ',', numbers) || end + 1 == text.size())
+        return {};
+    return end == text.npos ? "" : text.substr(end + 1);
+}
 
-/// Parts of white. Expects: the name of the option that the colour comes from.
-l3d_light_color color_of(const char* option, const l3d_camera::vector& color) {
+/// Parts of white.
+/// Errors:  l3d_error(usage) that names the option and its value.
+l3d_light_color light_color(const char* option, std::string_view text) {
+    constexpr double white = 255;
+    const auto levels = l3d_detail::read_color(text);
+    if (!levels)
+        throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + l3d_detail::printable(text) +
+                                             "' is not " + l3d_detail::color_forms +
+                                             l3d_detail::meant_color(text));
     l3d_light_color result{};
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const double component = color[static_cast<int>(i)];
-        if (!(component >= 0 && component <= white))
-            throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(color) +
-                                                 "' is no colour from 0 to 255");
-        result[i] = static_cast<float>(component / white);
-    }
+    std::ranges::transform(*levels, result.begin(),
+                           [](double level) { return static_cast<float>(level / white); });
     return result;
 }
 
@@ -143,23 +158,25 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                              "whether the picture has the scale of such a shade",
                              {{"on", true}, {"off", false}});
     options.add_each("--light",
-                     "direction towards a light and, if it is not white, its colour: X,Y,Z or "
-                     "X,Y,Z,R,G,B, colours from 0 to 255; each further --light adds one",
-                     "X,Y,Z[,R,G,B]", text_of(l3d_usual_light),
+                     "direction towards a light and, if it is not white, its colour, as "
+                     "1,1,0,orange; each further --light adds one",
+                     "X,Y,Z[,COLOR]", text_of(l3d_usual_light),
                      [this](const std::string& text) { add_light(text); });
-    options.add("--ambient", ambient_,
-                "light that comes from everywhere: red, green, blue, from 0 to 255");
+    options.add_each("--ambient", "light that comes from everywhere", l3d_detail::color_kind,
+                     "25.5,25.5,25.5", [this](const std::string& text) {
+                         settings_.lighting.ambient = light_color("--ambient", text);
+                     });
     options.add_choice<bool>("--antialias", settings_.antialias,
                              "whether pixels at edges show the mean of all that is seen in them",
                              {{"on", true}, {"off", false}});
     options.add("--background", background_,
                 "what is seen where no surface is: a quiet gradient, as unless told otherwise; "
-                "nothing, which needs a .png; or a colour from 0 to 255 each");
+                "nothing, which needs a .png; or a colour");
     options.add_each("--fog",
-                     "where surfaces begin to fade and where they are gone, and into which colour: "
-                     "NEAR,FAR or NEAR,FAR,R,G,B, distances along the view axis, colours from 0 to "
-                     "255; without a colour, into the background; 0,0,0 is depth cueing",
-                     "NEAR,FAR[,R,G,B]", "", [this](const std::string& text) { read_fog(text); });
+                     "where surfaces begin to fade and where they are gone, in distances along the "
+                     "view axis, and into which colour; without one, into the background; black "
+                     "is depth cueing",
+                     "NEAR,FAR[,COLOR]", "", [this](const std::string& text) { read_fog(text); });
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -254,22 +271,19 @@ void l3d_afd_options::check_pick(l3d_size size) const {
 
 /// The first one replaces the usual light.
 void l3d_afd_options::add_light(const std::string& text) {
-    std::array<double, 6> numbers{0, 0, 0, white, white, white};
     std::array<double, 3> direction{};
-    const bool is_white = l3d_read_numbers(text, ',', direction);
-    if (is_white)
-        std::ranges::copy(direction, numbers.begin());
-    else if (!l3d_read_numbers(text, ',', numbers))
-        throw l3d_error(l3d_exit::usage,
-                        "--light: '" + text + "' is neither X,Y,Z nor X,Y,Z,R,G,B");
-    l3d_camera::vector towards{numbers[0], numbers[1], numbers[2]};
+    const auto rest = read_before_color(text, direction);
+    if (!rest)
+        throw l3d_error(l3d_exit::usage, "--light: '" + l3d_detail::printable(text) +
+                                             "' is neither X,Y,Z nor X,Y,Z,COLOR");
+    l3d_camera::vector towards{direction[0], direction[1], direction[2]};
     const double most =
         std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
     if (most == 0)
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
     if (!(most > 1e-100 && most < 1e100)) // squares would be infinite, or zero
         towards = towards / most;
-    const l3d_light_color color = color_of("--light", {numbers[3], numbers[4], numbers[5]});
+    const l3d_light_color color = light_color("--light", rest->empty() ? "white" : *rest);
     l3d_lighting& lighting = settings_.lighting;
     if (!gives_light_) {
         settings_.light = towards;
@@ -285,32 +299,26 @@ void l3d_afd_options::add_light(const std::string& text) {
 
 void l3d_afd_options::read_fog(const std::string& text) {
     std::array<double, 2> distances{};
-    std::array<double, 5> all{};
     l3d_fog fog;
-    bool is_fog = l3d_read_numbers(text, ',', distances);
-    if (!is_fog && l3d_read_numbers(text, ',', all)) {
-        is_fog = true;
-        std::copy_n(all.begin(), distances.size(), distances.begin());
-        fog.color = 0;
-        for (std::size_t i = 2; i < all.size(); ++i) {
-            is_fog = is_fog && all[i] >= 0 && all[i] <= 255 && all[i] == std::floor(all[i]);
-            fog.color = *fog.color << 8 | (is_fog ? static_cast<std::uint32_t>(all[i]) : 0);
-        }
-    }
+    const auto rest = read_before_color(text, distances);
     fog.near = static_cast<float>(distances[0]);
     fog.far = static_cast<float>(distances[1]);
-    if (!is_fog || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
+    if (!rest || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
         throw l3d_error(l3d_exit::usage,
                         "--fog: '" + l3d_detail::printable(text) +
-                            "' is not NEAR,FAR or NEAR,FAR,R,G,B with distances from 0 on, the "
-                            "nearer first, and whole colours from 0 to 255");
+                            "' is not NEAR,FAR or NEAR,FAR,COLOR with distances from 0 on, the "
+                            "nearer first");
+    if (!rest->empty())
+        fog.color = l3d_detail::read_paint(*rest);
+    if (!rest->empty() && !fog.color)
+        throw l3d_error(l3d_exit::usage, "--fog: '" + l3d_detail::printable(*rest) + "' is not " +
+                                             l3d_detail::color_forms +
+                                             l3d_detail::meant_color(*rest));
     settings_.fog = fog;
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
-    if (ambient_ != usual_ambient())
-        result.lighting.ambient = color_of("--ambient", ambient_);
     result.tolerance = tolerance_.value_or(settings_.tolerance);
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();

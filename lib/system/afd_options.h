@@ -88,11 +88,7 @@ private:
     void read_fog(const std::string& text);
     void add_light(const std::string& text);
 
-    /// A tenth of white, as l3d_lighting has it.
-    static l3d_vector<double, 3> usual_ambient() { return {25.5, 25.5, 25.5}; }
-
     std::string model_file_;
-    l3d_vector<double, 3> ambient_ = usual_ambient();
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
     l3d_camera camera_ = teapot_view();

@@ -2,6 +2,7 @@
 // backend_survey: asking the rows, and asking the user.
 #include "system/backend_survey_p.h"
 
+#include "base/did_you_mean_p.h"
 #include "tool_2d/error.h"
 
 #include <algorithm>
@@ -74,16 +75,20 @@ void backend_survey::diagnose(std::ostream& out) {
 
 const l3d_backend& backend_survey::named(const std::string& name, const std::string& named_by) {
     const std::string what = named_by + ": back-end '" + name + "'";
-    std::string names = "ask auto";
+    std::vector<std::string> names{"ask", "auto"};
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        names += ' ' + rows_[i].name;
+        names.push_back(rows_[i].name);
         if (rows_[i].name != name)
             continue;
         if (!serves(i))
             fail(what, service(i));
         return rows_[i];
     }
-    throw l3d_error(l3d_exit::usage, named_by + ": '" + name + "' is none of " + names);
+    std::string list;
+    for (const std::string& known : names)
+        list += ' ' + known;
+    throw l3d_error(l3d_exit::usage,
+                    named_by + ": '" + name + "' is none of" + list + did_you_mean(name, names));
 }
 
 const l3d_backend& backend_survey::automatic() {

@@ -17,10 +17,6 @@ namespace {
 constexpr const char* no_transparency =
     "cannot hold the transparent pixels of --background none; a .png can";
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
     throw l3d_error(l3d_exit::usage, "--output: '" + name + "' " + reason);
 }
@@ -33,10 +29,16 @@ void check_ending(const std::string& name, l3d_alpha alpha) {
         refuse(name, no_transparency);
 }
 
+/// What begins with % and looks like a number field of printf's: %d, %04d, %-4ld. Else empty.
+std::string_view field_at_front(std::string_view text) {
+    const std::size_t end = text.find_first_not_of("0123456789+-l", 1);
+    return text.starts_with('%') && end != text.npos && text[end] == 'd' ? text.substr(0, end + 1)
+                                                                         : std::string_view();
+}
+
 } // namespace
 
-l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha)
-    : name_(name), alpha_(alpha) {
+l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : alpha_(alpha) {
     if (name.empty())
         return;
     if (name == "-") {
@@ -46,29 +48,37 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha)
         return;
     }
     check_ending(name, alpha);
-    const std::size_t percent = name.find('%');
-    kind_ = percent == std::string::npos ? kind::single : kind::numbered;
-    if (kind_ == kind::numbered)
-        read_number_field(percent);
-    l3d_detail::check_folder("--output", name, kind_ == kind::numbered ? numbered_name(0) : name);
+    kind_ = kind::single;
+    read_pattern(name);
+    l3d_detail::check_folder("--output", name, file_name(0));
 }
 
-void l3d_frame_writer::read_number_field(std::size_t percent) {
-    std::size_t at = percent + 1;
-    if (at < name_.size() && name_[at] == '0') {
-        fill_ = '0';
-        ++at;
+/// A percent sign is one unless it begins a number field, so that most names need no second one.
+void l3d_frame_writer::read_pattern(std::string_view name) {
+    for (std::size_t at = 0; at < name.size();) {
+        const std::string_view rest = name.substr(at), field = field_at_front(rest);
+        if (field.empty()) {
+            (kind_ == kind::numbered ? after_ : before_) += rest.front();
+            at += rest.starts_with("%%") ? 2 : 1;
+            continue;
+        }
+        if (kind_ == kind::numbered)
+            refuse(std::string(name), "has a second number field; %% is a percent sign");
+        constexpr std::size_t widest = 2; // digits of the width: 2^31 frames have ten
+        const std::string_view width = field.substr(1, field.size() - 2);
+        if (!width.empty() && (width.size() > widest || !l3d_read_number(width, digits_)))
+            refuse(std::string(name), "has the number field " + std::string(field) +
+                                          ", which is none of %d, %4d and %04d; %% is a percent "
+                                          "sign");
+        kind_ = kind::numbered;
+        fill_ = width.starts_with('0') ? '0' : ' ';
+        at += field.size();
     }
-    // One digit is enough: 2^31 frames have ten.
-    if (at < name_.size() && is_digit(name_[at]))
-        digits_ = static_cast<std::size_t>(name_[at++] - '0');
-    if (at >= name_.size() || name_[at] != 'd' || name_.find('%', at) != std::string::npos)
-        refuse(name_, "needs exactly one number field, as in frame%04d.png, and no other %");
-    before_ = name_.substr(0, percent);
-    after_ = name_.substr(at + 1);
 }
 
-std::string l3d_frame_writer::numbered_name(int number) const {
+std::string l3d_frame_writer::file_name(int number) const {
+    if (kind_ == kind::single)
+        return before_;
     std::string digits = std::to_string(number);
     if (digits.size() < digits_)
         digits.insert(0, digits_ - digits.size(), fill_);
@@ -77,6 +87,8 @@ std::string l3d_frame_writer::numbered_name(int number) const {
 
 /// The number of that frame stands where the field does.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
+    if (kind_ == kind::single)
+        return l3d_detail::mean_one_file(before_, file);
     const std::string there = l3d_detail::place_of(file).filename().string();
     const std::size_t begin = std::filesystem::path(before_).filename().string().size();
     const std::size_t rest = begin + after_.size();
@@ -86,16 +98,16 @@ bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     digits.remove_prefix(std::min(digits.find_first_not_of(' '), digits.size()));
     int number = 0;
     return l3d_read_number(digits, number) && number >= 0 &&
-           l3d_detail::mean_one_file(numbered_name(number), file);
+           l3d_detail::mean_one_file(file_name(number), file);
 }
 
 bool l3d_frame_writer::has_frame(l3d_size size) const {
-    return is_numbered() && l3d_is_whole_image(numbered_name(next_number_), size);
+    return is_numbered() && l3d_is_whole_image(file_name(next_number_), size);
 }
 
 void l3d_frame_writer::frame(const l3d_pixels& pixels) {
     if (kind_ == kind::numbered) {
-        l3d_write_image(numbered_name(next_number_), pixels, alpha_);
+        l3d_write_image(file_name(next_number_), pixels, alpha_);
         ++next_number_;
     } else if (kind_ == kind::stream) {
         l3d_write_ppm(stdout, "standard output", pixels);
@@ -104,5 +116,5 @@ void l3d_frame_writer::frame(const l3d_pixels& pixels) {
 
 void l3d_frame_writer::finish(const l3d_pixels& pixels) {
     if (kind_ == kind::single)
-        l3d_write_image(name_, pixels, alpha_);
+        l3d_write_image(before_, pixels, alpha_);
 }

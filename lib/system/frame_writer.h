@@ -8,12 +8,14 @@
 #include "tool_2d/pixels.h"
 
 #include <string>
+#include <string_view>
 
 /// Writes what a name asks for:
 ///   ""              nothing;
 ///   name.png, .ppm  the last frame;
 ///   name%04d.png    every frame, numbered from 0 (%d, %5d and %05d are understood);
 ///   -               every frame, as a stream of PPM pictures on the standard output.
+/// Any other percent sign is a part of the name, and so is %%, as one.
 class L3D_PUBLIC l3d_frame_writer {
 public:
     /// Errors:  l3d_error: usage for a name that is none of these, failure if its folder is not
@@ -30,8 +32,7 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether a frame of a numbered name goes into the file of this name, or into what that links
-    /// to.
+    /// Whether a frame goes into the file of this name, or into what that links to.
     bool has_frame_in(const std::string& file) const;
 
     /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of
@@ -44,13 +45,12 @@ public:
 private:
     enum class kind { nothing, single, numbered, stream };
 
-    std::string numbered_name(int number) const;
-    void read_number_field(std::size_t percent);
+    std::string file_name(int number) const;
+    void read_pattern(std::string_view name);
 
-    std::string name_;
     l3d_alpha alpha_ = l3d_alpha::none;
     kind kind_ = kind::nothing;
-    std::string before_, after_; ///< of the number in a numbered name
+    std::string before_, after_; ///< of the number; a name without one is before it
     std::size_t digits_ = 0;     ///< its least width
     char fill_ = ' ';
     int next_number_ = 0;

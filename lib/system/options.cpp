@@ -2,10 +2,12 @@
 // l3d_options: the only file that knows the library behind it, CLI11, which is slow to compile.
 #include "system/options.h"
 
+#include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
 #include "base/version.h"
 
 #include "geom/real.h"
+#include "system/color_text_p.h"
 #include "system/frame_writer.h"
 #include "system/number_text.h"
 #include "system/output_names_p.h"
@@ -85,6 +87,25 @@ void print(std::ostream& out, const std::string& text) {
 void refuse_empty_value(const std::string& argument) {
     if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
+}
+
+/// Refuses the first argument that no option took; all after "--" are none.
+void refuse_what_is_left(const CLI::App& app) {
+    const std::vector<std::string> left = app.remaining();
+    const bool are_options = left.empty() || left.front() != "--";
+    if (left.size() == (are_options ? 0U : 1U))
+        return;
+    const std::string& first = left[are_options ? 0 : 1];
+    if (!are_options || !first.starts_with('-'))
+        throw l3d_error(l3d_exit::usage, "one argument too many: '" + first + "' (see --help)");
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    throw l3d_error(l3d_exit::usage,
+                    "unknown option '" + first + '\'' +
+                        l3d_detail::did_you_mean(first.substr(0, first.find('=')), names) +
+                        " (see --help)");
 }
 
 /// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
@@ -232,24 +253,23 @@ void l3d_options::add(const std::string& name, std::optional<l3d_vector<double, 
 void l3d_options::add(const std::string& name, std::optional<l3d_background>& value,
                       const std::string& help) {
     const auto read = [name, &value](const std::string& text) {
-        std::array<int, 3> levels{};
         if (text == "gradient")
             value = l3d_background::gradient();
         else if (text == "none")
             value = l3d_background::none();
-        else if (l3d_read_numbers(text, ',', levels) &&
-                 std::ranges::all_of(levels, [](int level) { return level >= 0 && level <= 255; }))
-            value = l3d_background::color(l3d_screen_info::ext_to_native(
-                static_cast<std::uint8_t>(levels[0]), static_cast<std::uint8_t>(levels[1]),
-                static_cast<std::uint8_t>(levels[2])));
+        else if (const auto color = l3d_detail::read_paint(text))
+            value = l3d_background::color(*color);
         else
-            refuse(name, text, "gradient, none or a colour R,G,B, each from 0 to 255");
+            refuse(name, text,
+                   std::string("gradient, none or ") + l3d_detail::color_forms +
+                       l3d_detail::meant_color(text));
     };
     const auto read_and_tell = [this, read, &value](const std::string& text) {
         read(text);
         common_.alpha = value->is_none() ? l3d_alpha::transparency : l3d_alpha::none;
     };
-    add_text(parser_->app, name, help, "gradient|none|R,G,B", "", read_and_tell);
+    add_text(parser_->app, name, help, std::string("gradient|none|") + l3d_detail::color_kind, "",
+             read_and_tell);
 }
 
 void l3d_options::add(const std::string& name, l3d_size& value, const std::string& help) {
@@ -288,7 +308,7 @@ void l3d_options::add_words(const std::string& name, const std::string& help,
     const auto read = [name, words, list, chosen = std::move(chosen)](const std::string& text) {
         const auto found = std::find(words.begin(), words.end(), text);
         if (found == words.end())
-            refuse(name, text, "one of " + list);
+            refuse(name, text, "one of " + list + l3d_detail::did_you_mean(text, words));
         chosen(static_cast<std::size_t>(found - words.begin()));
     };
     add_text(parser_->app, name, help, list, words.at(preset), read);
@@ -309,11 +329,9 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
         command_ = l3d_detail::printable(std::filesystem::path(argv[0]).filename().string());
     parser_->app.name(command_);
     // The library wants the arguments last one first.
-    std::vector<std::string> arguments;
-    for (int i = argc - 1; i > 0; --i) {
-        arguments.emplace_back(argv[i]);
-        refuse_empty_value(arguments.back());
-    }
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    std::for_each(arguments.begin(), std::ranges::find(arguments, "--"), refuse_empty_value);
+    std::ranges::reverse(arguments);
     try {
         parser_->app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
@@ -325,16 +343,12 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     } catch (const CLI::ParseError& error) {
         throw l3d_error(l3d_exit::usage, std::string(error.what()) + " (see --help)");
     }
-    if (const auto unknown = parser_->app.remaining(); !unknown.empty())
-        throw l3d_error(
-            l3d_exit::usage,
-            (unknown.front().starts_with('-') ? "unknown option '" : "one argument too many: '") +
-                unknown.front() + "' (see --help)");
+    refuse_what_is_left(parser_->app);
     refuse_one_file_for_two();
     // It complains now rather than after a question.
     const l3d_frame_writer frames(common_.output, common_.alpha);
     for (const named_file& file : files_)
-        if (frames.has_frame_in(*file.value))
+        if (file.value != &common_.output && frames.has_frame_in(*file.value))
             throw l3d_error(l3d_exit::usage, file.option + ": '" + *file.value +
                                                  "' is the file of a frame of --output, too");
     if (common_.resume && !frames.is_numbered())

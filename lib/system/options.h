@@ -87,9 +87,9 @@ public:
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
-    /// A background: "gradient", "none", or a colour R,G,B of whole numbers from 0 to 255. It is
-    /// empty unless given; `help` says what that means. With "none", files that are written have
-    /// alpha.
+    /// A background: "gradient", "none", or a colour: R,G,B of whole numbers from 0 to 255, #RGB,
+    /// #RRGGBB or a name of CSS. It is empty unless given; `help` says what that means. With
+    /// "none", files that are written have alpha.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 

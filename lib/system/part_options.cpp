@@ -4,6 +4,7 @@
 
 #include "base/counted_p.h"
 #include "base/printable_p.h"
+#include "system/color_text_p.h"
 #include "system/number_text.h"
 
 #include <algorithm>
@@ -51,8 +52,7 @@ l3d_part_options::l3d_part_options(l3d_options& options) {
                      "leave out all but this part of the model; may be given for several", "PART",
                      "", [this](const std::string& name) { shown_.push_back(name); });
     options.add_each("--color",
-                     "part of the model and its colour, as lid=200,60,40: red, green and blue "
-                     "from 0 to 255; may be given for several",
+                     "part of the model and its colour, as lid=orange; may be given for several",
                      "PART_COLOR", "", [this](const std::string& text) { add_color(text); });
     options.add_each("--opacity",
                      "part of a model of patches and how opaque it is, as lid=0.4: 0 is not there, "
@@ -64,17 +64,13 @@ l3d_part_options::l3d_part_options(l3d_options& options) {
 /// A name may have an equals sign in it; a colour has none.
 void l3d_part_options::add_color(const std::string& text) {
     const std::size_t at = text.rfind('=');
-    std::array<int, 3> levels{};
-    const bool is_color = at != text.npos && at > 0 &&
-                          l3d_read_numbers(std::string_view(text).substr(at + 1), ',', levels) &&
-                          std::ranges::all_of(levels, [](int l) { return l >= 0 && l <= 255; });
-    if (!is_color)
-        refuse("--color: '" + l3d_detail::printable(text) +
-               "' is not PART=R,G,B with whole numbers from 0 to 255");
-    std::uint32_t color = 0;
-    for (const int level : levels)
-        color = color << 8 | static_cast<std::uint32_t>(level);
-    colors_.push_back({text.substr(0, at), color});
+    const bool has_both = at != text.npos && at > 0;
+    const auto color = l3d_detail::read_paint(has_both ? text.substr(at + 1) : "");
+    if (!color)
+        refuse("--color: '" + l3d_detail::printable(text) + "' is not PART=COLOR with " +
+               l3d_detail::color_forms +
+               (has_both ? l3d_detail::meant_color(text.substr(at + 1)) : ""));
+    colors_.push_back({text.substr(0, at), *color});
 }
 
 void l3d_part_options::add_opacity(const std::string& text) {

@@ -91,6 +91,53 @@ TEST(options, a_file_needs_no_option) {
     }
 }
 
+TEST(options, end_at_two_dashes) {
+    EXPECT_EQ(viewer().read({"--no-input", "--", "-spoon.bpt"}), "-spoon.bpt");
+    EXPECT_EQ(viewer().read({"--", "--size="}), "--size=");
+    EXPECT_EQ(viewer().read({"spoon.bpt", "--"}), "spoon.bpt");
+    EXPECT_EQ(viewer().read({"--"}), "teapot.bpt");
+    EXPECT_EQ(viewer().read({"--", "--"}), "--");
+    const auto message = [](std::vector<const char*> arguments) -> std::string {
+        try {
+            viewer().read(std::move(arguments));
+        } catch (const l3d_error& error) {
+            return error.what();
+        }
+        return "taken";
+    };
+    EXPECT_EQ(message({"--", "spoon.bpt", "--size"}),
+              "one argument too many: '--size' (see --help)");
+    EXPECT_EQ(message({"--sise", "--", "spoon.bpt"}),
+              "unknown option '--sise'; did you mean '--size'? (see --help)");
+}
+
+TEST(options, that_are_unknown_are_guessed) {
+    program tester;
+    for (const auto& [wrong, meant] : {std::pair{"--tolarence", "--tolerance"},
+                                       {"--tolerence=1", "--tolerance"},
+                                       {"--EYE=1,2,3", "--eye"},
+                                       {"-size", "--size"},
+                                       {"--noinput", "--no-input"},
+                                       {"--ouptut", "--output"},
+                                       {"--quiet", ""},
+                                       {"-x", ""}}) {
+        try {
+            tester.parse({wrong});
+            ADD_FAILURE() << wrong;
+        } catch (const l3d_error& error) {
+            const std::string guess = *meant ? std::string("; did you mean '") + meant + "'?" : "";
+            EXPECT_EQ(error.what(),
+                      "unknown option '" + std::string(wrong) + '\'' + guess + " (see --help)");
+        }
+    }
+    try {
+        tester.parse({"--fruit", "qiunce"});
+    } catch (const l3d_error& error) {
+        EXPECT_STREQ(error.what(),
+                     "--fruit: 'qiunce' is not one of apple|quince; did you mean 'quince'?");
+    }
+}
+
 TEST(options, that_may_be_repeated_leave_the_file_behind_them_alone) {
     l3d_options options("tester", "Tests.", {640, 400});
     std::vector<std::string> lights;
@@ -180,6 +227,10 @@ TEST(options, a_background_is_a_word_or_a_colour) {
     EXPECT_TRUE(tester.parse({"--background", "1,20,255"}));
     EXPECT_EQ(tester.background, l3d_background::color(0x000114ff));
     EXPECT_EQ(tester.options.frame_settings().alpha, l3d_alpha::none);
+    EXPECT_TRUE(tester.parse({"--background", "#0114ff"}));
+    EXPECT_EQ(tester.background, l3d_background::color(0x000114ff));
+    EXPECT_TRUE(tester.parse({"--background", "teal"}));
+    EXPECT_EQ(tester.background, l3d_background::color(0x00008080));
     EXPECT_TRUE(tester.parse({"--background", "none", "--output", "a.png"}));
     EXPECT_EQ(tester.background, l3d_background::none());
     EXPECT_EQ(tester.options.frame_settings().alpha, l3d_alpha::transparency);
@@ -263,7 +314,9 @@ INSTANTIATE_TEST_SUITE_P(
         refusal{{"--background", "1,2"}, "--background", "'1,2'"},
         refusal{{"--background", "1,2,256"}, "--background", "'1,2,256'"},
         refusal{{"--background", "1,-2,6"}, "--background", "'1,-2,6'"},
-        refusal{{"--background", "red"}, "--background", "'red'"},
+        refusal{{"--background", "rde"}, "--background", "'rde'"},
+        refusal{{"--background", "1.5,2,3"}, "--background", "'1.5,2,3'"},
+        refusal{{"--background", "#12345"}, "--background", "'#12345'"},
         refusal{{"--background", "none", "--output", "a.ppm"}, "--output", "'a.ppm'"},
         refusal{{"--output", "-", "--background", "none"}, "--background none", "'-'"},
         refusal{{"--fruit", "pear"}, "--fruit", "'pear'"},

@@ -89,7 +89,7 @@ TEST(part_options, refuse_what_is_no_opacity) {
 
 TEST(part_options, hide_show_and_colour_parts_of_both_kinds_of_models) {
     const program some({"--show-only", "lid", "--show-only", "spout", "--hide", "spout", "--color",
-                        "lid=255,128,0", "--color", "body=1,2,3"});
+                        "lid=#ff8000", "--color", "body=navy"});
     const l3d_patch_model lid = some.patches();
     ASSERT_EQ(lid.patches().size(), 8u);
     ASSERT_EQ(lid.materials().size(), 1u);
@@ -107,14 +107,19 @@ TEST(part_options, name_the_option_and_the_known_parts_in_an_error) {
     EXPECT_EQ(refusal_of({"--hide", "nose"}),
               "--hide: 'nose' names no part; there are body, handle, spout, lid");
     EXPECT_EQ(refusal_of({"--show-only", "Lid"}),
-              "--show-only: 'Lid' names no part; there are body, handle, spout, lid");
+              "--show-only: 'Lid' names no part; there are body, handle, spout, lid; "
+              "did you mean 'lid'?");
     EXPECT_EQ(refusal_of({"--color", "nose=1,2,3"}),
               "--color: 'nose' names no part; there are body, handle, spout, lid");
     for (const char* const color : {"lid", "lid=", "lid=1,2", "lid=1,2,256", "lid=1,2,x", "=1,2,3",
                                     "lid=1,2,3,4", "lid=-1,2,3"})
         EXPECT_EQ(refusal_of({"--color", color}),
                   "--color: '" + std::string(color) +
-                      "' is not PART=R,G,B with whole numbers from 0 to 255");
+                      "' is not PART=COLOR with a colour: R,G,B from 0 to 255, #RGB, #RRGGBB or a "
+                      "name such as orange");
+    EXPECT_EQ(refusal_of({"--color", "lid=ornage"}),
+              "--color: 'lid=ornage' is not PART=COLOR with a colour: R,G,B from 0 to 255, #RGB, "
+              "#RRGGBB or a name such as orange; did you mean 'orange'?");
     EXPECT_EQ(refusal_of({"--show-only", "lid", "--hide", "lid"}),
               "--hide: nothing of the model is left");
     const program hides({"--hide", "lid"});
