@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vidflat: a model from a file of Videoscape's, as Blender writes it, by way of a plug-in.
+// vidflat: a model from a file, Videoscape's or any other, by way of a plug-in.
 #include <l3d/pipeline_world.h>
 #include <l3d/places.h>
 #include <l3d/plugin_loader.h>
@@ -27,10 +27,10 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("vidflat",
-                        l3d_caption{.what = "A model, read from a Videoscape file by a plug-in.",
-                                    .keys = l3d_world_keys()},
-                        {960, 720});
+    l3d_program program(
+        "vidflat",
+        l3d_caption{.what = "A model, read from a file by a plug-in.", .keys = l3d_world_keys()},
+        {960, 720});
     std::string folder, plugin;
     std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
     program.options().add("--plugin", plugin,
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
                           "FILE");
     program.options().add("--parameters", parameters,
                           "what it is told: x y z, three axes as the columns of nine numbers, a "
-                          "Videoscape file",
+                          "model file",
                           "TEXT");
     program.options().add("--folder", folder, "where that file is; without it, among l3d's own",
                           "FOLDER");

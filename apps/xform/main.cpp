@@ -28,8 +28,7 @@ private:
         const auto window = l3d_window_corners(position(0, 0), position(width, height));
         triangle_.init_clip_ivertices();
         triangle_.final_color = color;
-        if (triangle_.clip_to_polygon_2d(vertices_,
-                                         std::span<const l3d_position<l3d_real>>(window)))
+        if (triangle_.clip_to_polygon_2d(vertices_, window))
             triangle_.draw(vertices_, rasterizer);
         rasterizer.draw_line(0, 0, x, y, color);
     }

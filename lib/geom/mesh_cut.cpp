@@ -153,10 +153,13 @@ l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh, const l3d_plane<doub
     return cutter(mesh, plane).run(end);
 }
 
-void l3d_turn_left_handed(l3d_polygon_mesh& mesh) {
+void l3d_turn_left_handed(l3d_polygon_mesh& mesh, l3d_model_up up) {
     for (auto* vectors : {&mesh.vertices, &mesh.vertex_normals})
         for (auto& v : *vectors)
-            std::swap(v[1], v[2]);
+            if (up == l3d_model_up::z)
+                std::swap(v[1], v[2]);
+            else
+                v[2] = -v[2];
     index begin = 0;
     for (const index end : mesh.face_ends) {
         std::reverse(mesh.corners.begin() + begin, mesh.corners.begin() + end);

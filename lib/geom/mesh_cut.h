@@ -27,10 +27,16 @@ L3D_PUBLIC l3d_polygon_mesh l3d_cut_mesh(const l3d_polygon_mesh& mesh,
                                          const l3d_plane<double>& plane,
                                          l3d_cut_end end = l3d_cut_end::open);
 
-/// Turns right-handed axes with z up, as modellers have them, into left-handed ones with y up. y
-/// and z change places, and the corners of each face are reversed, so that its outside stays the
-/// outside.
-L3D_PUBLIC void l3d_turn_left_handed(l3d_polygon_mesh& mesh);
+/// The direction that is upwards in a model.
+enum class L3D_PUBLIC l3d_model_up {
+    y, ///< as in most files
+    z, ///< as in 3D Studio's and Videoscape's
+};
+
+/// Turns right-handed axes into left-handed ones with y up, so that the model is no mirror image: y
+/// and z change places, or z is negated if y is up already. The corners of each face are reversed,
+/// so that its outside stays the outside.
+L3D_PUBLIC void l3d_turn_left_handed(l3d_polygon_mesh& mesh, l3d_model_up up = l3d_model_up::z);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.
 L3D_PUBLIC double l3d_area(const l3d_polygon_mesh& mesh);

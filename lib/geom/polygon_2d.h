@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -63,12 +64,12 @@ public:
     /// A polygon that only touches the window from outside is outside. Corners keep their order; a
     /// corner inside or on the edge keeps its index, others are replaced by new vertices in the
     /// varying part. Two polygons with the same two vertices at a cut edge get the same new corner.
-    /// Shape:   `window` has corners in clockwise order on the screen; l3d_window_corners.
+    /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
+    ///          order on the screen; l3d_window_corners.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d wants them.
     /// Cost:    corners * edges sides; at most two new vertices for each edge of the window.
-    template <class Vertex, class T>
-    bool clip_to_polygon_2d(l3d_two_part_list<Vertex>& vertices,
-                            std::span<const l3d_position<T>> window) {
+    template <class Vertex, std::ranges::contiguous_range Window>
+    bool clip_to_polygon_2d(l3d_two_part_list<Vertex>& vertices, const Window& window) {
         for (std::size_t i = 0; i < window.size() && !clip_ivertices_.empty(); ++i)
             clip_to_edge_2d(vertices, window[i == 0 ? window.size() - 1 : i - 1], window[i]);
         return !clip_ivertices_.empty();

@@ -15,13 +15,12 @@
 
 /// A convex, planar polygon: a list of indices into a list of vertices that it shares with others.
 ///
-/// Shape:   seen from the front, corners run clockwise in left-handed axes, counterclockwise in
-///          right-handed ones: the normal is (p1 - p0) x (p2 - p0) in both.
+/// Shape:   faces are as of l3d_polygon_mesh: the front is where (p1 - p0) x (p2 - p0) points to.
 /// Expects: three corners or more, each naming a vertex.
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     std::span<const l3d_point<T>> vertices; ///< the list that the indices are of
-    /// Indices of its corners, clockwise from outside in left-handed axes.
+    /// Indices of its corners.
     std::span<const std::uint32_t> corners;
 
     /// The place of a corner. Expects: i < corners.size().

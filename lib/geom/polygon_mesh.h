@@ -19,8 +19,10 @@
 ///
 /// The arrays are flat, since a million vectors of three indices would cost more for their headers
 /// and allocations than for what is in them.
-/// Shape:   counterclockwise faces are seen from outside. Arrays said to be optional are empty or
-///          have the stated size.
+/// Shape:   the normal of a face, (p1 - p0) x (p2 - p0), points outwards, whichever axes are meant.
+///          So its corners, seen from outside, run counterclockwise in right-handed axes and
+///          clockwise in left-handed ones. l3d_turn_left_handed goes from one to the other. Arrays
+///          said to be optional are empty or have the stated size.
 /// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more each with a colour and a material; a
 ///          vertex 24. A closed mesh of triangles has half as many vertices as faces: 28 bytes per
 ///          face.

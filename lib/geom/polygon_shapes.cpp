@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Torus and sphere as triangles.
+// Simple bodies as polygons, their normals outwards.
 #include "geom/polygon_shapes.h"
 
 #include <cassert>
@@ -11,6 +11,22 @@ namespace {
 /// Units: radians, at step i of n round a circle.
 double angle(int i, int n) {
     return 2 * std::numbers::pi * i / n;
+}
+
+/// Adds a ring of vertices at this height, and returns the number of the first.
+std::uint32_t add_ring(l3d_polygon_mesh& mesh, int around, double radius, double z) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int i = 0; i < around; ++i)
+        mesh.vertices.push_back(
+            {radius * std::cos(angle(i, around)), radius * std::sin(angle(i, around)), z});
+    return first;
+}
+
+/// A face of a ring's vertices, seen from above the z axis or from below.
+void add_disc(l3d_polygon_mesh& mesh, std::uint32_t first, int around, bool from_above) {
+    for (int i = 0; i < around; ++i)
+        mesh.corners.push_back(first + static_cast<std::uint32_t>(from_above ? i : around - 1 - i));
+    mesh.end_face();
 }
 
 } // namespace
@@ -62,6 +78,48 @@ l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius) {
         }
         mesh.add_face({{at(rows - 1, i), south, at(rows - 1, i + 1)}});
     }
+    return mesh;
+}
+
+l3d_polygon_mesh l3d_box_mesh(double width, double height, double depth) {
+    assert(width > 0 && height > 0 && depth > 0);
+    l3d_polygon_mesh mesh;
+    for (std::uint32_t i = 0; i < 8; ++i) // bit k: the upper side along axis k
+        mesh.vertices.push_back({(i & 1 ? width : -width) / 2, (i & 2 ? height : -height) / 2,
+                                 (i & 4 ? depth : -depth) / 2});
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t up = 1u << axis, a = 1u << (axis + 1) % 3, b = 1u << (axis + 2) % 3;
+        mesh.add_face({{up, up | a, up | a | b, up | b}});
+        mesh.add_face({{0, b, a | b, a}});
+    }
+    return mesh;
+}
+
+l3d_polygon_mesh l3d_cylinder_mesh(int around, double radius, double height) {
+    assert(around >= 3 && radius > 0 && height > 0);
+    l3d_polygon_mesh mesh;
+    const std::uint32_t low = add_ring(mesh, around, radius, -height / 2);
+    const std::uint32_t high = add_ring(mesh, around, radius, height / 2);
+    for (int i = 0; i < around; ++i) {
+        const auto here = static_cast<std::uint32_t>(i);
+        const auto next = static_cast<std::uint32_t>((i + 1) % around);
+        mesh.add_face({{low + here, low + next, high + next, high + here}});
+    }
+    add_disc(mesh, low, around, false);
+    add_disc(mesh, high, around, true);
+    return mesh;
+}
+
+l3d_polygon_mesh l3d_cone_mesh(int around, double radius, double height) {
+    assert(around >= 3 && radius > 0 && height > 0);
+    l3d_polygon_mesh mesh;
+    const std::uint32_t base = add_ring(mesh, around, radius, -height / 2);
+    const auto tip = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back({0.0, 0.0, height / 2});
+    for (int i = 0; i < around; ++i)
+        mesh.add_face({{base + static_cast<std::uint32_t>(i),
+                        base + static_cast<std::uint32_t>((i + 1) % around), tip}});
+    add_disc(mesh, base, around, false);
     return mesh;
 }
 

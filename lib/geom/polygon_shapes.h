@@ -17,6 +17,17 @@ L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major 
 /// Expects: around >= 3, rows >= 2; radius > 0.
 L3D_PUBLIC l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
 
+/// A box about the origin, of six faces. Expects: width, height, depth > 0, along x, y and z.
+L3D_PUBLIC l3d_polygon_mesh l3d_box_mesh(double width = 1, double height = 1, double depth = 1);
+
+/// A cylinder about the z axis and the origin: `around` sides of four corners, and its two ends.
+/// Expects: around >= 3; radius, height > 0.
+L3D_PUBLIC l3d_polygon_mesh l3d_cylinder_mesh(int around, double radius = 1, double height = 2);
+
+/// A cone about the z axis, half of its height below the origin: `around` triangles, and its base.
+/// Expects: around >= 3; radius, height > 0.
+L3D_PUBLIC l3d_polygon_mesh l3d_cone_mesh(int around, double radius = 1, double height = 2);
+
 /// The book's pyramid: three edges of length 10 from the origin along the axes, four faces.
 L3D_PUBLIC l3d_polygon_mesh l3d_pyramid_mesh();
 

@@ -5,7 +5,9 @@
 #include "base/printable_p.h"
 #include "geom/mesh_cut.h"
 #include "geom/files/model_file.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "pipeline/worlds/object_plugin.h"
+#include "scene/model_loader.h"
 #include "tool_2d/text_file.h"
 #include "tool_2d/error.h"
 
@@ -76,30 +78,51 @@ int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* co
     return 1;
 }
 
-/// A mesh from a file, or null after a complaint.
-std::optional<l3d_polygon_mesh> read_videoscape(l3d_plugin_object& to, const char* file) {
-    const auto path = (std::filesystem::path(to.folder) / file).string();
+/// Gives the object the polygons of a file, those of a Videoscape file alone if nothing else is
+/// wanted.
+int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool random_colors) {
+    const auto path = (std::filesystem::path(to->folder) / file).string();
     try {
-        std::string why;
-        auto model = l3d_read_videoscape(l3d_read_text_file(path), path, why);
-        if (model)
-            return std::move(model->mesh);
-        to.complain(why);
+        const std::string text = l3d_read_text_file(path);
+        const auto format = l3d_model_format_of(text);
+        const bool is_videoscape = videoscape_only || format == l3d_model_format::videoscape;
+        l3d_polygon_mesh mesh;
+        if (is_videoscape) {
+            std::string why;
+            auto model = l3d_read_videoscape(text, path, why);
+            if (!model) {
+                to->complain(why);
+                return 0;
+            }
+            mesh = std::move(model->mesh);
+        } else
+            mesh = l3d_mesh_of(l3d_load_model(path, path), path, l3d_usual_facets);
+        const bool z_is_up = is_videoscape || format == l3d_model_format::asc;
+        l3d_turn_left_handed(mesh, z_is_up ? l3d_model_up::z : l3d_model_up::y);
+        const bool is_plain = mesh.face_colors.empty() && mesh.looks.empty();
+        if (random_colors && (is_videoscape || is_plain)) {
+            mesh.face_colors.resize(mesh.faces());
+            for (std::uint32_t& color : mesh.face_colors)
+                color = to->random.next() >> 8;
+        }
+        to->object->set_mesh(std::move(mesh));
+        return 1;
     } catch (const l3d_error& error) {
-        to.complain(error.what());
+        to->complain(error.what());
+        return 0;
     }
-    return std::nullopt;
 }
 
 int load_videoscape(l3d_plugin_object* to, const char* file, int random_colors) {
-    auto mesh = read_videoscape(*to, file);
-    if (!mesh)
-        return 0;
-    l3d_turn_left_handed(*mesh);
-    if (random_colors)
-        for (std::uint32_t& color : mesh->face_colors)
-            color = to->random.next() >> 8;
-    to->object->set_mesh(std::move(*mesh));
+    return load(to, file, true, random_colors != 0);
+}
+
+int load_model(l3d_plugin_object* to, const char* file, int random_colors) {
+    return load(to, file, false, random_colors != 0);
+}
+
+int set_name(l3d_plugin_object* to, const char* name) {
+    to->object->name = name;
     return 1;
 }
 
@@ -135,7 +158,9 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
                            load_videoscape,
                            set_transform,
                            random,
-                           fail};
+                           fail,
+                           load_model,
+                           set_name};
 
 // ---- the library -------------------------------------------------------------------------------
 

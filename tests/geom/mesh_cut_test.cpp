@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 
 namespace {
@@ -160,6 +162,50 @@ TEST(book_mesh_cut, videoscape_import) {
     // Cut in the middle of the first face: 7 + 8 * 6 bytes before it.
     EXPECT_FALSE(l3d_read_videoscape(text.substr(0, 59), "cube.obj", why).has_value());
     EXPECT_EQ(why.substr(0, 12), "cube.obj:11:");
+}
+
+/// Bodies are closed and their normals point outwards, before and after they become left-handed.
+TEST(polygon_shapes, are_closed_bodies_of_their_volume) {
+    const double pi = std::numbers::pi;
+    // A regular polygon of n corners on a circle has n/2 sin(2 pi / n) of its square.
+    const double ring = 10 * std::sin(pi / 10);
+    struct body {
+        const char* name;
+        l3d_polygon_mesh mesh;
+        double volume;
+        std::size_t faces;
+    };
+    for (const body& b : {body{"box", l3d_box_mesh(2, 3, 5), 30, 6},
+                          {"cylinder", l3d_cylinder_mesh(20, 2, 3), 12 * ring, 22},
+                          {"cone", l3d_cone_mesh(20, 2, 3), 4 * ring, 21},
+                          {"cone of three sides", l3d_cone_mesh(3), std::sqrt(3.0) / 2, 4},
+                          {"sphere", l3d_sphere_mesh(256, 128), 4 * pi / 3, 2 * 256 * 127}}) {
+        EXPECT_TRUE(is_closed(b.mesh)) << b.name;
+        EXPECT_NEAR(volume(b.mesh), b.volume, 1e-3 * b.volume) << b.name;
+        EXPECT_EQ(b.mesh.faces(), b.faces) << b.name;
+        EXPECT_TRUE(b.mesh.is_valid()) << b.name;
+        for (const auto up : {l3d_model_up::y, l3d_model_up::z}) {
+            auto turned = b.mesh;
+            l3d_turn_left_handed(turned, up);
+            EXPECT_NEAR(volume(turned), b.volume, 1e-3 * b.volume) << b.name;
+        }
+    }
+}
+
+/// A flat L that is seen upright from the front stays an L, not a mirrored one: its foot points to
+/// the right of one who looks at its front, before and after.
+TEST(polygon_shapes, an_l_is_not_mirrored) {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+    mesh.add_face({{0, 1, 2, 3, 4, 5}}); // the front is towards z, where a right-handed viewer is
+    l3d_turn_left_handed(mesh, l3d_model_up::y);
+    // A left-handed viewer who sees the front stands at -z and looks along z: x is on his right.
+    const auto& v = mesh.vertices;
+    const auto face = mesh.face(0);
+    const auto normal = l3d_cross(v[face[1]] - v[face[0]], v[face[2]] - v[face[0]]);
+    EXPECT_LT(normal[2], 0);
+    EXPECT_EQ(v[1], (l3d_polygon_mesh::vector(2, 0, 0)));
+    EXPECT_EQ(v[5], (l3d_polygon_mesh::vector(0, 3, 0)));
 }
 
 } // namespace

@@ -115,7 +115,7 @@ void expect_intersection(const std::vector<l3d_position<T>>& corners,
     }
     l3d_vertex_list<T> list(vertices);
     l3d_polygon_2d polygon(all);
-    const bool visible = polygon.clip_to_polygon_2d(list, std::span<const l3d_position<T>>(window));
+    const bool visible = polygon.clip_to_polygon_2d(list, window);
     std::vector<l3d_position<T>> clipped;
     for (const std::uint32_t i : polygon.clip_ivertices())
         clipped.push_back(l3d_in_picture(list[i]));
@@ -169,7 +169,7 @@ TYPED_TEST(polygon_2d, row_23_no_corner_is_outside_an_upright_window) {
             all.push_back(list.add_varying(
                 l3d_coordinate<TypeParam>({p[0], p[1], l3d_from_double<TypeParam>(0)})));
         l3d_polygon_2d polygon(all);
-        polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window));
+        polygon.clip_to_polygon_2d(list, window);
         for (const std::uint32_t index : polygon.clip_ivertices()) {
             const auto p = l3d_in_picture(list[index]);
             ASSERT_TRUE(p[0] >= window[0][0] && p[0] <= window[2][0]) << "case " << i;
@@ -183,7 +183,7 @@ TYPED_TEST(polygon_2d, row_23_keeps_the_order_and_the_indices_of_what_is_inside)
     const auto window =
         l3d_window_corners(position<TypeParam>(10, 10), position<TypeParam>(100, 100));
     l3d_polygon_2d polygon({0, 1, 2, 3});
-    EXPECT_TRUE(polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window)));
+    EXPECT_TRUE(polygon.clip_to_polygon_2d(list, window));
     EXPECT_EQ(kept(polygon), (indices{0, 1, 4, 5, 3}));
     EXPECT_EQ(l3d_in_picture(list[4])[0], l3d_from_double<TypeParam>(100));
     EXPECT_EQ(l3d_in_picture(list[5])[0], l3d_from_double<TypeParam>(100));
@@ -202,8 +202,7 @@ TYPED_TEST(polygon_2d, row_24_corner_cases) {
         for (std::uint32_t i = 0; i < corners.size(); ++i)
             all.push_back(i);
         l3d_polygon_2d polygon(all);
-        const bool visible =
-            polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window));
+        const bool visible = polygon.clip_to_polygon_2d(list, window);
         EXPECT_EQ(visible, !polygon.clip_ivertices().empty());
         std::vector<l3d_position<TypeParam>> result;
         for (const std::uint32_t i : polygon.clip_ivertices())
@@ -236,7 +235,7 @@ TYPED_TEST(polygon_2d, row_24_what_is_not_finite_does_no_harm) {
     for (const double odd : {nan, inf, -inf, 1e30, -1e30}) {
         auto list = list_of<TypeParam>({{3, 3}, {odd, 4}, {5, odd}});
         l3d_polygon_2d polygon({0, 1, 2});
-        polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window));
+        polygon.clip_to_polygon_2d(list, window);
         for (const std::uint32_t i : polygon.clip_ivertices())
             ASSERT_LT(i, list.size());
     }
@@ -250,8 +249,7 @@ TYPED_TEST(polygon_2d, row_25_the_varying_part_comes_and_goes) {
     for (int frame = 0; frame < 1000; ++frame) {
         list.clear_varying();
         polygon.init_clip_ivertices();
-        EXPECT_TRUE(
-            polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window)));
+        EXPECT_TRUE(polygon.clip_to_polygon_2d(list, window));
         ASSERT_EQ(list.varying_size(), 4u);
     }
     EXPECT_EQ(list.fixed_size(), 4u);
@@ -301,7 +299,7 @@ TYPED_TEST(polygon_2d, row_28_a_copy_is_deep) {
         l3d_window_corners(position<TypeParam>(10, 10), position<TypeParam>(100, 100));
     const l3d_polygon_2d original({0, 1, 2, 3});
     l3d_polygon_2d copy = original;
-    copy.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window));
+    copy.clip_to_polygon_2d(list, window);
     EXPECT_EQ(copy.clip_ivertices().size(), 5u);
     EXPECT_EQ(kept(original), (indices{0, 1, 2, 3}));
     auto other = list;
@@ -317,7 +315,7 @@ TYPED_TEST(polygon_2d, row_29_a_list_of_richer_vertices_keeps_what_they_add) {
     l3d_polygon_2d polygon({0, 1, 2});
     const auto copy = list;
     EXPECT_EQ(copy[2].brightness, 1.5);
-    EXPECT_TRUE(polygon.clip_to_polygon_2d(list, std::span<const l3d_position<TypeParam>>(window)));
+    EXPECT_TRUE(polygon.clip_to_polygon_2d(list, window));
     EXPECT_EQ(kept(polygon), (indices{3, 0, 1, 4}));
     EXPECT_NEAR(list[4].brightness, 1.0, 1e-6); // half way from the second to the third
     EXPECT_NEAR(list[3].brightness, 1.5 - 1.25 * 50 / 130, 1e-6);

@@ -62,7 +62,7 @@ TEST(polygon_2d_flatshaded, row_23_clipped_pixels_are_the_pixels_in_the_window) 
         picture whole;
         polygon.draw(vertices, whole.rasterizer);
         picture part;
-        if (polygon.clip_to_polygon_2d(vertices, std::span<const position>(window)))
+        if (polygon.clip_to_polygon_2d(vertices, window))
             polygon.draw(vertices, part.rasterizer);
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {

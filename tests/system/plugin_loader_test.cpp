@@ -4,6 +4,7 @@
 #include "system/places.h"
 
 #include "geom/transform.h"
+#include "pipeline/polygons/patch_tessellation.h"
 #include "system/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,37 @@ TEST(book_plugin, parameter_string) {
     expect("0 0 0 1 0 0 0 1 0 0 0 1 none.obj", "none.obj: No such file");
     expect("0 0 0 1 0 0 0 1 0 0 0 1 cut.obj", "cut.obj:6:");
     expect("0 0 0 1 0 0 0 1 0 0 0 1e999 m.obj", "lack the orientation's I");
+}
+
+/// Plug-ins read what the program reads: formats by content, materials, patches as polygons.
+TEST(book_plugin, any_model_file) {
+    const temporary_folder folder;
+    std::ofstream(folder.file("m.obj")) << "mtllib m.mtl\nv 0 0 1\nv 2 0 1\nv 0 3 1\nusemtl red\n"
+                                           "f 1 2 3\n";
+    std::ofstream(folder.file("m.mtl")) << "newmtl red\nKd 1 0 0\n";
+    std::ofstream(folder.file("plain.off")) << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    std::ofstream patch(folder.file("p.bpt"));
+    patch << "1\n3 3\n";
+    for (int i = 0; i < 16; ++i)
+        patch << i % 4 << ' ' << i / 4 << " 0\n";
+    patch.close();
+    l3d_plugin_loader loader("tester", 5, folder.file(""));
+    std::string why;
+    const auto load = [&](const std::string& file) {
+        return loader.load(file_of("videoscape"), "0 0 0 1 0 0 0 1 0 0 0 1 " + file, why);
+    };
+    const auto red = load("m.obj");
+    ASSERT_NE(red, nullptr) << why;
+    EXPECT_EQ(red->mesh().look_of(0).color, 0xff0000u);
+    EXPECT_EQ(red->vertices()[2], l3d_point<l3d_real>::of(0, 3, -1)); // y is up already
+    const auto plain = load("plain.off");
+    ASSERT_NE(plain, nullptr) << why;
+    EXPECT_EQ(plain->mesh().face_colors.size(), 1u); // a random one
+    const auto patches = load("p.bpt");
+    ASSERT_NE(patches, nullptr) << why;
+    EXPECT_EQ(patches->mesh().faces(), 2u * l3d_usual_facets * l3d_usual_facets);
+    EXPECT_EQ(load("m.mtl"), nullptr);
+    EXPECT_NE(why.find("m.mtl"), std::string::npos) << why;
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// videoscape: a plug-in whose objects are models from files, placed by the parameters
+// videoscape: a plug-in whose objects are models from files of any format, placed by the parameters
 //     x y z A B C D E F G H I file
 // where x y z is the position, and the columns A D G, B E H and C F I are the object's axes.
 #include <l3d/object_plugin.h>
@@ -60,7 +60,7 @@ void* create(const l3d_plugin_host* host, l3d_plugin_object* object, const char*
         return nullptr;
     }
     // Faces get random colours, as in the book: Videoscape's own are often all the same.
-    if (!host->load_videoscape(object, model->file.c_str(), 1) || !place(*host, object, *model))
+    if (!host->load_model(object, model->file.c_str(), 1) || !place(*host, object, *model))
         return nullptr;
     return model.release();
 }

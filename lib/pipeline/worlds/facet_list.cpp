@@ -37,7 +37,7 @@ std::size_t l3d_facet_list::add(const l3d_object& object) {
     const l3d_polygon_mesh& mesh = object.mesh();
     for (std::size_t i = 0; i < mesh.faces(); ++i) {
         if (clip(mesh.face(i)))
-            project(mesh.face_colors.empty() ? 0x00ffffff : mesh.face_colors[i]);
+            project(mesh.look_of(i).color);
         points_.resize(vertices.size()); // drops what clipping made
     }
     return vertices.size();

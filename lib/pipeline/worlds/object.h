@@ -46,7 +46,7 @@ private:
 /// The geometry is never transformed in place: every frame starts from it, so nothing is deformed
 /// by rounding. The placement is a list of matrices, the first one applied first; their product is
 /// brought up to date by itself. The behaviour is that of a subclass, or one that is plugged in.
-/// Shape:   faces are as of l3d_polygon_3d: clockwise from outside in left-handed axes.
+/// Shape:   faces are as of l3d_polygon_mesh; a world's axes are left-handed.
 class L3D_PUBLIC l3d_object {
 public:
     /// The numbers that pictures are computed in.

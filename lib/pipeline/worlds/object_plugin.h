@@ -27,7 +27,8 @@ typedef struct l3d_plugin_host {
 
     /** Replaces the object's polygons. `coordinates` has three numbers for each vertex. Face i has
        corner_counts[i] >= 3 corners. `corners` has the vertices of one face after the other,
-       clockwise from outside in left-handed axes. `colors` has a word 0x00RRGGBB for each face. */
+       clockwise from outside; axes are left-handed. `colors` has a word 0x00RRGGBB for each face.
+     */
     int (*set_polygons)(l3d_plugin_object* object, uint32_t vertices, const double* coordinates,
                         uint32_t faces, const uint32_t* corner_counts, const uint32_t* corners,
                         const uint32_t* colors);
@@ -45,6 +46,15 @@ typedef struct l3d_plugin_host {
 
     /** Says why create or copy is about to return a null pointer. */
     void (*fail)(l3d_plugin_object* object, const char* why);
+
+    /** Replaces the polygons by those of a model file of any format that the program reads, made
+       left-handed with y up; patches become polygons. Files are looked for as by load_videoscape.
+       If `random_colors` is not 0, faces get random colours where the file gives them none, and in
+       Videoscape files always. Only there if `size` reaches beyond it, as in all that follow. */
+    int (*load_model)(l3d_plugin_object* object, const char* file, int random_colors);
+
+    /** Names the object, for the program's messages. */
+    int (*set_name)(l3d_plugin_object* object, const char* name);
 } l3d_plugin_host;
 
 /** What a plug-in is: a shared library that defines one of these by the name l3d_plugin. */
