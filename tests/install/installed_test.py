@@ -69,7 +69,7 @@ def shown(beginning):
 
 
 def build_line(way):
-    lines = shown("c++ ")
+    lines = [line for line in shown("c++ ") if "dot.cpp" in line]
     expect_equal(len(lines), 2, "lines that build:")
     return lines[way == "static"]
 
@@ -79,7 +79,7 @@ def sources(folder):
         (folder / name).write_text(text)
     run(re.search(r"^```sh\n(.*?)^```", TUTORIAL, re.M | re.S)[1], folder)
     shutil.copy(ROOT / "apps" / "drawdot" / "main.cpp", folder / "drawdot.cpp")
-    return sorted(path.stem for path in folder.glob("*.cpp"))
+    return sorted(path.stem for path in folder.glob("*.cpp") if "l3d_plugin_interface" not in path.read_text())
 
 
 def for_real(line, real):
@@ -296,10 +296,34 @@ def runs_as_told(made):
     three = {color for row in read_png(made / "three.png") for color in row}
     for channel in (16, 0): # the first is red, the last blue
         expect(any(color >> channel & 255 > 2 * (color >> (16 - channel) & 255) + 40 for color in three), "colours")
+    worlds_are_whole(made)
     shows_by_xlib(made)
     leaf = read_png(made / "leaf.png")
     expect(16000 < sum(color != 0 for row in leaf for color in row) < 19000, "a leaf on its ground")
     drawing_is_the_picture(made)
+
+
+def plugin_is_shown(folder):
+    """By the line that builds it, which links no library of ours, and by a program that loads it."""
+    for line in shown("c++ "):
+        if "-shared" in line:
+            run(line, folder)
+    for line in shown("l3d-vidflat "):
+        run("%s/bin/%s" % (MOVED, line), folder)
+    picture = read_png(folder / "plugged.png")
+    expect(sum(color != picture[0][0] for row in picture for color in row) > 1000, "no model")
+
+
+def worlds_are_whole(made):
+    """The bodies with the sparks, and the cone that stands in the next room."""
+    orbits = read_png(made / "orbits.png")
+    colors = {color for row in orbits for color in row}
+    expect(any(c >> 16 > 2 * (c & 255) + 40 for c in colors) and any(c & 255 > 2 * (c >> 16) + 40 for c in colors),
+           "no sun or no planet")
+    rooms = read_png(made / "rooms.png")
+    green = [(x, y) for y, row in enumerate(rooms) for x, c in enumerate(row)
+             if (c >> 8 & 255) > 1.3 * max(c >> 16, c & 255) and y > 150]
+    expect(500 < len(green) < 5000 and all(250 < x < 340 for x, _ in green), "cone seen through the door", len(green))
 
 
 def shows_by_xlib(made):
@@ -408,6 +432,7 @@ def main():
             for check in (runs_as_told, terminal_shows, drawdot_draws):
                 checks.run(label + check.__name__, check, made)
         checks.run("tutorial.%s.same_either_way" % real, same_either_way, folder, real)
+    checks.run("tutorial.plugin", plugin_is_shown, folder)
     for name in names:
         checks.run("tutorial.%s.refuses_the_other" % name, refuses_the_other, folder, name)
     checks.finish()

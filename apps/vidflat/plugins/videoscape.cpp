@@ -53,6 +53,10 @@ bool place(const l3d_plugin_host& host, l3d_plugin_object* object, const videosc
 }
 
 void* create(const l3d_plugin_host* host, l3d_plugin_object* object, const char* parameters) {
+    if (host->size < sizeof(l3d_plugin_host)) { // load_model came later than the rest
+        host->fail(object, "the program is older than this plug-in");
+        return nullptr;
+    }
     auto model = std::make_unique<videoscape>();
     std::string why;
     if (!parse(parameters, *model, why)) {
