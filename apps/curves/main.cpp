@@ -94,7 +94,7 @@ public:
     bool needs_redraw() const override { return !fresh_; }
 
 private:
-    using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< what the dissertation had
+    using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< 32 bits, half of them after the point
 
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
