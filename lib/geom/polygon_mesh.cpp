@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -21,6 +22,41 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
     return array.empty() || array.size() == size;
 }
 
+/// Where the side of a face of four corners behind the corner `side` meets the one opposite.
+struct crossing {
+    bool exists = false;
+    std::size_t side = 0;
+    double share = 0; ///< of the side, from its corner to the place
+    l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
+};
+
+/// Seen along the normal of any corner, two corners of a crossed face turn left and two right.
+crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face) {
+    using vector = l3d_polygon_mesh::vector;
+    const auto at = [&](std::size_t i) { return mesh.vertices[face[i % 4]]; };
+    const vector normal = l3d_cross(at(1) - at(0), at(3) - at(0));
+    int turns = 0;
+    for (std::size_t i = 1; i < 4; ++i)
+        turns += l3d_dot(normal, l3d_cross(at(i + 1) - at(i), at(i + 3) - at(i))) > 0 ? 1 : -1;
+    if (turns != -1)
+        return {};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const vector along = at(side + 1) - at(side), other = at(side + 3) - at(side + 2);
+        const vector across = l3d_cross(along, other), between = at(side + 2) - at(side);
+        const double square = l3d_dot(across, across);
+        const double s = l3d_dot(l3d_cross(between, other), across) / square;
+        const double t = l3d_dot(l3d_cross(between, along), across) / square;
+        if (!(s > 0 && s < 1 && t > 0 && t < 1))
+            continue;
+        const vector place = at(side) + along * s;
+        // In a twisted face, sides that seem to cross pass each other.
+        constexpr double near = 1e-3;
+        if (l3d_length(at(side + 2) + other * t - place) <= near * l3d_length(along))
+            return {true, side, s, place};
+    }
+    return {};
+}
+
 } // namespace
 
 std::uint32_t l3d_polygon_mesh::index_of(std::size_t number) {
@@ -29,21 +65,72 @@ std::uint32_t l3d_polygon_mesh::index_of(std::size_t number) {
     return static_cast<std::uint32_t>(number);
 }
 
+l3d_polygon_mesh::vector l3d_polygon_mesh::area_vector(std::span<const std::uint32_t> face) const {
+    vector sum{0.0, 0.0, 0.0};
+    const vector& first = vertices[face[0]];
+    for (std::size_t i = 2; i < face.size(); ++i)
+        sum += l3d_cross(vertices[face[i - 1]] - first, vertices[face[i]] - first);
+    return sum;
+}
+
+void l3d_polygon_mesh::uncross_faces() {
+    std::vector<std::pair<std::size_t, crossing>> crossed;
+    for (std::size_t f = 0; f < faces(); ++f)
+        if (face(f).size() == 4)
+            if (const crossing found = crossing_of(*this, face(f)); found.exists)
+                crossed.emplace_back(f, found);
+    if (crossed.empty())
+        return;
+    index_of(vertices.size() + crossed.size());
+    l3d_polygon_mesh made;
+    auto next = crossed.begin();
+    auto part = parts.begin();
+    for (std::size_t f = 0; f < faces(); ++f) {
+        for (; part != parts.end() && part->first == f; ++part)
+            part->first = index_of(made.faces());
+        if (next != crossed.end() && next->first == f) {
+            const auto corner = [&](std::size_t i) { return face(f)[(next->second.side + i) % 4]; };
+            const std::uint32_t a = corner(0), b = corner(1);
+            const auto middle = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(next->second.place);
+            if (!vertex_normals.empty())
+                vertex_normals.push_back(vertex_normals[a] +
+                                         (vertex_normals[b] - vertex_normals[a]) *
+                                             next->second.share);
+            made.add_face({{middle, corner(3), a}});
+            made.add_face({{middle, corner(2), b}});
+            ++next;
+        } else {
+            made.add_face(face(f));
+        }
+        if (!face_colors.empty())
+            made.face_colors.resize(made.faces(), face_colors[f]);
+        if (!face_materials.empty())
+            made.face_materials.resize(made.faces(), face_materials[f]);
+    }
+    for (; part != parts.end(); ++part)
+        part->first = index_of(made.faces());
+    corners = std::move(made.corners);
+    face_ends = std::move(made.face_ends);
+    face_colors = std::move(made.face_colors);
+    face_materials = std::move(made.face_materials);
+}
+
 void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
     index_of(vertices.size() + more.vertices.size());
     index_of(corners.size() + more.corners.size());
     const auto offset = index_of(vertices.size());
     const auto corner_offset = index_of(corners.size());
-    const bool have_normals = vertex_normals.size() == vertices.size() &&
-                              more.vertex_normals.size() == more.vertices.size();
+    const bool have_normals = !vertex_normals.empty() || !more.vertex_normals.empty();
+    if (have_normals)
+        vertex_normals.resize(vertices.size(), vector(0));
     vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     for (const std::uint32_t corner : more.corners)
         corners.push_back(corner + offset);
+    vertex_normals.insert(vertex_normals.end(), more.vertex_normals.begin(),
+                          more.vertex_normals.end());
     if (have_normals)
-        vertex_normals.insert(vertex_normals.end(), more.vertex_normals.begin(),
-                              more.vertex_normals.end());
-    else
-        vertex_normals.clear();
+        vertex_normals.resize(vertices.size(), vector(0));
     append_colors(more);
     append_materials(more);
     append_parts(more);

@@ -34,7 +34,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
     std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
 
-    std::vector<vector> vertex_normals;        ///< optional, one per vertex, any length
+    /// Optional, one per vertex, of any length; zero: to be computed from the faces around.
+    std::vector<vector> vertex_normals;
     std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
@@ -66,10 +67,20 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Errors: std::length_error if it is larger.
     static std::uint32_t index_of(std::size_t number);
 
-    /// Adds the vertices and faces of another mesh, and vertices' normals if both have them. Faces
-    /// keep their colours and materials; those that had none, where others have, get white and a
-    /// material without a name. Parts keep their faces.
-    /// Errors: as index_of, and nothing is changed.
+    /// Twice the area of a face, times its normal. Any corner may be concave. Counted from the
+    /// first corner: far from the origin the products would cancel. Expects: three corners or more.
+    /// Source: Newell's sum over the sides.
+    vector area_vector(std::span<const std::uint32_t> face) const;
+
+    /// Makes two triangles of each face of four corners two of whose sides cross, as in a bow tie.
+    /// They meet in a new vertex, and both look to where the first of them looks.
+    /// Errors: as index_of.
+    void uncross_faces();
+
+    /// Adds the vertices and faces of another mesh. Normals of vertices are zero where just one has
+    /// them. Faces keep their colours and materials; those that had none, where others have, get
+    /// white and a material without a name. Parts keep their faces. Errors: as index_of, and
+    /// nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
     /// What a face is made of: its material, if that has a look, in the product of its colours.

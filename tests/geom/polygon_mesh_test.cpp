@@ -56,6 +56,72 @@ TEST(polygon_mesh, a_sphere_is_closed_and_faces_outwards) {
     EXPECT_GT(volume6(sphere), 0);
 }
 
+/// In a slanted plane, so that no coordinate is the same for all.
+l3d_polygon_mesh square(const std::vector<std::uint32_t>& corners) {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {2, 0, 2}, {2, 2, 4}, {0, 2, 2}};
+    mesh.add_face(corners);
+    mesh.face_colors = {0xff0000};
+    mesh.parts = {{"a", 0}, {"none", 1}};
+    return mesh;
+}
+
+TEST(polygon_mesh, a_bow_tie_becomes_two_triangles_that_look_the_same_way) {
+    for (const std::vector<std::uint32_t>& corners :
+         std::vector<std::vector<std::uint32_t>>{{0, 2, 1, 3}, {0, 1, 3, 2}, {2, 0, 3, 1}}) {
+        l3d_polygon_mesh mesh = square(corners);
+        mesh.vertex_normals.assign(4, {0, 0, 1});
+        mesh.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
+        mesh.face_colors.push_back(0x00ff00);
+        mesh.parts = {{"a", 0}, {"b", 1}, {"none", 2}};
+        mesh.uncross_faces();
+        ASSERT_EQ(mesh.faces(), 3u);
+        EXPECT_TRUE(mesh.is_valid());
+        EXPECT_EQ(mesh.vertices.at(4), vector(1, 1, 2));
+        EXPECT_EQ(mesh.vertex_normals.at(4), vector(0, 0, 1));
+        EXPECT_EQ(mesh.face_colors, (std::vector<std::uint32_t>{0xff0000, 0xff0000, 0x00ff00}));
+        EXPECT_EQ(mesh.parts, (std::vector<l3d_part_run>{{"a", 0}, {"b", 2}, {"none", 3}}));
+        const vector one = mesh.area_vector(mesh.face(0)), other = mesh.area_vector(mesh.face(1));
+        EXPECT_NEAR(l3d_dot(one, other), 12, 1e-12) << "twice a quarter of the square";
+    }
+}
+
+TEST(polygon_mesh, faces_that_do_not_cross_themselves_stay) {
+    for (const std::vector<std::uint32_t>& corners : std::vector<std::vector<std::uint32_t>>{
+             {0, 1, 2, 3}, {3, 2, 1, 0}, {0, 1, 1, 2}, {0, 1, 0, 1}, {0, 1, 2}}) {
+        l3d_polygon_mesh mesh = square(corners);
+        const l3d_polygon_mesh before = mesh;
+        mesh.uncross_faces();
+        EXPECT_EQ(mesh, before);
+    }
+    l3d_polygon_mesh twisted = square({0, 2, 1, 3});
+    twisted.vertices[2] = {2, 2, 8}; // the sides pass each other
+    const l3d_polygon_mesh before = twisted;
+    twisted.uncross_faces();
+    EXPECT_EQ(twisted, before);
+    l3d_polygon_mesh concave = square({0, 1, 2, 3});
+    concave.vertices[2] = {0.5, 0.5, 1};
+    concave.uncross_faces();
+    EXPECT_EQ(concave.faces(), 1u);
+}
+
+TEST(polygon_mesh, normals_are_kept_when_a_mesh_without_any_is_appended) {
+    l3d_polygon_mesh all = square({0, 1, 2, 3}), plain = all;
+    all.vertex_normals.assign(4, {0, 0, 1});
+    const l3d_polygon_mesh with = all;
+    all.append(plain);
+    EXPECT_TRUE(all.is_valid());
+    EXPECT_EQ(all.vertex_normals.at(3), vector(0, 0, 1));
+    EXPECT_EQ(all.vertex_normals.at(4), vector(0)) << "to be computed";
+    plain.append(with);
+    EXPECT_TRUE(plain.is_valid());
+    EXPECT_EQ(plain.vertex_normals.at(0), vector(0));
+    EXPECT_EQ(plain.vertex_normals.at(7), vector(0, 0, 1));
+    plain.vertex_normals.clear();
+    plain.append(square({0, 1, 2, 3}));
+    EXPECT_TRUE(plain.vertex_normals.empty());
+}
+
 TEST(polygon_mesh, a_grid_follows_its_height) {
     const l3d_polygon_mesh grid = l3d_grid_mesh(3, [](double x, double y) { return x - 2 * y; });
     EXPECT_EQ(grid.faces(), 18u);

@@ -199,6 +199,56 @@ TEST(polygon_model, normals_at_a_fold_are_those_of_the_triangle_s_own_side) {
     EXPECT_EQ(inwards.corner_normal(0, 0)[2], 1);
 }
 
+/// Zero says that a normal is to be computed: by angles, as in a mesh that has none.
+TEST(polygon_model, normals_that_are_zero_are_those_of_the_faces_around) {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}};
+    mesh.corners = {0, 1, 2, 3, 1, 4, 5, 2};
+    mesh.face_ends = {4, 8};
+    const l3d_polygon_model without(mesh);
+    mesh.vertex_normals.assign(6, {0, 0, 0});
+    const l3d_polygon_model zero(mesh);
+    ASSERT_TRUE(zero.has_creases());
+    for (std::size_t t = 0; t < zero.triangles().size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(zero.corner_normal(t, k), without.corner_normal(t, k));
+    mesh.vertex_normals[1] = {0, 3e-200, 0};
+    mesh.vertex_normals[2] = {0, 3e200, 0};
+    const l3d_polygon_model some(mesh);
+    for (std::size_t t = 0; t < some.triangles().size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = some.triangles()[t].corners[k];
+            EXPECT_EQ(some.corner_normal(t, k), vertex == 1 || vertex == 2
+                                                    ? l3d_polygon_model::direction(0, 1, 0)
+                                                    : without.corner_normal(t, k));
+        }
+}
+
+TEST(polygon_model, faces_that_cross_themselves_are_two_triangles) {
+    l3d_polygon_mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.corners = {0, 1, 2, 3};
+    mesh.face_ends = {4};
+    const l3d_polygon_model model(mesh);
+    ASSERT_EQ(model.triangles().size(), 2u);
+    double area = 0;
+    for (const l3d_model_triangle& t : model.triangles()) {
+        EXPECT_EQ(model.face_normals()[t.face], model.face_normals()[0]);
+        area += area2(model, t) / 2;
+    }
+    EXPECT_NEAR(area, 0.5, 1e-12);
+}
+
+TEST(polygon_model, vertices_of_no_face_do_not_count) {
+    l3d_polygon_mesh mesh = l3d_torus_mesh(12, 8);
+    const l3d_polygon_model alone(mesh);
+    mesh.vertices.push_back({1000, 0, 0});
+    const l3d_polygon_model model(mesh);
+    EXPECT_EQ(model.least(), alone.least());
+    EXPECT_EQ(model.most(), alone.most());
+    EXPECT_EQ(model.radius(), alone.radius());
+}
+
 TEST(polygon_model, tessellated_patches_share_their_boundaries) {
     std::string why;
     const auto teapot = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);

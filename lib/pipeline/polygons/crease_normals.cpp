@@ -45,6 +45,9 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
             corners[next[face[i]]++] = {f, before, face[(i + 1) % face.size()]};
     }
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+        // What a file says of a vertex counts.
+        if (!mesh.vertex_normals.empty() && mesh.vertex_normals[v] != vector{0.0, 0.0, 0.0})
+            continue;
         const std::span<const corner> around(corners.data() + ends[v], ends[v + 1] - ends[v]);
         // Faces within half the angle of their mean are within all of it of each other.
         const bool is_flat = std::ranges::all_of(around, [&](const corner& c) {

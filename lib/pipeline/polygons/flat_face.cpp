@@ -132,17 +132,8 @@ private:
 
 } // namespace
 
-l3d_polygon_mesh::vector area_vector(const l3d_polygon_mesh& mesh,
-                                     std::span<const std::uint32_t> face) {
-    l3d_polygon_mesh::vector sum{0.0, 0.0, 0.0};
-    const l3d_polygon_mesh::vector& first = mesh.vertices[face[0]];
-    for (std::size_t i = 2; i < face.size(); ++i)
-        sum += l3d_cross(mesh.vertices[face[i - 1]] - first, mesh.vertices[face[i]] - first);
-    return sum;
-}
-
 flat_face::flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face) {
-    const l3d_polygon_mesh::vector normal = area_vector(mesh, face);
+    const l3d_polygon_mesh::vector normal = mesh.area_vector(face);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
         if (std::abs(normal[i]) > std::abs(normal[axis]))

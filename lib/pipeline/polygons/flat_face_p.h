@@ -14,11 +14,6 @@
 
 namespace l3d_detail {
 
-/// Twice the area times the normal. Source: Newell's sum over the sides; any corner may be concave.
-/// Counted from the first corner: far from the origin the products would cancel.
-l3d_polygon_mesh::vector area_vector(const l3d_polygon_mesh& mesh,
-                                     std::span<const std::uint32_t> face);
-
 /// Places in steps of 2^-52 of the larger side of their box, or a little more.
 /// Expects: one place at least, all finite.
 std::vector<flat_place> on_grid(std::span<const std::array<double, 2>> places);

@@ -19,8 +19,15 @@ namespace {
 using vector = l3d_polygon_model::vector;
 using direction = l3d_polygon_model::direction;
 
+/// Zero has none. Squares of a length beyond 2^511, or of one below its inverse, are no doubles.
 direction unit(const vector& v) {
-    return l3d_converted<float>(l3d_normalized(v));
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    const bool has_square = largest < 0x1p511 && largest > 0x1p-511;
+    return l3d_converted<float>(l3d_normalized(has_square || largest == 0 ? v : v / largest));
+}
+
+bool is_zero(const vector& v) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
 /// Bit k is set where corners k and k + 1 of a triangle are neighbours in a face of `size` corners.
@@ -42,8 +49,10 @@ l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
 }
 
 l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, double crease_angle)
-    : mesh(std::move(of)), parts(mesh.parts, mesh.faces()) {
+    : mesh(std::move(of)) {
     assert(mesh.is_valid());
+    mesh.uncross_faces();
+    parts = l3d_parts(mesh.parts, mesh.faces());
     if (to_origin && !mesh.vertices.empty()) {
         vector sum{0.0, 0.0, 0.0};
         for (const vector& v : mesh.vertices)
@@ -52,16 +61,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
         for (vector& v : mesh.vertices)
             v -= mean;
     }
-    if (!mesh.vertices.empty())
-        least = most = mesh.vertices.front();
-    for (const vector& v : mesh.vertices) {
-        for (int i = 0; i < 3; ++i) {
-            least[i] = std::min(least[i], v[i]);
-            most[i] = std::max(most[i], v[i]);
-        }
-    }
-    for (const vector& v : mesh.vertices)
-        radius = std::max(radius, l3d_length(v - centre()));
+    measure();
     make_triangles();
     make_normals(crease_angle);
     make_facing_blocks();
@@ -70,6 +70,29 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
         for (std::size_t f = 0; f < mesh.faces(); ++f)
             looks.push_back(mesh.look_of(f));
     make_materials(looks);
+}
+
+/// Vertices that no face uses are not seen, and may be anywhere.
+void l3d_polygon_model::contents::measure() {
+    std::vector<bool> is_seen(mesh.vertices.size(), mesh.corners.empty());
+    for (const std::uint32_t corner : mesh.corners)
+        is_seen[corner] = true;
+    bool is_first = true;
+    for (std::size_t k = 0; k < is_seen.size(); ++k) {
+        const vector& v = mesh.vertices[k];
+        if (!is_seen[k])
+            continue;
+        if (is_first)
+            least = most = v;
+        is_first = false;
+        for (int i = 0; i < 3; ++i) {
+            least[i] = std::min(least[i], v[i]);
+            most[i] = std::max(most[i], v[i]);
+        }
+    }
+    for (std::size_t k = 0; k < is_seen.size(); ++k)
+        if (is_seen[k])
+            radius = std::max(radius, l3d_length(mesh.vertices[k] - centre()));
 }
 
 /// Faces that look alike share a material. If all are plain, there are none.
@@ -133,27 +156,47 @@ void l3d_polygon_model::contents::make_normals(double crease_angle) {
     areas.reserve(mesh.faces());
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
         const auto face = mesh.face(f);
-        const vector area = l3d_detail::area_vector(mesh, face);
+        const vector area = mesh.area_vector(face);
         areas.push_back(area);
         face_normals.push_back(unit(area));
         for (const std::uint32_t corner : face)
             sums[corner] += area;
     }
     vertex_normals.reserve(sums.size());
-    for (const vector& v : mesh.vertex_normals.empty() ? sums : mesh.vertex_normals)
-        vertex_normals.push_back(unit(v));
+    bool has_computed = false;
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const bool is_computed = !has_own_normal(v);
+        has_computed = has_computed || is_computed;
+        vertex_normals.push_back(unit(is_computed ? sums[v] : mesh.vertex_normals[v]));
+    }
+    if (has_computed)
+        find_creases(areas, crease_angle);
     if (!mesh.vertex_normals.empty())
-        return turn_normals_to_faces();
+        turn_normals_to_faces();
+}
+
+void l3d_polygon_model::contents::set_crease(std::size_t triangle, std::size_t corner,
+                                             std::uint32_t normal) {
+    if (crease_corners.empty())
+        crease_corners.assign(triangles.size(), {no_crease, no_crease, no_crease});
+    crease_corners[triangle][corner] = normal;
+}
+
+bool l3d_polygon_model::contents::has_own_normal(std::size_t vertex) const {
+    return !mesh.vertex_normals.empty() && !is_zero(mesh.vertex_normals[vertex]);
+}
+
+void l3d_polygon_model::contents::find_creases(std::span<const vector> areas, double crease_angle) {
     const l3d_detail::crease_normals creases(mesh, areas, face_normals, vertex_normals,
                                              crease_angle);
     if (creases.empty())
         return;
     crease_normals.assign(creases.normals().begin(), creases.normals().end());
-    crease_corners.reserve(triangles.size());
-    for (const l3d_model_triangle& t : triangles)
-        crease_corners.push_back({creases.at(t.corners[0], t.face),
-                                  creases.at(t.corners[1], t.face),
-                                  creases.at(t.corners[2], t.face)});
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const auto of = creases.at(triangles[i].corners[k], triangles[i].face);
+                of != l3d_detail::crease_normals::none)
+                set_crease(i, k, of);
 }
 
 void l3d_polygon_model::contents::make_facing_blocks() {
@@ -192,27 +235,25 @@ void l3d_polygon_model::contents::turn_normals_to_faces() {
     std::ptrdiff_t before = 0;
     for (const l3d_model_triangle& t : triangles)
         for (std::size_t k = 0; k < 3; ++k)
-            before += (side_of(t, k) > 0) - (side_of(t, k) < 0);
-    if (before < 0)
-        for (direction& normal : vertex_normals)
-            normal = normal * -1.0F;
+            if (has_own_normal(t.corners[k]))
+                before += (side_of(t, k) > 0) - (side_of(t, k) < 0);
+    for (std::size_t v = 0; before < 0 && v < vertex_normals.size(); ++v)
+        if (has_own_normal(v))
+            vertex_normals[v] *= -1.0F;
     std::vector<std::uint32_t> turned(vertex_normals.size(), no_crease);
-    crease_corners.assign(triangles.size(), {no_crease, no_crease, no_crease});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const l3d_model_triangle& t = triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
             std::uint32_t& normal = turned[t.corners[k]];
-            if (side_of(t, k) >= 0)
+            if (side_of(t, k) >= 0 || !has_own_normal(t.corners[k]))
                 continue;
             if (normal == no_crease) {
                 normal = static_cast<std::uint32_t>(crease_normals.size());
                 crease_normals.push_back(vertex_normals[t.corners[k]] * -1.0F);
             }
-            crease_corners[i][k] = normal;
+            set_crease(i, k, normal);
         }
     }
-    if (crease_normals.empty())
-        crease_corners.clear();
 }
 
 l3d_polygon_model l3d_polygon_model::part_painted(std::size_t part,

@@ -65,7 +65,7 @@ public:
 
     /// With `to_origin`, all is moved so that the mean of the vertices is the origin. Faces whose
     /// normals are at most the crease angle apart look smooth where they meet, unless the mesh has
-    /// normals: then these count.
+    /// normals: then these count. Faces of four corners that cross themselves become two triangles.
     /// Units:   degrees.
     /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12; an angle of 0 to 180.
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
@@ -77,7 +77,8 @@ public:
     ///         neither polygons nor patches.
     static l3d_polygon_model load(const std::string& file);
 
-    /// The polygons as they were given, or moved to the origin.
+    /// The polygons as they were given but for faces that crossed themselves, or moved to the
+    /// origin.
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
     /// The triangles of all faces that are shown, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
@@ -151,8 +152,12 @@ private:
         contents(l3d_polygon_mesh of, bool to_origin, double crease_angle);
 
         vector centre() const { return (least + most) * 0.5; }
+        void measure();
         void make_triangles();
         void make_normals(double crease_angle);
+        bool has_own_normal(std::size_t vertex) const;
+        void set_crease(std::size_t triangle, std::size_t corner, std::uint32_t normal);
+        void find_creases(std::span<const vector> areas, double crease_angle);
         void make_facing_blocks();
         void turn_normals_to_faces();
         void make_materials(std::span<const l3d_material> looks);
