@@ -11,16 +11,28 @@
 #include <optional>
 #include <span>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace {
 
-/// A file that another one names: beside it, also if it is named by a place on another machine.
-std::string beside(const std::string& path, const std::string& named) {
-    const std::filesystem::path other(named);
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return (folder / (other.is_absolute() ? other.filename() : other)).string();
+/// A file that another one names: beside it, also if it is named by a place on another machine, or
+/// as Windows writes places.
+std::string beside(const std::string& path, std::string named) {
+    const auto place = [&] {
+        const std::filesystem::path other(named);
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        return (folder / (other.is_absolute() ? other.filename() : other)).string();
+    };
+    std::string result = place();
+    std::error_code unknown;
+    if (named.find('\\') == named.npos || std::filesystem::exists(result, unknown))
+        return result;
+    std::ranges::replace(named, '\\', '/');
+    if (named.size() > 1 && named[1] == ':')
+        named.erase(0, 2); // the letter of a drive
+    return place();
 }
 
 /// The text of a file, or why there is none.
@@ -79,8 +91,9 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         for (const material_text& file : texts_of(path, named.name)) {
             is_complete = is_complete && file.why.empty();
             if (!file.why.empty())
-                model.notes.push_back(name + ':' + std::to_string(named.line) + ": " + file.why +
-                                      "; its materials are white");
+                model.notes.push_back(
+                    l3d_detail::printable(name) + ':' + std::to_string(named.line) + ": " +
+                    l3d_detail::printable(file.why) + "; its materials are white");
             for (l3d_named_material& material : l3d_read_mtl(file.text, file.place, model.notes))
                 materials.push_back(std::move(material));
         }

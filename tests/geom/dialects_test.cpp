@@ -102,7 +102,6 @@ TEST(dialects, obj_vertices_may_have_seven_numbers_and_any_colour) {
     EXPECT_EQ(model.notes.size(), 1u);
     EXPECT_EQ(read("v 0 0 0 1 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1\nf 1 2 3\n").mesh.face_colors,
               numbers{0x555555});
-    EXPECT_EQ(complaint("v 0 0 0 1 1 1 1 1\n"), "name:1: '1' at the end of a statement");
     EXPECT_EQ(complaint("v 0 0 0 nan\n"), "name:1: 'nan', a weight, is not finite");
     EXPECT_EQ(complaint("v 0 0 0 1 x 1\n"), "name:1: 'x', a weight or colour, is not a number");
 }
@@ -119,6 +118,122 @@ TEST(dialects, obj_materials_without_a_file_are_noted) {
     const auto model = read("mtllib\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_TRUE(model.material_files.empty());
     EXPECT_EQ(model.notes, std::vector<std::string>{"name:1: mtllib names no file"});
+}
+
+/// Whatever a name has in it, it goes to the end of its line.
+constexpr std::string_view names[] = {"Material #1",
+                                      "Material #2",
+                                      "#",
+                                      "a  b",
+                                      "a b",
+                                      "a\tb",
+                                      "\"quoted\" 'too'",
+                                      "C:\\skins\\red",
+                                      "ends with \\",
+                                      "gr\xC3\xBC\xC3\x9F",
+                                      "50%20off, a=b; -c",
+                                      "\xC2\xA0"};
+
+TEST(dialects, obj_names_may_have_any_character) {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", mtl;
+    int red = 0;
+    for (const std::string_view name : names) {
+        text.append("o ").append(name).append(" \r\nusemtl\t").append(name) += "\r\nf 1 2 3\r\n";
+        mtl.append("newmtl ").append(name).append("  \nKd ") +=
+            std::to_string(++red / 255.0) + '\n';
+    }
+    l3d_model_file file = read(text);
+    std::vector<std::string> notes;
+    const auto materials = l3d_read_mtl(mtl, "name", notes);
+    l3d_give_looks(file.mesh, materials);
+    EXPECT_EQ(notes, std::vector<std::string>{});
+    EXPECT_EQ(file.notes, std::vector<std::string>{});
+    ASSERT_EQ(file.mesh.parts.size(), std::size(names));
+    for (std::uint32_t i = 0; i < std::size(names); ++i) {
+        EXPECT_EQ(file.mesh.parts[i].name, names[i]);
+        EXPECT_EQ(file.mesh.materials.at(i), names[i]);
+        EXPECT_EQ(file.mesh.look_of(i).color, 0x010101u * (i + 1)) << names[i];
+    }
+    file.mesh.looks.clear();
+    std::string why;
+    EXPECT_EQ(l3d_read_obj(l3d_write_obj(file), "name", why), file);
+}
+
+TEST(dialects, names_of_other_formats_may_have_any_character) {
+    for (const std::string_view name : names) {
+        const std::string stl = "solid " + std::string(name) +
+                                "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                "vertex 0 1 0\nendloop\nendfacet\nendsolid " +
+                                std::string(name) + '\n';
+        EXPECT_EQ(read(stl).mesh.parts.at(0).name, name);
+        const std::string asc = "Named object: \"" + std::string(name) +
+                                "\"\nTri-mesh, Vertices: 3 Faces: 1\nVertex list:\n"
+                                "Vertex 0: X:0 Y:0 Z:0\nVertex 1: X:1 Y:0 Z:0\n"
+                                "Vertex 2: X:0 Y:1 Z:0\nFace list:\nFace 0: A:0 B:1 C:2\n"
+                                "Material:\"" +
+                                std::string(name) + "\"\n";
+        EXPECT_EQ(read(asc).mesh.parts.at(0).name, name);
+        EXPECT_EQ(read(asc).mesh.materials.at(0), name);
+        std::string bare = asc;
+        std::erase(bare, '"');
+        if (name.find('"') == name.npos) {
+            EXPECT_EQ(read(bare).mesh.parts.at(0).name, name);
+        }
+    }
+}
+
+/// No face uses the second and the last vertex.
+TEST(dialects, vertices_that_no_face_uses_may_be_nowhere) {
+    const std::string note =
+        "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
+    const std::string_view files[] = {
+        "v 0 0 0\nv nan 0 inf\nv 1 0 0\nv 0 1 0\nv 1e300 0 0\nf 1 3 4\n",
+        "OFF\n5 1 0\n0 0 0\nnan 0 inf\n1 0 0\n0 1 0\n1e300 0 0\n3 0 2 3\n",
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\nnan 0 inf\n1 0 0\n0 1 0\n1e300 0 0\n3 0 2 3\n",
+        "3DG1\n5\n0 0 0\nnan 0 inf\n1 0 0\n0 1 0\n1e300 0 0\n3 0 2 3 5\n",
+        "Named object: \"a\"\nTri-mesh, Vertices: 5 Faces: 1\nVertex list:\n"
+        "Vertex 0: X:0 Y:0 Z:0\nVertex 1: X:nan Y:0 Z:inf\nVertex 2: X:1 Y:0 Z:0\n"
+        "Vertex 3: X:0 Y:1 Z:0\nVertex 4: X:1e300 Y:0 Z:0\nFace list:\nFace 0: A:0 B:2 C:3\n"};
+    for (const std::string_view text : files) {
+        const l3d_model_file file = read(text);
+        ASSERT_EQ(file.notes.size(), 1u) << text;
+        EXPECT_TRUE(file.notes[0].ends_with(": " + note)) << file.notes[0];
+        EXPECT_EQ(file.mesh.corners, (numbers{0, 2, 3})) << text;
+        EXPECT_EQ(file.mesh.vertices[1], vector(0)) << text;
+        EXPECT_EQ(file.mesh.vertices[4], vector(0)) << text;
+    }
+}
+
+TEST(dialects, what_nobody_needs_is_skipped_with_a_note) {
+    const auto notes_of = [](std::string_view text) { return read(text).notes; };
+    using texts = std::vector<std::string>;
+    const std::string obj(obj_text), off(off_text), ply(ply_text);
+    EXPECT_EQ(notes_of(obj + "vv 1 2\nvv 3 4\nobjectid 7\n"),
+              (texts{"name:6: statements 'vv' are skipped",
+                     "name:8: statements 'objectid' are skipped"}));
+    EXPECT_EQ(notes_of("v 0 0 0 1 1 1 1 1\nv 1 0 0\nv 0 1 0\nvn 0 0 1 0\nf 1 2 3\n").size(), 4u);
+    EXPECT_EQ(notes_of(off + "\n8 9\n"), texts{"name:8: what follows the last face is skipped"});
+    EXPECT_EQ(notes_of(model_text::with(off, "0 1 2", "0 1 2 1 2 3 4 5 6")),
+              texts{"name:6: what follows the colour of a face is skipped"});
+    EXPECT_EQ(notes_of(model_text::with(off, "0 1 2", "0 1 2 256 0 -1")),
+              texts{"name:6: colours out of range are taken for the nearest"});
+    EXPECT_EQ(read(model_text::with(off, "0 1 2", "0 1 2 256 0 -1")).mesh.face_colors,
+              numbers{0xff0000});
+    EXPECT_EQ(notes_of(ply + " 7"), texts{"name:15: what follows the last element is skipped"});
+    EXPECT_EQ(notes_of(model_text::with(ply, "element vertex", "author me\nelement vertex")),
+              texts{"name:4: lines 'author' of the header are skipped"});
+    const std::string more = "float z\nproperty float x\nproperty float quality\n"
+                             "property uchar alpha\n";
+    EXPECT_EQ(
+        notes_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                 "property float y\nproperty " +
+                 more + "end_header\n1 2 3 nan 5 6\n"),
+        (texts{"name:7: the property 'x' is skipped", "name:9: the property 'alpha' is skipped"}));
+    EXPECT_EQ(read(model_text::with(obj, "v 0 0 0", "v 0 1e-999 -1E-400")), read(obj));
+    for (const std::string_view text : {off_text, obj_text, ply_text, bpt_text})
+        EXPECT_EQ(read(std::string(text) + "\x1a"), read(text)) << "DOS ends texts with this";
 }
 
 // ---- .off
@@ -180,7 +295,9 @@ TEST(dialects, ply_properties_that_are_skipped_may_be_no_numbers) {
     for (const std::int32_t corner : {0, 1, 2})
         append_bits(binary, corner);
     EXPECT_EQ(read(binary).mesh, read(ply_text).mesh);
-    EXPECT_EQ(complaint("ply\nformat ascii 1.0\n" + header + "0 nan 0 0 0\n1 0 0 0 0\n0 1 0 1 0\n")
+    EXPECT_EQ(complaint("ply\nformat ascii 1.0\n" + header +
+                        "0 nan 0 0 0\n1 0 0 0 0\n0 1 0 1 0\n"
+                        "3 0 1 2\n")
                   .substr(0, 13),
               "name:12: 'nan");
 }

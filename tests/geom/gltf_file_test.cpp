@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -51,7 +54,7 @@ TEST(gltf_file, is_the_scene_in_its_own_coordinates) {
     EXPECT_EQ(mesh.look_of(24).opacity, 0.5F); // it blends
     EXPECT_EQ(mesh.face_colors[0], 0xffffffu);
     EXPECT_NE(mesh.face_colors[12], 0xffffffu);
-    ASSERT_EQ(file.notes.size(), 4u);
+    ASSERT_EQ(file.notes.size(), 5u);
     EXPECT_TRUE(file.notes[0].starts_with("name: textures are skipped")) << file.notes[0];
 }
 
@@ -88,11 +91,153 @@ TEST(gltf_file, reads_buffers_from_other_files) {
     ASSERT_TRUE(model) << why;
     EXPECT_EQ(asked, "a b.bin");
     EXPECT_EQ(model->mesh.faces(), 1u);
+    // Some programs write a name as it is.
+    const auto plain = [](const std::string& name, std::string&) {
+        return name == "a%20b.bin" ? std::optional(std::string(36, '\0')) : std::nullopt;
+    };
+    EXPECT_TRUE(l3d_read_model_with(plain, there, "name", why));
     EXPECT_FALSE(
         l3d_read_model_with(files, model_text::with(triangle(), data, "c.bin"), "name", why));
     EXPECT_EQ(why, "name: buffers[0].uri 'c.bin': gone");
     EXPECT_EQ(complaint(there),
               "name: buffers[0].uri 'a%20b.bin': cannot be read from a text alone");
+}
+
+/// The floats of a buffer, as base64.
+std::string coded(const std::vector<float>& numbers) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const float number : numbers)
+        for (int shift = 0; shift < 32; shift += 8) {
+            bits = bits << 8 | (std::bit_cast<std::uint32_t>(number) >> shift & 255);
+            for (count += 8; count >= 6; count -= 6)
+                text += digits[bits >> (count - 6) & 63];
+        }
+    return count > 0 ? text + digits[bits << (6 - count) & 63] : text;
+}
+
+/// The triangle with another accessor for each list, of three or four floats, from 1 on.
+std::string triangle_with(const std::vector<std::vector<float>>& lists, std::string_view attribute,
+                          const std::vector<std::size_t>& widths) {
+    std::string text = triangle(), accessors, views, buffers;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        const std::string bytes = std::to_string(4 * lists[i].size());
+        accessors +=
+            ",{\"bufferView\":" + std::to_string(i + 1) +
+            ",\"componentType\":5126,\"count\":" + std::to_string(lists[i].size() / widths[i]) +
+            ",\"type\":\"VEC" + std::to_string(widths[i]) + "\"}";
+        views += ",{\"buffer\":" + std::to_string(i + 1) + ",\"byteLength\":" + bytes + '}';
+        buffers +=
+            ",{\"byteLength\":" + bytes + ",\"uri\":\"data:;base64," + coded(lists[i]) + "\"}";
+    }
+    text = model_text::with(text, "\"VEC3\"}", "\"VEC3\"}" + accessors);
+    text = model_text::with(text, "\"byteLength\":36}],", "\"byteLength\":36}" + views + "],");
+    text = model_text::with(text, "AAAA\"}", "AAAA\"}" + buffers);
+    return attribute.empty() ? text
+                             : model_text::with(text, "\"POSITION\":0",
+                                                "\"POSITION\":0," + std::string(attribute));
+}
+
+constexpr const char* instanced =
+    "\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":1,"
+    "\"ROTATION\":2,\"SCALE\":3}}}";
+
+/// Half a turn about z, by a rotation of no length 1, and one that turns nothing.
+TEST(gltf_file, draws_each_instance_of_a_mesh) {
+    const std::string text = model_text::with(
+        triangle_with({{10, 0, 0, 20, 0, 0}, {0, 0, 2, 0, 0, 0, 0, 0}, {1, 1, 1, 2, 3, 4}}, "",
+                      {3, 4, 3}),
+        "\"mesh\":0", instanced);
+    const l3d_model_file file = model_text::read_by(l3d_read_model, text, "name");
+    ASSERT_EQ(file.mesh.faces(), 2u);
+    EXPECT_EQ(file.mesh.vertices[1], l3d_polygon_mesh::vector(9, 0, 0));
+    EXPECT_EQ(file.mesh.vertices[2], l3d_polygon_mesh::vector(10, -1, 0));
+    EXPECT_EQ(file.mesh.vertices[4], l3d_polygon_mesh::vector(22, 0, 0));
+    EXPECT_EQ(file.mesh.vertices[5], l3d_polygon_mesh::vector(20, 3, 0));
+    EXPECT_EQ(file.notes,
+              std::vector<std::string>{"name: rotations that are zero or no numbers are "
+                                       "skipped"});
+    EXPECT_EQ(complaint(model_text::with(text, "\"SCALE\":3", "\"SCALE\":0")),
+              "name: nodes[0].extensions.EXT_mesh_gpu_instancing.attributes has 2 and 3 instances");
+    std::string required = text;
+    required.insert(1, R"("extensionsRequired":["EXT_mesh_gpu_instancing"],)");
+    EXPECT_EQ(complaint(required), "");
+}
+
+TEST(gltf_file, has_normals_computed_that_are_none) {
+    const std::string note =
+        "name: normals that are zero or no numbers are computed from the faces";
+    const auto read = [](const std::vector<float>& normals) {
+        return model_text::read_by(l3d_read_model, triangle_with({normals}, "\"NORMAL\":1", {3}),
+                                   "name");
+    };
+    const l3d_model_file none = read({0, 0, 0, 0, 0, 0, 0, 0, 0});
+    EXPECT_TRUE(none.mesh.vertex_normals.empty());
+    EXPECT_EQ(none.notes, std::vector<std::string>{note});
+    const l3d_model_file some = read({0, 0, 5, std::nanf(""), 0, 0, 0, 0, 1e-30f});
+    EXPECT_EQ(some.mesh.vertex_normals,
+              (std::vector<l3d_polygon_mesh::vector>{{0, 0, 1}, {0, 0, 0}, {0, 0, 1}}));
+    EXPECT_EQ(some.notes, std::vector<std::string>{note});
+}
+
+TEST(gltf_file, needs_no_more_than_it_uses) {
+    const auto notes_of = [](const std::string& text) {
+        return model_text::read_by(l3d_read_model, text, "name").notes;
+    };
+    const std::string unused = model_text::with(
+        triangle(), "\"buffers\":[", "\"buffers\":[{\"byteLength\":9,\"uri\":\"none.bin\"},");
+    EXPECT_EQ(notes_of(model_text::with(unused, "\"buffer\":0", "\"buffer\":1")),
+              std::vector<std::string>{});
+    EXPECT_EQ(complaint(unused),
+              "name: buffers[0].uri 'none.bin': cannot be read from a text alone");
+    // Four vertices, of which the last is nowhere; and indices, which do not name it.
+    const std::vector<float> indices{0, std::bit_cast<float>(1), std::bit_cast<float>(2)};
+    std::string four =
+        triangle_with({{0, 0, 0, 1, 0, 0, 0, 1, 0, std::nanf(""), 0, 0}, indices}, "", {3, 1});
+    four = model_text::with(four, "5126,\"count\":3,\"type\":\"VEC1\"",
+                            "5125,\"count\":3,\"type\":\"SCALAR\"");
+    four = model_text::with(four, "\"POSITION\":0}", "\"POSITION\":1},\"indices\":2");
+    EXPECT_EQ(notes_of(four), std::vector<std::string>{"name: vertices that no face uses are not "
+                                                       "finite, or beyond 1e12: they are skipped"});
+    EXPECT_EQ(
+        complaint(model_text::with(four, ",\"indices\":2", ",\"mode\":6")),
+        "name: meshes[0].primitives[0].attributes.POSITION has a coordinate that is not finite "
+        "or beyond 1e12, in vertex 3");
+}
+
+TEST(gltf_file, says_what_it_skips_of_the_picture) {
+    const auto notes_of = [](const std::string& more) {
+        return model_text::read_by(l3d_read_model, triangle(more), "name").notes;
+    };
+    using texts = std::vector<std::string>;
+    const std::string materials =
+        "name: of materials, metalness, roughness, own light and cut-outs "
+        "are skipped";
+    EXPECT_EQ(
+        notes_of(R"(,"extensionsUsed":["KHR_lights_punctual","KHR_texture_transform",)"
+                 R"("KHR_materials_unlit","a","b","KHR_xmp_json_ld"])"),
+        texts{"name: extensions are skipped: 'KHR_lights_punctual', 'KHR_materials_unlit', 'a' "
+              "and 1 more"});
+    EXPECT_EQ(notes_of(R"(,"materials":[{"emissiveFactor":[0,1,0]}])"), texts{materials});
+    EXPECT_EQ(notes_of(R"(,"materials":[{"alphaMode":"MASK"}])"), texts{materials});
+    EXPECT_EQ(notes_of(R"(,"materials":[{"pbrMetallicRoughness":{}}])"), texts{materials});
+    EXPECT_EQ(notes_of(R"(,"materials":[{},{"pbrMetallicRoughness":{"metallicFactor":0}}])"),
+              texts{});
+}
+
+TEST(gltf_file, takes_colours_of_the_older_kind_of_materials) {
+    const l3d_polygon_mesh mesh =
+        model_text::read_by(l3d_read_model,
+                            model_text::with(triangle(R"(,"materials":[{"extensions":{)"
+                                                      R"("KHR_materials_pbrSpecularGlossiness":)"
+                                                      R"({"diffuseFactor":[1,0,0,1]}}}])"),
+                                             "\"POSITION\":0}", "\"POSITION\":0},\"material\":0"),
+                            "name")
+            .mesh;
+    EXPECT_EQ(mesh.look_of(0).color, 0xff0000u);
 }
 
 TEST(gltf_file, says_where_and_what_is_wrong) {

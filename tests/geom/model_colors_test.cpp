@@ -36,6 +36,56 @@ TEST(model_colors, of_vertices_are_the_means_of_the_corners_of_faces) {
               (words{0xff5555, 0xff0000}));
 }
 
+/// By all the names and types that programs write.
+TEST(model_colors, of_ply_have_many_names_and_types) {
+    const auto colors = [](const std::string& type, const std::string& r, const std::string& g,
+                           const std::string& b, const std::string& values) {
+        const std::string color = "property " + type + ' ';
+        const std::string properties = color + r + '\n' + color + g + '\n' + color + b + '\n';
+        const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                 "property float y\nproperty float z\n";
+        const std::string list = "property list uchar int vertex_indices\n";
+        const words of_vertices =
+            mesh_of(l3d_read_ply, head + properties + "element face 1\n" + list +
+                                      "end_header\n0 0 0 " + values + "\n1 0 0 " + values +
+                                      "\n0 1 0 " + values + "\n3 0 1 2\n")
+                .face_colors;
+        EXPECT_EQ(of_vertices,
+                  mesh_of(l3d_read_ply, head + "element face 1\n" + list + properties +
+                                            "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + values +
+                                            '\n')
+                      .face_colors);
+        return of_vertices;
+    };
+    EXPECT_EQ(colors("uchar", "red", "green", "blue", "255 128 0"), words{0xff8000});
+    EXPECT_EQ(colors("uchar", "diffuse_red", "diffuse_green", "diffuse_blue", "255 128 0"),
+              words{0xff8000});
+    EXPECT_EQ(colors("uint8", "r", "g", "b", "255 128 0"), words{0xff8000});
+    EXPECT_EQ(colors("ushort", "red", "green", "blue", "65535 32896 0"), words{0xff8000});
+    EXPECT_EQ(colors("int", "red", "green", "blue", "255 128 0"), words{0xff8000});
+    EXPECT_EQ(colors("float", "red", "green", "blue", "1 0.5 0"), words{0xff8000});
+    EXPECT_EQ(colors("double", "r", "g", "b", "1 0.5 -0.25"), words{0xff8000});
+}
+
+/// Numbers up to 255 where others are up to 1: the largest tells.
+TEST(model_colors, of_vertices_may_be_levels) {
+    EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 255 0 1\nv 1 0 0 255 0 1\nv 0 1 0 255 0 1\nf 1 2 3\n")
+                  .face_colors,
+              words{0xff0001});
+    EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 1.001 0 1\nv 1 0 0 1 0 1\nv 0 1 0 1 0 1\nf 1 2 3\n")
+                  .face_colors,
+              words{0xff00ff});
+}
+
+/// Those of control points, which go, do not move to the vertices behind them.
+TEST(model_colors, of_vertices_stay_with_theirs_beside_surfaces) {
+    EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ncstype bezier\n"
+                                    "deg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n"
+                                    "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 5 6 7\n")
+                  .face_colors,
+              words{0xff0000});
+}
+
 TEST(model_colors, of_faces_come_before_those_of_vertices) {
     EXPECT_EQ(mesh_of(l3d_read_off, "COFF 3 2 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n"
                                     "3 0 1 2 0 0 255\n3 0 2 1\n")
@@ -99,7 +149,7 @@ std::vector<l3d_named_material> read_mtl(std::string_view text, texts expected_n
 }
 
 TEST(mtl_file, has_colors_and_highlights) {
-    EXPECT_EQ(read_mtl("# by hand\nnewmtl shiny  red\nKa 0 0 0\nKd 1 .5 0\nKs 0.2\nNs 90.5\n"
+    EXPECT_EQ(read_mtl("# by hand\nnewmtl shiny red\nKa 0 0 0\nKd 1 .5 0\nKs 0.2\nNs 90.5\n"
                        "illum 2\nnewmtl matt\r\n\tKd 0.1 0.2 0.3\r\nKs 1 1 1\nillum 1\n"),
               (std::vector<l3d_named_material>{
                   {"shiny red", {.color = 0xff8000, .highlight = 0x333333, .sharpness = 91}},
@@ -124,6 +174,14 @@ TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
                         "a.mtl:11: statements 'map_Kd' are skipped",
                         "a.mtl:13: statements 'Tf' are skipped"}),
               (std::vector<l3d_named_material>{{"a", {.color = 0x00ff00}}}));
+}
+
+/// What every program writes says nothing; the rest makes a note for each kind.
+TEST(mtl_file, notes_light_of_its_own_and_physical_models) {
+    read_mtl("newmtl a\nKa 1.000 1.000 1.000\nKe 0.0 0.0 0.0\nNi 1.45\nPr 0\n");
+    read_mtl("newmtl a\nKa 0.2 0.2 0.2\nKe 0 1 0\nKe 0 1 0\nPr 0.5\nPm 1\n",
+             {"a.mtl:2: statements 'Ka' are skipped", "a.mtl:3: statements 'Ke' are skipped",
+              "a.mtl:5: statements 'Pr' are skipped", "a.mtl:6: statements 'Pm' are skipped"});
 }
 
 TEST(mtl_file, has_opacity_by_d_or_by_its_opposite_tr) {

@@ -3,6 +3,7 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/polygons/pipeline_zsort.h"
 
+#include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -17,7 +18,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -97,6 +100,61 @@ TEST(pipeline_polygons, keep_a_model_that_the_program_forgets) {
                                  sw);
     EXPECT_EQ(drawn(zsort), by_zsort(model, camera(), settings));
     EXPECT_EQ(drawn(zbuffer), by_zbuffer(model, camera(), settings));
+}
+
+/// A tube of 24 sides as .obj text: what stands before its faces, and whether its corners have the
+/// normals of the faces, those of the round tube, or none.
+l3d_polygon_model tube(const std::string& before, char normals) {
+    std::string text;
+    constexpr int sides = 24;
+    const auto vector = [&text](const char* word, double steps, double z) {
+        const double angle = 2 * std::numbers::pi * steps / sides;
+        text += word + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) +
+                ' ' + std::to_string(z) + '\n';
+    };
+    for (int i = 0; i < sides; ++i) {
+        vector("v ", i, -1);
+        vector("v ", i, 1);
+        vector("vn ", i, 0);       // of the round tube, 2 i + 1
+        vector("vn ", i + 0.5, 0); // of a side, 2 i + 2
+    }
+    text += before;
+    for (int i = 0; i < sides; ++i) {
+        const int next = (i + 1) % sides;
+        text += 'f';
+        for (const auto& [vertex, at] : {std::pair(2 * i + 1, i), std::pair(2 * next + 1, next),
+                                         std::pair(2 * next + 2, next), std::pair(2 * i + 2, i)})
+            text += ' ' + std::to_string(vertex) +
+                    (normals == 'r'   ? "//" + std::to_string(2 * at + 1)
+                     : normals == 'f' ? "//" + std::to_string(2 * i + 2)
+                                      : "");
+        text += '\n';
+    }
+    std::string why;
+    const auto file = l3d_read_model(text, "tube", why);
+    EXPECT_TRUE(file) << why;
+    return l3d_polygon_model(file->mesh);
+}
+
+TEST(pipeline_polygons, show_normals_of_corners_and_smoothing_groups) {
+    l3d_polygon_settings smooth, flat;
+    smooth.shade = l3d_shade::lambert;
+    flat.shade = l3d_shade::flat;
+    for (const bool sorts : {false, true}) {
+        const auto shown = [&](const l3d_polygon_model& model, const l3d_polygon_settings& how) {
+            return sorts ? by_zsort(model, camera(), how) : by_zbuffer(model, camera(), how);
+        };
+        const picture faceted = shown(tube("", '-'), flat), round = shown(tube("", '-'), smooth);
+        ASSERT_GT(differing(faceted, round, 4), 1000);
+        for (const auto& model : {tube("", 'f'), tube("s off\n", '-'), tube("s 1\n", 'f')}) {
+            EXPECT_EQ(differing(shown(model, smooth), faceted, 1), 0) << sorts;
+            EXPECT_EQ(differing(shown(model, flat), faceted, 1), 0) << sorts;
+        }
+        for (const auto& model : {tube("", 'r'), tube("s 1\n", '-'), tube("s off\n", 'r')}) {
+            EXPECT_LT(differing(shown(model, smooth), round, 1), 20) << sorts;
+            EXPECT_EQ(differing(shown(model, flat), faceted, 1), 0) << sorts;
+        }
+    }
 }
 
 TEST(pipeline_polygons, are_steered_without_a_subclass) {

@@ -38,6 +38,23 @@ TEST(model_loader, finds_materials_beside_the_model) {
     }
 }
 
+/// Windows writes places in its own way; a name may have a backslash on our side, too.
+TEST(model_loader, finds_materials_where_windows_says) {
+    const temporary_folder folder;
+    const std::string model = folder.file("a.obj");
+    const auto color = [&](const std::string& name) {
+        write(model, "mtllib " + name + '\n' + triangle);
+        return l3d_load_model(model, "a.obj").mesh.look_of(0).color;
+    };
+    write(folder.file("more/#1.mtl"), "newmtl red\nKd 1 0 0\n");
+    write(folder.file("c.mtl"), "newmtl red\nKd 0 1 0\n");
+    write(folder.file("d\\e.mtl"), "newmtl red\nKd 0 0 1\n");
+    EXPECT_EQ(color("more/#1.mtl"), 0xff0000u);
+    EXPECT_EQ(color(".\\more\\#1.mtl"), 0xff0000u);
+    EXPECT_EQ(color("C:\\models\\c.mtl"), 0x00ff00u);
+    EXPECT_EQ(color("d\\e.mtl"), 0x0000ffu);
+}
+
 TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {
     const temporary_folder folder;
     const std::string model = folder.file("a.obj");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader of 3D Studio's .asc: triangles, named objects and materials, line by line.
+#include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
@@ -35,13 +36,14 @@ public:
         return result;
     }
 
-    /// Takes what stands between the next two quotation marks, or nothing if there are not two.
+    /// Takes what stands between the next quotation mark and the last, or all if there are not two.
     std::string_view in_quotes() {
         const std::size_t begin = rest_.find('"');
         const std::size_t end = rest_.rfind('"');
-        if (begin == rest_.npos || end == begin)
-            return {};
-        const std::string_view result = rest_.substr(begin + 1, end - begin - 1);
+        const bool has_two = begin != rest_.npos && end != begin;
+        const std::string_view result = has_two
+                                            ? rest_.substr(begin + 1, end - begin - 1)
+                                            : rest_.substr(0, rest_.find_last_not_of(blanks) + 1);
         rest_ = {};
         return result;
     }
@@ -91,10 +93,11 @@ public:
         }
         if (!any)
             return text_.fail("the text is empty");
-        if (!is_complete())
+        if (!is_complete() || !odd_.are_unused(text_, mesh_))
             return false;
         if (mesh_.faces() == 0)
             return text_.fail("the text ends without a triangle");
+        normals_.finish(mesh_);
         std::vector<std::uint32_t> no_patches;
         materials_.finish(no_patches);
         give_looks();
@@ -114,8 +117,10 @@ private:
     bool read_line(field_line& line) {
         if (line.take("Page"))
             return true; // a printer's page begins
-        if (line.take("Vertex list:") || line.take("Face list:") || line.take("Smoothing:"))
+        if (line.take("Vertex list:") || line.take("Face list:"))
             return true;
+        if (line.take("Smoothing:"))
+            return read_smoothing(line);
         if (line.take("Vertex"))
             return read_vertex(line);
         if (line.take("Face"))
@@ -123,7 +128,7 @@ private:
         if (line.take("Material:"))
             return read_material(line);
         if (line.take("Mapped")) {
-            text_.note("texture coordinates are skipped");
+            text_.note_once("texture coordinates are skipped");
             return true;
         }
         if (line.take("Named object:"))
@@ -136,17 +141,21 @@ private:
     /// Lights, cameras, their values, and what else a scene has beside its objects.
     bool is_of_scene(field_line& line) {
         constexpr std::string_view beginnings[] = {"Direct light", "Camera"};
+        constexpr std::string_view colors[] = {"Ambient light color:", "Background", "Solid"};
         constexpr std::string_view values[] = {
-            "Ambient light color:", "Background",    "Position:", "Light color:", "Spotlight to:",
-            "Hotspot size:",        "Falloff size:", "Target:",   "Bank angle:"};
+            "Position:",     "Light color:", "Spotlight to:", "Hotspot size:",
+            "Falloff size:", "Target:",      "Bank angle:"};
         if (std::ranges::any_of(beginnings, [&](auto word) { return line.take(word); })) {
             text_.note("the light or camera " + quoted(object_) + " is skipped");
             return true;
         }
+        if (std::ranges::any_of(colors, [&](auto word) { return line.take(word); })) {
+            if (line.rest().find_first_of("123456789") != std::string_view::npos)
+                text_.note_once("ambient light and background of the scene are skipped");
+            return true;
+        }
         if (std::ranges::any_of(values, [&](auto word) { return line.take(word); }))
             return true;
-        if (!is_complete())
-            return false;
         text_.note("the line " + quoted(line.rest()) + " is skipped");
         return true;
     }
@@ -221,9 +230,9 @@ private:
         for (int i = 0; i < 3; ++i) {
             std::string_view digits;
             if (!labelled(line, axes[i], digits) ||
-                !text_.number_in(digits, v[i], "a coordinate") ||
-                !text_.is_coordinate(v[i], digits))
+                !text_.any_number_in(digits, v[i], "a coordinate"))
                 return false;
+            odd_.check(text_, mesh_, v[i], digits);
         }
         mesh_.vertices.push_back(v);
         return true;
@@ -244,6 +253,27 @@ private:
         return true;
     }
 
+    /// The groups of the last face, from 1 to 32: "1, 2".
+    bool read_smoothing(field_line& line) {
+        if (mesh_.faces() == first_face_)
+            return text_.fail("smoothing groups before the first face of an object");
+        constexpr std::int64_t most = 32;
+        std::uint64_t groups = 0;
+        while (!line.rest().empty()) {
+            const std::string_view digits = line.rest().substr(
+                0, std::min(line.rest().find_first_of(" ,\t\r"), line.rest().size()));
+            std::int64_t group = 0;
+            if (!text_.integer_in_text(digits, group, "a smoothing group") ||
+                !text_.is_in(group, "a smoothing group", 0, most))
+                return false;
+            groups |= group > 0 ? std::uint64_t{1} << (group - 1) : 0;
+            line.take(digits);
+            line.take(",");
+        }
+        normals_.give_to_last_face(mesh_, groups);
+        return true;
+    }
+
     bool read_material(field_line& line) {
         if (mesh_.faces() == first_face_)
             return text_.fail("a material before the first face of an object");
@@ -257,6 +287,8 @@ private:
     std::string object_;                    ///< the name of the current object
     std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
     std::size_t base_ = 0, first_face_ = 0; ///< where it begins
+    l3d_detail::corner_normals normals_;
+    l3d_detail::odd_coordinates odd_;
 };
 
 } // namespace

@@ -74,14 +74,17 @@ private:
 
     bool at_end() { return is_binary_ ? text_.rest().empty() : text_.at_end(); }
 
+    bool any_real(double& value, const char* what) {
+        return text_.any_number_or_float(value, is_binary_, what);
+    }
     bool real(double& value, const char* what) {
-        return text_.number_or_float(value, is_binary_, what);
+        return any_real(value, what) && text_.is_finite(value, what);
     }
 
     bool skip(int numbers) {
         double skipped = 0;
         for (int i = 0; i < numbers; ++i)
-            if (!real(skipped, "a colour or texture coordinate"))
+            if (!any_real(skipped, "a colour or texture coordinate"))
                 return false;
         return true;
     }

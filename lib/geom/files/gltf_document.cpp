@@ -233,37 +233,49 @@ void gltf_document::read_container(std::string_view text) {
 void gltf_document::read_buffers(const l3d_other_files& files) {
     const std::size_t count = root().count("buffers");
     owned_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const gltf_value buffer = root().element("buffers", i);
-        const std::uint64_t length = buffer.at("byteLength").whole();
-        std::string_view bytes = chunk_;
-        if (buffer.has("uri")) {
-            const gltf_value uri = buffer.at("uri");
-            const std::string_view text = uri.text();
-            constexpr std::string_view base64 = ";base64,";
-            if (const std::size_t comma = text.find(base64);
-                text.starts_with("data:") && comma != text.npos) {
-                if (!decode_base64(text.substr(comma + base64.size()), owned_[i]))
-                    uri.fail("is no base64");
-            } else if (text.starts_with("data:")) {
-                uri.fail("is data in another form than base64");
-            } else {
-                std::string why = "cannot be read from a text alone";
-                auto read = files ? files(decoded_name(text), why) : std::nullopt;
-                if (!read)
-                    uri.fail(l3d_detail::quoted(text) + ": " + why);
-                owned_[i] = *std::move(read);
-                bytes_ += owned_[i].size();
-            }
-            bytes = owned_[i];
-        } else if (i > 0 || !has_chunk_) {
-            buffer.fail("has no uri, and no chunk holds its bytes");
+    buffers_.resize(count);
+    faults_.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        try {
+            buffers_[i] = read_buffer(i, files);
+        } catch (const gltf_error& error) {
+            faults_[i] = error;
         }
-        if (bytes.size() < length)
-            buffer.fail("promises " + std::to_string(length) + " bytes; there are " +
-                        std::to_string(bytes.size()));
-        buffers_.push_back(bytes.substr(0, length));
+}
+
+std::string_view gltf_document::read_buffer(std::size_t index, const l3d_other_files& files) {
+    const gltf_value buffer = root().element("buffers", index);
+    const std::uint64_t length = buffer.at("byteLength").whole();
+    std::string& owned = owned_[index];
+    std::string_view bytes = chunk_;
+    if (buffer.has("uri")) {
+        const gltf_value uri = buffer.at("uri");
+        const std::string& text = uri.text();
+        constexpr std::string_view base64 = ";base64,";
+        if (const std::size_t comma = text.find(base64);
+            text.starts_with("data:") && comma != text.npos) {
+            if (!decode_base64(std::string_view(text).substr(comma + base64.size()), owned))
+                uri.fail("is no base64");
+        } else if (text.starts_with("data:")) {
+            uri.fail("is data in another form than base64");
+        } else {
+            std::string why = "cannot be read from a text alone", ignored;
+            auto read = files ? files(decoded_name(text), why) : std::nullopt;
+            if (!read && files) // some programs write names as they are
+                read = files(text, ignored);
+            if (!read)
+                uri.fail(l3d_detail::quoted(text) + ": " + why);
+            owned = *std::move(read);
+            bytes_ += owned.size();
+        }
+        bytes = owned;
+    } else if (index > 0 || !has_chunk_) {
+        buffer.fail("has no uri, and no chunk holds its bytes");
     }
+    if (bytes.size() < length)
+        buffer.fail("promises " + std::to_string(length) + " bytes; there are " +
+                    std::to_string(bytes.size()));
+    return bytes.substr(0, length);
 }
 
 void gltf_document::take_memory(std::size_t bytes) const {
@@ -283,6 +295,8 @@ std::string_view gltf_document::view_of(const gltf_value& index, std::size_t& st
     if (buffer >= buffers_.size())
         view.fail("names buffer " + std::to_string(buffer) + " of " +
                   std::to_string(buffers_.size()));
+    if (faults_[buffer])
+        throw gltf_error(*faults_[buffer]);
     const std::string_view bytes = buffers_[buffer];
     const std::uint64_t offset = view.whole_or("byteOffset", 0);
     const std::uint64_t length = view.at("byteLength").whole();

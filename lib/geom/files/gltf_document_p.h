@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -79,7 +80,7 @@ public:
     /// Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Once, before numbers are asked for.
+    /// Once, before numbers are asked for. What is wrong with a buffer matters once it is used.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
@@ -94,6 +95,7 @@ public:
 private:
     struct element_shape;
 
+    std::string_view read_buffer(std::size_t index, const l3d_other_files& files);
     void read_container(std::string_view text);
     std::string_view view_of(const gltf_value& index, std::size_t& stride) const;
     element_shape shape_of(const gltf_value& accessor, const gltf_value& type) const;
@@ -107,7 +109,8 @@ private:
     bool has_chunk_ = false;
     std::vector<std::string> owned_; ///< buffers that are not in the file as they are
     std::vector<std::string_view> buffers_;
-    std::size_t bytes_ = 0; ///< of the file and the files that it names
+    std::vector<std::optional<gltf_error>> faults_; ///< per buffer
+    std::size_t bytes_ = 0;                         ///< of the file and the files that it names
     mutable std::size_t taken_ = 0;
 };
 

@@ -5,6 +5,8 @@
 #include "geom/files/model_reader_p.h"
 #include "geom/transform.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace {
@@ -30,7 +32,11 @@ std::uint32_t word_of(const std::array<double, 3>& light) {
     return word;
 }
 
-matrix rotation_of(const std::array<double, 4>& q) {
+/// Expects: not zero.
+matrix rotation_of(std::array<double, 4> q) {
+    const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    for (double& component : q)
+        component /= length;
     const auto [x, y, z, w] = q;
     matrix m = l3d_identity<double>();
     const double rows[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
@@ -60,12 +66,16 @@ public:
     void read() {
         check_extensions();
         note_what_is_skipped();
+        note_extensions();
         read_materials();
         read_scene();
         finish();
     }
 
 private:
+    static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
+    static constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
+
     l3d_polygon_mesh& mesh() { return model_.mesh; }
     void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
 
@@ -74,10 +84,34 @@ private:
         for (std::size_t i = 0; i < root_.count("extensionsRequired"); ++i) {
             const gltf_value extension = root_.element("extensionsRequired", i);
             const std::string_view of = extension.text();
-            if (of != "KHR_mesh_quantization" && !of.starts_with("KHR_materials_") &&
+            if (!is_read(of) && !of.starts_with("KHR_materials_") &&
                 of.find("_texture_") == of.npos)
                 extension.fail("asks for " + l3d_detail::quoted(of) + ", which is not read here");
         }
+    }
+
+    static bool is_read(std::string_view extension) {
+        return extension == "KHR_mesh_quantization" || extension == instancing ||
+               extension == glossiness;
+    }
+
+    /// Extensions that a file uses and that are not read, but for those of textures, which have a
+    /// note, and of descriptions. A few are named.
+    void note_extensions() {
+        constexpr std::size_t most_named = 3;
+        std::string names;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < root_.count("extensionsUsed"); ++i) {
+            const std::string& of = root_.element("extensionsUsed", i).text();
+            if (is_read(of) || of.find("_texture_") != of.npos || of.find("_xmp") != of.npos)
+                continue;
+            if (++count <= most_named)
+                names += (count > 1 ? ", " : "") + l3d_detail::quoted(of);
+        }
+        if (count > most_named)
+            names += " and " + std::to_string(count - most_named) + " more";
+        if (count > 0)
+            note("extensions are skipped: " + names);
     }
 
     void note_what_is_skipped() {
@@ -97,14 +131,33 @@ private:
             std::array<double, 4> color{1, 1, 1, 1};
             if (material.has("pbrMetallicRoughness"))
                 read_array(material.at("pbrMetallicRoughness"), "baseColorFactor", color);
+            if (material.has("extensions") && material.at("extensions").has(glossiness))
+                read_array(material.at("extensions").at(glossiness), "diffuseFactor", color);
             const bool is_blended = material.text_or("alphaMode", "") == "BLEND";
-            const double alpha = is_blended ? color[3] : 1;
-            if (!(alpha >= 0 && alpha <= 1))
-                material.fail("has an alpha that is not from 0 to 1");
+            const double alpha = is_blended ? std::clamp(color[3], 0.0, 1.0) : 1;
+            shines_ = shines_ || says_more_than_color(material);
             mesh().materials.push_back(material.text_or("name", "material " + std::to_string(i)));
             mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]}),
                                     .opacity = static_cast<float>(alpha)});
         }
+        if (shines_)
+            note("of materials, metalness, roughness, own light and cut-outs are skipped");
+    }
+
+    /// A material that says nothing of its metalness is of metal.
+    static bool says_more_than_color(const gltf_value& material) {
+        std::array<double, 3> own_light{0, 0, 0};
+        read_array(material, "emissiveFactor", own_light);
+        const bool glows = own_light != std::array<double, 3>{0, 0, 0};
+        if (glows || material.text_or("alphaMode", "") == "MASK")
+            return true;
+        if (!material.has("pbrMetallicRoughness"))
+            return false;
+        const gltf_value look = material.at("pbrMetallicRoughness");
+        const auto factor = [&](const char* name) {
+            return look.has(name) ? look.at(name).number() : 1;
+        };
+        return factor("metallicFactor") != 0 || factor("roughnessFactor") != 1;
     }
 
     template <std::size_t N>
@@ -120,7 +173,17 @@ private:
         return true;
     }
 
-    static matrix transform_of(const gltf_value& node) {
+    /// A rotation that is no direction turns nothing.
+    matrix turned_by(const std::array<double, 4>& q) {
+        const auto is_finite = [](double component) { return std::isfinite(component); };
+        const auto is_zero = [](double component) { return component == 0; };
+        if (std::ranges::all_of(q, is_finite) && !std::ranges::all_of(q, is_zero))
+            return rotation_of(q);
+        has_odd_rotations_ = true;
+        return l3d_identity<double>();
+    }
+
+    matrix transform_of(const gltf_value& node) {
         std::array<double, 16> columns{};
         if (read_array(node, "matrix", columns)) {
             matrix m = l3d_identity<double>();
@@ -134,8 +197,43 @@ private:
         read_array(node, "translation", move);
         read_array(node, "rotation", turn);
         read_array(node, "scale", scale);
-        return l3d_translation<double>(move[0], move[1], move[2]) * rotation_of(turn) *
+        return l3d_translation<double>(move[0], move[1], move[2]) * turned_by(turn) *
                l3d_scaling<double>(scale[0], scale[1], scale[2]);
+    }
+
+    /// The placements of a node's mesh in the node: one, unless EXT_mesh_gpu_instancing says more.
+    std::vector<matrix> instances_of(const gltf_value& node) {
+        if (!node.has("extensions") || !node.at("extensions").has(instancing))
+            return {l3d_identity<double>()};
+        const gltf_value attributes = node.at("extensions").at(instancing).at("attributes");
+        std::optional<gltf_numbers> moves, turns, scales;
+        std::optional<std::size_t> count;
+        const auto read = [&](const char* name, const char* type, auto& into) {
+            if (!attributes.has(name))
+                return;
+            into = document_.numbers(attributes.at(name), type, false);
+            if (count && *count != into->count)
+                attributes.fail("has " + std::to_string(*count) + " and " +
+                                std::to_string(into->count) + " instances");
+            count = into->count;
+        };
+        read("TRANSLATION", "VEC3", moves);
+        read("ROTATION", "VEC4", turns);
+        read("SCALE", "VEC3", scales);
+        document_.take_memory(count.value_or(0) * sizeof(matrix));
+        std::vector<matrix> result(count.value_or(0), l3d_identity<double>());
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (moves)
+                result[i] =
+                    l3d_translation<double>(moves->at(i)[0], moves->at(i)[1], moves->at(i)[2]);
+            if (turns)
+                result[i] = result[i] * turned_by({turns->at(i)[0], turns->at(i)[1],
+                                                   turns->at(i)[2], turns->at(i)[3]});
+            if (scales)
+                result[i] = result[i] * l3d_scaling<double>(scales->at(i)[0], scales->at(i)[1],
+                                                            scales->at(i)[2]);
+        }
+        return result;
     }
 
     /// The nodes of the scene; without a scene, all that are nobody's children.
@@ -169,7 +267,8 @@ private:
             is_seen[next.node] = true;
             const matrix to_scene = next.to_scene * transform_of(node);
             if (node.has("mesh"))
-                read_mesh(node, to_scene);
+                for (const matrix& instance : instances_of(node))
+                    read_mesh(node, to_scene * instance);
             for (std::size_t i = node.count("children"); i-- > 0;)
                 stack.push_back({node.element("children", i).whole(), to_scene});
         }
@@ -198,6 +297,7 @@ private:
         const std::size_t count = read_vertices(attributes, to_scene);
         const bool mirrors = l3d_determinant(to_scene) < 0;
         std::vector<std::uint32_t> indices = indices_of(primitive, count);
+        check_places(attributes.at("POSITION"), indices);
         const std::size_t faces = mesh().faces();
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
             if (mirrors)
@@ -231,20 +331,36 @@ private:
         const gltf_value at = attributes.at("POSITION");
         const gltf_numbers places = document_.numbers(at, "VEC3", false);
         document_.take_memory(places.count * 2 * sizeof(vector));
+        odd_.clear();
         for (std::size_t i = 0; i < places.count; ++i) {
             const double* const p = places.at(i);
             const auto moved = to_scene * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
-            for (int k = 0; k < 3; ++k)
-                if (!(std::abs(moved[k]) <= l3d_bpt_largest_coordinate))
-                    at.fail("has a coordinate that is not finite or beyond 1e12, in vertex " +
-                            std::to_string(i));
-            mesh().vertices.emplace_back(moved[0], moved[1], moved[2]);
+            const auto is_place = [&](int k) {
+                return std::abs(moved[k]) <= l3d_bpt_largest_coordinate;
+            };
+            if (is_place(0) && is_place(1) && is_place(2)) {
+                mesh().vertices.emplace_back(moved[0], moved[1], moved[2]);
+            } else {
+                odd_.push_back(i);
+                mesh().vertices.emplace_back(0);
+            }
         }
         if (attributes.has("NORMAL"))
             read_normals(attributes.at("NORMAL"), to_scene, places.count);
         if (attributes.has("COLOR_0"))
             read_colors(attributes.at("COLOR_0"), places.count);
         return places.count;
+    }
+
+    /// Only a vertex that is used must be somewhere.
+    void check_places(const gltf_value& at, std::span<const std::uint32_t> indices) {
+        if (odd_.empty())
+            return;
+        for (const std::uint32_t index : indices)
+            if (std::ranges::binary_search(odd_, index))
+                at.fail("has a coordinate that is not finite or beyond 1e12, in vertex " +
+                        std::to_string(index));
+        has_odd_places_ = true;
     }
 
     static void check_count(const gltf_value& at, std::size_t count, std::size_t vertices) {
@@ -259,11 +375,15 @@ private:
         check_count(at, normals.count, vertices);
         const auto m = [&](int row, int column) { return to_scene(row % 3, column % 3); };
         const double side = l3d_determinant(to_scene) < 0 ? -1 : 1;
+        mesh().vertex_normals.resize(mesh().vertices.size() - vertices, vector(0));
         for (std::size_t i = 0; i < normals.count; ++i) {
+            const double* const n = normals.at(i);
+            has_odd_normals_ =
+                has_odd_normals_ || !l3d_detail::has_direction(vector(n[0], n[1], n[2]));
             vector turned(0);
             for (int row = 0; row < 3; ++row)
                 for (int column = 0; column < 3; ++column)
-                    turned[row] += side * normals.at(i)[column] *
+                    turned[row] += side * n[column] *
                                    (m(row + 1, column + 1) * m(row + 2, column + 2) -
                                     m(row + 1, column + 2) * m(row + 2, column + 1));
             const double length = l3d_length(turned);
@@ -309,11 +429,15 @@ private:
             note("morph targets are skipped: meshes have the shape they are stored in");
         if (has_lines_)
             note("points, lines and what has no places are skipped");
-        if (!mesh().vertex_normals.empty() &&
-            mesh().vertex_normals.size() != mesh().vertices.size()) {
-            mesh().vertex_normals.clear();
-            note("normals are skipped: not every vertex has one");
-        }
+        if (has_odd_normals_)
+            note(l3d_detail::odd_normals_note);
+        if (has_odd_rotations_)
+            note("rotations that are zero or no numbers are skipped");
+        if (has_odd_places_)
+            note(l3d_detail::odd_places_note);
+        if (!mesh().vertex_normals.empty())
+            mesh().vertex_normals.resize(mesh().vertices.size(), vector(0));
+        l3d_detail::forget_odd_normals(mesh());
         if (!mesh().face_materials.empty()) {
             mesh().face_materials.resize(mesh().faces(), l3d_detail::face_materials::nothing);
             const auto without = static_cast<std::uint32_t>(mesh().materials.size());
@@ -342,7 +466,9 @@ private:
     std::string name_;
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
-    bool has_morphs_ = false, has_lines_ = false;
+    std::vector<std::size_t> odd_; ///< of the primitive's vertices, those that are nowhere
+    bool has_morphs_ = false, has_lines_ = false, shines_ = false;
+    bool has_odd_places_ = false, has_odd_normals_ = false, has_odd_rotations_ = false;
 };
 
 } // namespace

@@ -59,7 +59,8 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
         return l3d_model_format::obj;
     if (is_whole_number(word))
         return l3d_model_format::bpt;
-    return std::nullopt;
+    return l3d_detail::is_long_binary_stl(text) ? std::optional(l3d_model_format::stl)
+                                                : std::nullopt;
 }
 
 std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_view name,

@@ -141,8 +141,8 @@ L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 /// faces and looks of materials, which have no place in it.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
-///          to l3d_bpt_largest_degree. Names are words with single blanks between, without # and
-///          without a backslash at the end; materials differ in name.
+///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;
+///          materials differ in name.
 L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 
 #endif

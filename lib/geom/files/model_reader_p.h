@@ -75,21 +75,28 @@ public:
         give(mesh.vertices.size() - 1, color);
     }
 
-    /// Gives a vertex a colour; those without one are white. Units: components from 0 to 1, held
-    /// there; NaN is 1. Expects: vertices come in their order.
+    /// Gives a vertex a colour; those without one are white. Units: components from 0 to 1, or, if
+    /// some are 2 or more, from 0 to 255. They are held there; NaN is the largest.
+    /// Expects: vertices come in their order.
     void give(std::size_t vertex, const double* color) {
-        colors_.resize(vertex, {1, 1, 1});
+        colors_.resize(vertex, white);
         auto& given = colors_.emplace_back();
-        for (std::size_t i = 0; i < given.size(); ++i)
-            given[i] =
-                std::isnan(color[i]) ? 1 : static_cast<float>(std::clamp(color[i], 0.0, 1.0));
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            given[i] = std::isnan(color[i]) ? white[i]
+                                            : static_cast<float>(std::clamp(color[i], 0.0, 255.0));
+            largest_ = std::max(largest_, std::isnan(color[i]) ? 0 : given[i]);
+        }
     }
 
     /// Expects: a mesh whose faces have no colours.
     void finish(l3d_polygon_mesh& mesh) {
         if (colors_.empty())
             return;
-        colors_.resize(mesh.vertices.size(), {1, 1, 1});
+        colors_.resize(mesh.vertices.size(), white);
+        const float most = largest_ < 2 ? 1 : 255;
+        for (auto& color : colors_)
+            for (float& component : color)
+                component = std::min(component / most, 1.0F);
         mesh.face_colors.reserve(mesh.faces());
         for (std::size_t f = 0; f < mesh.faces(); ++f) {
             std::array<double, 3> sum{};
@@ -106,20 +113,112 @@ public:
     }
 
 private:
+    /// More than any component, so that it is the largest on either scale.
+    static constexpr std::array<float, 3> white{256, 256, 256};
+
     std::vector<std::array<float, 3>> colors_;
+    float largest_ = 0;
 };
+
+/// A colour of a face. Components beyond 0 to 1 are held there, with a note.
+inline std::uint32_t color_of(text_cursor& text, const double* components) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_in = components[i] >= 0 && components[i] <= 1;
+        if (!is_in)
+            text.note_once("colours out of range are taken for the nearest");
+        const double held = std::isnan(components[i]) ? 1 : std::clamp(components[i], 0.0, 1.0);
+        word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * held));
+    }
+    return word;
+}
 
 /// What is said of such colours.
 inline constexpr const char* vertex_colors_note =
     "the colours of vertices become those of faces, as means";
 
-inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh) {
+/// What is said of vertices that are nowhere.
+inline constexpr const char* odd_places_note =
+    "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
+
+/// Coordinates that no vertex may have which is seen. Programs write some for vertices that no face
+/// uses; these become the origin.
+class odd_coordinates {
+public:
+    /// Takes a number that was read for the next vertex: the current token, or digits in it.
+    void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
+               std::string_view digits = {}) {
+        if (std::abs(value) <= l3d_bpt_largest_coordinate)
+            return;
+        found_.push_back({mesh.vertices.size(), value, digits, text.here()});
+        value = 0;
+    }
+
+    /// Whether no corner of the mesh is such a vertex, nor is it used otherwise, by is_used(index).
+    /// Errors: those of coordinates, at the first one in the text.
+    template <class Used>
+    bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
+        if (found_.empty())
+            return true;
+        std::vector<bool> is_corner(mesh.vertices.size());
+        for (const std::uint32_t corner : mesh.corners)
+            is_corner[corner] = true;
+        for (const found& odd : found_) {
+            if (is_corner[odd.vertex] || is_used(odd.vertex)) {
+                text.go_back(odd.at);
+                return text.is_coordinate(odd.value, odd.digits);
+            }
+            mesh.vertices[odd.vertex] = l3d_polygon_mesh::vector(0);
+        }
+        text.go_back(found_.front().at);
+        text.note(odd_places_note);
+        return true;
+    }
+    bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh) {
+        return are_unused(text, mesh, [](std::size_t) { return false; });
+    }
+
+private:
+    struct found {
+        std::size_t vertex;
+        double value;
+        std::string_view digits;
+        text_cursor::reading_place at;
+    };
+    std::vector<found> found_;
+};
+
+/// Takes the three coordinates of the next vertex.
+inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh, odd_coordinates& odd) {
     std::array<double, 3> v{};
-    for (double& value : v)
-        if (!text.coordinate(value))
+    for (double& value : v) {
+        if (!text.any_number(value, "a coordinate"))
             return false;
+        odd.check(text, mesh, value);
+    }
     mesh.vertices.emplace_back(v[0], v[1], v[2]);
     return true;
+}
+
+/// Whether a vector has a direction: not zero, nor infinite, nor NaN.
+inline bool has_direction(const l3d_polygon_mesh::vector& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]) &&
+           (v[0] != 0 || v[1] != 0 || v[2] != 0);
+}
+
+inline constexpr const char* odd_normals_note =
+    "normals that are zero or no numbers are computed from the faces";
+
+/// Normals without a direction become zero; if all are, there are none.
+inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
+    std::size_t odd = 0;
+    for (l3d_polygon_mesh::vector& normal : mesh.vertex_normals)
+        if (!has_direction(normal)) {
+            normal = l3d_polygon_mesh::vector(0);
+            ++odd;
+        }
+    if (odd == mesh.vertex_normals.size())
+        mesh.vertex_normals.clear();
 }
 
 /// The value of every reader of a format: read(cursor, model) says whether all went well. The text

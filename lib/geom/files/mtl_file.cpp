@@ -18,9 +18,13 @@ constexpr std::string_view noted_statements[] = {
     "map_Ka", "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",
     "disp",   "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
-/// Those whose loss few would see: ambient and own light, refraction, physical models.
-constexpr std::string_view silent_statements[] = {
-    "Ka", "Ke", "Ni", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness", "map_aat"};
+/// Those whose loss few would see: what matters to reflections and refraction alone.
+constexpr std::string_view silent_statements[] = {"Ni", "sharpness", "map_aat"};
+
+/// Ambient and own light, and physical models: lost if their numbers are not 0. Programs write
+/// "Ka 1 1 1" into every file.
+constexpr std::string_view numbered_statements[] = {"Ka", "Ke",  "Pr",    "Pm",    "Ps",
+                                                    "Pc", "Pcr", "aniso", "anisor"};
 
 /// The first model of lighting that has highlights.
 constexpr std::int64_t highlights_from = 2;
@@ -43,10 +47,7 @@ private:
     void read_statement(std::string_view word) {
         if (word == "newmtl") {
             finish_material();
-            std::string name;
-            while (text_.next_in_line())
-                name.append(name.empty() ? "" : " ").append(text_.token());
-            materials_.push_back({std::move(name), {}});
+            materials_.push_back({std::string(text_.name_in_line()), {}});
             has_highlights_ = true;
             opaque_ = clear_ = {};
             return;
@@ -60,12 +61,20 @@ private:
             text_.note(quoted(word) + " before the first newmtl is skipped");
         else if (is_read)
             read_value(word);
-        else if (!is_in(silent_statements) && !is_in(noted_statements))
+        else if (is_in(noted_statements) || (is_in(numbered_statements) && says_something(word)))
+            text_.note_once("statements " + quoted(word) + " are skipped");
+        else if (!is_in(silent_statements) && !is_in(numbered_statements))
             text_.note(quoted(word) + " begins no statement of an .mtl file");
-        else if (!is_in(silent_statements) && std::ranges::find(noted_, word) == noted_.end()) {
-            noted_.push_back(word);
-            text_.note("statements " + quoted(word) + " are skipped");
-        }
+    }
+
+    /// Whether a number in the line is not 0; of ambient light, neither 0 nor 1.
+    bool says_something(std::string_view word) {
+        bool does = false;
+        double value = 0;
+        while (text_.next_in_line())
+            does = does || !text_.any_number_in(text_.token(), value, "a number") ||
+                   (value != 0 && !(word == "Ka" && value == 1));
+        return does;
     }
 
     void read_value(std::string_view word) {
@@ -148,7 +157,6 @@ private:
 
     text_cursor& text_;
     std::vector<l3d_named_material>& materials_;
-    std::vector<std::string_view> noted_;
     bool has_highlights_ = true;           ///< of the material that is read
     std::optional<double> opaque_, clear_; ///< likewise, as "d" and "Tr" have it
 };

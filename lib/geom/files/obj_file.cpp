@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reader of Wavefront's .obj: polygons here, free-form surfaces in obj_surfaces.
 #include "base/counted_p.h"
+#include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_surfaces_p.h"
 
@@ -12,14 +13,7 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// Statements that say nothing that is read here.
-constexpr std::string_view skipped_statements[] = {
-    "vt",       "vp",       "l",    "p",          "mg",        "usemap", "maplib", "bevel",
-    "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "curv",
-    "curv2",    "con",      "call", "csh",        "cdc",       "cdp",    "res",    "bsp",
-    "bzp",      "bmat",     "step", "scrv",       "sp",        "trim",   "hole"};
-
-/// Those among them whose loss nobody would see.
+/// Statements that are skipped, and whose loss nobody would see. All others make a note.
 constexpr std::string_view silent_statements[] = {"mg",    "lod",      "bevel",   "ctech",
                                                   "stech", "c_interp", "d_interp"};
 
@@ -33,11 +27,17 @@ public:
         while (text_.next())
             if (!read_statement(text_.token()))
                 return false;
+        const auto is_control_point = [this](std::size_t vertex) {
+            return vertex < surfaces_.control_points().size() && surfaces_.control_points()[vertex];
+        };
         if (!surfaces_.finish())
             return false;
-        finish_vertices();
+        vertex_colors_.finish(mesh()); // by the numbers that the file has
+        finish_normals();
+        if (!odd_.are_unused(text_, mesh(), is_control_point))
+            return false;
+        forget_control_points();
         materials_.finish(model_.patch_materials);
-        vertex_colors_.finish(mesh());
         return true;
     }
 
@@ -46,27 +46,26 @@ private:
 
     bool read_statement(std::string_view word) {
         if (word == "v")
-            return read_vertex() && line_ends();
+            return read_vertex() && skip_rest("a vertex");
         if (word == "vn")
-            return read_normal() && line_ends();
+            return read_normal() && skip_rest("a normal");
         if (word == "f" || word == "fo")
             return read_face();
         if (word == "g" || word == "o") {
-            part_ = rest_of_line();
+            part_ = text_.name_in_line();
             is_new_to_faces_ = is_new_to_patches_ = true;
             return true;
         }
         if (word == "usemtl") {
-            material_ = materials_.named(rest_of_line());
+            material_ = materials_.named(text_.name_in_line());
             return true;
         }
         if (word == "mtllib") {
-            const std::size_t line = text_.line();
-            std::string name = rest_of_line();
+            const std::string name(text_.name_in_line());
             if (name.empty())
                 text_.note("mtllib names no file");
             else
-                model_.material_files.push_back({std::move(name), line});
+                model_.material_files.push_back({name, text_.line()});
             return true;
         }
         if (word == "w")
@@ -83,8 +82,6 @@ private:
                                           material_.value_or(l3d_detail::face_materials::nothing));
             return is_read && line_ends();
         }
-        if (std::ranges::find(skipped_statements, word) == std::end(skipped_statements))
-            return text_.fail(quoted(word) + " begins no statement of an .obj file");
         skip(word);
         return true;
     }
@@ -97,26 +94,27 @@ private:
     }
 
     void skip(std::string_view word) {
-        const auto has = [word](const auto& list) {
-            return std::ranges::find(list, word) != std::end(list);
-        };
         // Once for each kind: there may be one for each vertex.
-        if (!has(silent_statements) && !has(noted_)) {
-            noted_.push_back(word);
-            text_.note("statements " + quoted(word) + " are skipped");
-        }
+        if (std::ranges::find(silent_statements, word) == std::end(silent_statements))
+            text_.note_once("statements " + quoted(word) + " are skipped");
         while (text_.next_in_line())
             ;
     }
 
-    /// `s` and one word is a smoothing group, which says nothing here; with four numbers it is the
-    /// part of the picture that the window fills.
+    /// `s` and one word is a smoothing group, `off` or 0 none; with four numbers it is the part of
+    /// the picture that the window fills.
     bool read_group_or_viewport() {
         if (!text_.next_in_line())
             return true;
         const std::string_view first = text_.token();
-        if (!text_.next_in_line())
+        if (!text_.next_in_line()) {
+            using groups = l3d_detail::corner_normals;
+            const auto next = groups::numbered | (group_numbers_.size() + 1);
+            group_ = first == "off" || first == "0"
+                         ? 0
+                         : group_numbers_.try_emplace(first, next).first->second;
             return true;
+        }
         constexpr const char* what = "a border of the viewport";
         if (!read_window_from(first, model_.viewport, what))
             return false;
@@ -148,6 +146,13 @@ private:
         return true;
     }
 
+    /// What follows says nothing that is known here.
+    bool skip_rest(const char* what) {
+        while (text_.next_in_line())
+            text_.note_once("what follows " + std::string(what) + " in its line is skipped");
+        return true;
+    }
+
     bool line_ends() {
         return !text_.next_in_line() ||
                text_.fail(quoted(text_.token()) + " at the end of a statement");
@@ -158,23 +163,13 @@ private:
                text_.fail("the line ends where " + std::string(what) + " should be");
     }
 
-    /// A name: the words left in the line, one blank between; a backslash at its end would join it
-    /// to the next line when it is written.
-    std::string rest_of_line() {
-        std::string name;
-        while (text_.next_in_line())
-            name.append(name.empty() ? "" : " ").append(text_.token());
-        while (!name.empty() && (name.back() == '\\' || name.back() == ' '))
-            name.pop_back();
-        return name;
-    }
-
     bool read_vertex() {
         l3d_polygon_mesh::vector v(0);
-        for (int i = 0; i < 3; ++i)
-            if (!word("a coordinate") || !text_.number_in(text_.token(), v[i], "a coordinate") ||
-                !text_.is_coordinate(v[i]))
+        for (int i = 0; i < 3; ++i) {
+            if (!word("a coordinate") || !text_.any_number_in(text_.token(), v[i], "a coordinate"))
                 return false;
+            odd_.check(text_, mesh(), v[i]);
+        }
         mesh().vertices.push_back(v);
         l3d_polygon_mesh::index_of(mesh().vertices.size());
         // One number more is a weight. Three or four more are a colour, which some programs write,
@@ -204,9 +199,9 @@ private:
     bool read_normal() {
         l3d_polygon_mesh::vector v(0);
         for (int i = 0; i < 3; ++i)
-            if (!word("a normal") || !text_.number_in(text_.token(), v[i], "a normal"))
+            if (!word("a normal") || !text_.any_number_in(text_.token(), v[i], "a normal"))
                 return false;
-        normals_.push_back(v);
+        normals_.add(v);
         return true;
     }
 
@@ -222,6 +217,8 @@ private:
         }
         begin_part(mesh().parts, is_new_to_faces_, mesh().faces());
         mesh().end_face();
+        if (group_)
+            normals_.give_to_last_face(mesh(), *group_);
         if (material_)
             materials_.give_to_last_face(*material_);
         return true;
@@ -236,56 +233,48 @@ private:
             return false;
         mesh().corners.push_back(vertex);
         const std::size_t second = corner.find('/', std::min(first + 1, corner.size()));
-        if (second == corner.npos || second + 1 == corner.size()) {
-            some_have_no_normal_ = true;
+        if (second == corner.npos || second + 1 == corner.size())
             return true;
-        }
         std::uint32_t normal = 0;
-        if (!l3d_detail::obj_index(text_, corner.substr(second + 1), normals_.size(), normal))
+        if (!l3d_detail::obj_index(text_, corner.substr(second + 1), normals_.count(), normal))
             return false;
-        normal_of_.resize(mesh().vertices.size(), unknown);
-        some_have_two_normals_ = some_have_two_normals_ ||
-                                 (normal_of_[vertex] != unknown && normal_of_[vertex] != normal);
-        normal_of_[vertex] = normal;
+        if (!normals_.give_to_last_corner(mesh(), normal))
+            text_.note_once(l3d_detail::odd_normals_note);
         return true;
     }
 
-    /// Whether a vertex is more than a control point of surfaces, which have copies of theirs.
-    bool is_of_mesh(std::size_t vertex) const {
-        const std::vector<bool>& control = surfaces_.control_points();
-        return vertex >= control.size() || !control[vertex] || is_corner_[vertex];
+    void finish_normals() {
+        if (normals_.count() > 0 && mesh().faces() > 0 && !normals_.any())
+            text_.note("normals are skipped: no face names them");
+        normals_.finish(mesh());
     }
 
-    /// Removes control points, and gives the other vertices their normals if all have one.
-    void finish_vertices() {
-        is_corner_.resize(mesh().vertices.size());
+    /// Surfaces have copies of theirs, so that only those stay which faces use, too.
+    void forget_control_points() {
+        const std::vector<bool>& control = surfaces_.control_points();
+        if (control.empty())
+            return;
+        std::vector<bool> is_kept(mesh().vertices.size());
+        for (std::size_t i = 0; i < is_kept.size(); ++i)
+            is_kept[i] = i >= control.size() || !control[i];
         for (const std::uint32_t corner : mesh().corners)
-            is_corner_[corner] = true;
-        normal_of_.resize(mesh().vertices.size(), unknown);
-        bool normals = !normals_.empty() && !some_have_no_normal_ && !some_have_two_normals_;
-        std::vector<std::uint32_t> place(mesh().vertices.size()); // where a vertex goes
+            is_kept[corner] = true;
+        std::vector<std::uint32_t> place(is_kept.size()); // where a vertex goes
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < place.size(); ++i) {
-            if (!is_of_mesh(i))
+            if (!is_kept[i])
                 continue;
-            // A vertex of no face gets the normal of its own number.
-            if (normal_of_[i] == unknown && i < normals_.size())
-                normal_of_[i] = static_cast<std::uint32_t>(i);
-            normals = normals && normal_of_[i] != unknown;
-            normal_of_[count] = normal_of_[i];
             mesh().vertices[count] = mesh().vertices[i];
+            if (!mesh().vertex_normals.empty())
+                mesh().vertex_normals[count] = mesh().vertex_normals[i];
             place[i] = count++;
         }
         mesh().vertices.resize(count);
+        if (!mesh().vertex_normals.empty())
+            mesh().vertex_normals.resize(count);
         for (std::uint32_t& corner : mesh().corners)
             corner = place[corner];
-        for (std::size_t i = 0; normals && i < count; ++i)
-            mesh().vertex_normals.push_back(normals_[normal_of_[i]]);
-        if (!normals && !normals_.empty())
-            text_.note("normals are skipped: not every vertex has just one");
     }
-
-    static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
     text_cursor& text_;
     l3d_model_file& model_;
@@ -295,13 +284,14 @@ private:
     std::optional<std::uint32_t> material_;
     std::string part_; ///< the name that faces and surfaces belong to
     bool is_new_to_faces_ = false, is_new_to_patches_ = false;
-    std::vector<std::string_view> noted_; ///< statements that a note has been made of
-    std::vector<double> weights_;         ///< per vertex; those left out at the end are 1
-    std::vector<l3d_polygon_mesh::vector> normals_;
-    std::vector<std::uint32_t> normal_of_; ///< per vertex, index or unknown
-    std::vector<bool> is_corner_;          ///< per vertex
+    /// The smoothing group of the faces that come: 0 if they are flat, nothing before the first
+    /// one.
+    std::optional<std::uint64_t> group_;
+    std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
+    std::vector<double> weights_; ///< per vertex; those left out at the end are 1
+    l3d_detail::corner_normals normals_;
+    l3d_detail::odd_coordinates odd_;
     bool has_vertex_colors_ = false;
-    bool some_have_no_normal_ = false, some_have_two_normals_ = false;
 };
 
 } // namespace

@@ -56,7 +56,8 @@ void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
         for (const std::uint32_t corner : mesh.face(i)) {
             const std::string number = std::to_string(corner + std::size_t{1});
             text += ' ' + number;
-            if (!mesh.vertex_normals.empty())
+            if (!mesh.vertex_normals.empty() &&
+                mesh.vertex_normals[corner] != l3d_polygon_mesh::vector(0))
                 text += "//" + number;
         }
         text += '\n';

@@ -57,10 +57,10 @@ public:
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
         else
             vertex_colors_.finish(mesh_);
-        return is_binary_
-                   ? text_.rest().empty() || text_.fail("more bytes follow the last face")
-                   : !text_.next() ||
-                         text_.fail(l3d_detail::quoted(text_.token()) + " follows the last face");
+        l3d_detail::forget_odd_normals(mesh_);
+        if (is_binary_ ? !text_.rest().empty() : text_.next())
+            text_.note("what follows the last face is skipped");
+        return odd_.are_unused(text_, mesh_);
     }
 
 private:
@@ -115,15 +115,19 @@ private:
 
     bool read_vertex() {
         double v[3];
-        for (double& value : v)
-            if (!real(value, "a coordinate") || !text_.is_coordinate(value))
+        for (double& value : v) {
+            if (!any_real(value, "a coordinate"))
                 return false;
+            odd_.check(text_, mesh_, value);
+        }
         mesh_.vertices.emplace_back(v[0], v[1], v[2]);
         if (kind_.normal) {
             for (double& value : v)
-                if (!real(value, "a normal"))
+                if (!any_real(value, "a normal"))
                     return false;
             mesh_.vertex_normals.emplace_back(v[0], v[1], v[2]);
+            if (!l3d_detail::has_direction(mesh_.vertex_normals.back()))
+                text_.note_once(l3d_detail::odd_normals_note);
         }
         return read_looks();
     }
@@ -140,19 +144,11 @@ private:
                 return false;
         const bool has_fourth = !kind_.color || count + 1 != numbers;
         for (; has_fourth && count < numbers; ++count)
-            if (!(is_binary_ ? real(values[count], what) : text_.any_number(values[count], what)))
+            if (!any_real(values[count], what))
                 return false;
         if (kind_.color)
-            give_color(values);
+            vertex_colors_.give(mesh_, values.data());
         return true;
-    }
-
-    /// Components are fractions up to 1, or in some programs' files whole numbers up to 255.
-    void give_color(std::array<double, 6> values) {
-        if (std::max({values[0], values[1], values[2]}) > 1)
-            for (double& value : values)
-                value /= 255;
-        vertex_colors_.give(mesh_, values.data());
     }
 
     bool read_face() {
@@ -176,8 +172,11 @@ private:
         }
         std::size_t numbers = 0;
         std::array<double, 4> color{};
-        return (is_binary_ ? binary_color(color, numbers) : text_color(color, numbers)) &&
-               (corners < 3 || give(color, numbers));
+        if (!(is_binary_ ? binary_color(color, numbers) : text_color(color, numbers)))
+            return false;
+        if (corners >= 3)
+            give(color, numbers);
+        return true;
     }
 
     bool binary_color(std::array<double, 4>& color, std::size_t& numbers) {
@@ -186,7 +185,7 @@ private:
             return false;
         numbers = static_cast<std::size_t>(count);
         for (std::size_t i = 0; i < numbers; ++i)
-            if (!real(color[i], "a colour"))
+            if (!any_real(color[i], "a colour"))
                 return false;
         return true;
     }
@@ -195,9 +194,11 @@ private:
     bool text_color(std::array<double, 4>& color, std::size_t& numbers) {
         bool whole_numbers = true;
         while (text_.next_in_line()) {
-            if (numbers == color.size())
-                return text_.fail(l3d_detail::quoted(text_.token()) + " follows a face");
-            if (!text_.number_in(text_.token(), color[numbers++], "a colour"))
+            if (numbers == color.size()) {
+                text_.note_once("what follows the colour of a face is skipped");
+                continue;
+            }
+            if (!text_.any_number_in(text_.token(), color[numbers++], "a colour"))
                 return false;
             whole_numbers =
                 whole_numbers && text_.token().find_first_of(".eE") == std::string_view::npos;
@@ -208,25 +209,19 @@ private:
         return true;
     }
 
-    bool give(const std::array<double, 4>& color, std::size_t numbers) {
+    void give(const std::array<double, 4>& color, std::size_t numbers) {
         if (numbers < 3) {
             if (numbers > 0)
-                text_.note("a colour by its place in a map is skipped");
-            return true;
-        }
-        std::uint32_t word = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (!(color[i] >= 0 && color[i] <= 1))
-                return text_.fail("a colour is out of range");
-            word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * color[i]));
+                text_.note_once("colours by their place in a map are skipped");
+            return;
         }
         mesh_.face_colors.resize(mesh_.faces() - 1, uncolored);
-        mesh_.face_colors.push_back(word);
-        return true;
+        mesh_.face_colors.push_back(l3d_detail::color_of(text_, color.data()));
     }
 
-    bool real(double& value, const char* what) {
-        return text_.number_or_float(value, is_binary_, what);
+    /// A number that may be infinite or NaN.
+    bool any_real(double& value, const char* what) {
+        return text_.any_number_or_float(value, is_binary_, what);
     }
 
     bool whole(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most) {
@@ -242,6 +237,7 @@ private:
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
     l3d_detail::vertex_colors vertex_colors_;
+    l3d_detail::odd_coordinates odd_;
     off_kind kind_;
     bool is_binary_ = false;
     std::size_t vertices_ = 0, faces_ = 0;

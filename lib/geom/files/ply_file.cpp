@@ -34,8 +34,10 @@ public:
         if (!mesh_.face_colors.empty())
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
         vertex_colors_.finish(mesh_);
-        const bool ends = order_ ? text_.rest().empty() : text_.at_end();
-        return ends || text_.fail("more follows the last element");
+        l3d_detail::forget_odd_normals(mesh_);
+        if (order_ ? !text_.rest().empty() : !text_.at_end())
+            text_.note("what follows the last element is skipped");
+        return odd_.are_unused(text_, mesh_);
     }
 
 private:
@@ -92,8 +94,9 @@ private:
             mesh_.face_ends.reserve(mesh_.face_ends.size() + count);
         for (std::size_t i = 0; i < count; ++i) {
             text_.set_place(place_of(e.kind), i, count);
-            if (!read_properties(e) || !add_row(e.kind))
+            if (!read_properties(e))
                 return false;
+            add_row(e.kind);
         }
         return true;
     }
@@ -105,19 +108,17 @@ private:
                                          : " of element";
     }
 
-    bool add_row(row_kind kind) {
+    void add_row(row_kind kind) {
         switch (kind) {
         case row_kind::vertex:
             return add_vertex();
         case row_kind::face:
             return add_face();
         case row_kind::strip:
-            add_strip();
-            return true;
+            return add_strip();
         case row_kind::other:
             break;
         }
-        return true;
     }
 
     bool read_properties(const element& e) {
@@ -129,6 +130,8 @@ private:
             if (!p.count) {
                 if (!number(p, value, "a number"))
                     return false;
+                if (p.means >= meaning::x && p.means <= meaning::z)
+                    odd_.check(text_, mesh_, value);
                 seen_[static_cast<std::size_t>(p.means)] = scaled(p, value);
                 continue;
             }
@@ -145,9 +148,15 @@ private:
         return true;
     }
 
-    /// Components of colours are whole numbers up to 255, or fractions up to 1.
+    /// Components of colours are fractions up to 1, or whole numbers up to the largest of their
+    /// type; but those of four bytes are levels like those of one.
     static double scaled(const property& p, double value) {
-        return is_color(p.means) && is_whole(p.type) ? value / 255 : value;
+        if (!is_color(p.means) || !is_whole(p.type))
+            return value;
+        return value / (p.type == number_type::uint16  ? 65535
+                        : p.type == number_type::int16 ? 32767
+                        : p.type == number_type::int8  ? 127
+                                                       : 255);
     }
 
     static bool is_color(meaning what) {
@@ -164,38 +173,28 @@ private:
 
     double seen(meaning what) const { return seen_[static_cast<std::size_t>(what)]; }
 
-    bool add_vertex() {
-        const l3d_polygon_mesh::vector v(seen(meaning::x), seen(meaning::y), seen(meaning::z));
-        for (int i = 0; i < 3; ++i)
-            if (!text_.is_coordinate(v[i]))
-                return false;
-        mesh_.vertices.push_back(v);
-        if (has_normals_)
+    void add_vertex() {
+        mesh_.vertices.emplace_back(seen(meaning::x), seen(meaning::y), seen(meaning::z));
+        if (has_normals_) {
             mesh_.vertex_normals.emplace_back(seen(meaning::normal_x), seen(meaning::normal_y),
                                               seen(meaning::normal_z));
+            if (!l3d_detail::has_direction(mesh_.vertex_normals.back()))
+                text_.note_once(l3d_detail::odd_normals_note);
+        }
         const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
         if (has_vertex_colors_)
             vertex_colors_.give(mesh_, color);
-        return true;
     }
 
-    bool add_face() {
-        if (face_.size() < 3) {
-            text_.note("a face of " + counted(face_.size(), "corners") + " is skipped");
-            return true;
-        }
+    void add_face() {
+        if (face_.size() < 3)
+            return text_.note("a face of " + counted(face_.size(), "corners") + " is skipped");
         mesh_.add_face(face_);
         if (!has_colors_)
-            return true;
-        std::uint32_t word = 0;
-        for (const meaning what : {meaning::red, meaning::green, meaning::blue}) {
-            if (!(seen(what) >= 0 && seen(what) <= 1))
-                return text_.fail("the colour of a face is out of range");
-            word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * seen(what)));
-        }
+            return;
+        const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
         mesh_.face_colors.resize(mesh_.faces() - 1, uncolored);
-        mesh_.face_colors.push_back(word);
-        return true;
+        mesh_.face_colors.push_back(l3d_detail::color_of(text_, color));
     }
 
     /// Each corner makes a triangle with the two before it; every other one has its first two
@@ -220,14 +219,12 @@ private:
 
     // ---- numbers
 
-    /// Takes the number of a property; whole ones are exact in a double. A colour, and what nobody
-    /// will use, may be infinite or NaN.
+    /// Takes the number of a property; whole ones are exact in a double, and others may be infinite
+    /// or NaN.
     bool number(const property& p, double& value, const char* what) {
-        const bool any = p.means == meaning::nothing || is_color(p.means);
-        if (!order_)
-            return any && !is_whole(p.type) ? text_.any_number(value, what)
-                                            : text_number(p.type, value, what);
-        return bits_of(p.type, value, what) && (any || text_.is_finite(value, what));
+        if (order_)
+            return bits_of(p.type, value, what);
+        return is_whole(p.type) ? text_number(value, what) : text_.any_number(value, what);
     }
 
     bool bits_of(number_type type, double& value, const char* what) {
@@ -252,9 +249,7 @@ private:
         return false;
     }
 
-    bool text_number(number_type type, double& value, const char* what) {
-        if (!is_whole(type))
-            return text_.number(value, what);
+    bool text_number(double& value, const char* what) {
         std::int64_t whole = 0;
         if (!text_.integer_in(whole, what, std::numeric_limits<std::int32_t>::min(),
                               std::numeric_limits<std::uint32_t>::max()))
@@ -283,6 +278,7 @@ private:
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
     l3d_detail::vertex_colors vertex_colors_;
+    l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};
     std::vector<std::uint32_t> face_;
 };

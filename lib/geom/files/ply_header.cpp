@@ -29,23 +29,35 @@ row_kind kind_of(std::string_view element) {
                                     : row_kind::other;
 }
 
+/// By all the names that programs give them.
+meaning color_meaning(std::string_view name) {
+    constexpr std::string_view prefix = "diffuse_";
+    if (name.starts_with(prefix))
+        name.remove_prefix(prefix.size());
+    return name == "red" || name == "r"     ? meaning::red
+           : name == "green" || name == "g" ? meaning::green
+           : name == "blue" || name == "b"  ? meaning::blue
+                                            : meaning::nothing;
+}
+
 meaning vertex_meaning(std::string_view name) {
     constexpr std::pair<std::string_view, meaning> names[] = {
         {"x", meaning::x},         {"y", meaning::y},         {"z", meaning::z},
-        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z},
-        {"red", meaning::red},     {"green", meaning::green}, {"blue", meaning::blue}};
+        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z}};
     const auto found = std::ranges::find(names, name, &std::pair<std::string_view, meaning>::first);
-    return found == std::end(names) ? meaning::nothing : found->second;
+    return found == std::end(names) ? color_meaning(name) : found->second;
 }
 
 meaning face_meaning(std::string_view name, bool is_list) {
     if (is_list)
         return name == "vertex_indices" || name == "vertex_index" ? meaning::corners
                                                                   : meaning::nothing;
-    return name == "red"     ? meaning::red
-           : name == "green" ? meaning::green
-           : name == "blue"  ? meaning::blue
-                             : meaning::nothing;
+    return color_meaning(name);
+}
+
+/// What a scanner measured, which no picture shows.
+bool is_measure(std::string_view name) {
+    return name == "confidence" || name == "intensity" || name == "quality";
 }
 
 } // namespace
@@ -71,21 +83,28 @@ bool header::read() {
             return text_.next_line() || elements_.empty() ||
                    text_.fail("the text ends after end_header");
         }
-        // Blender up to 2.48 says by whom it was created without saying that this is a comment.
-        if (word == "comment" || word == "obj_info" || word == "Created") {
-            text_.next_line();
+        if (word == "comment" || word == "obj_info") {
+            text_.name_in_line();
             continue;
         }
         const bool well = word == "format"     ? read_format(has_format)
                           : word == "element"  ? read_element_line()
                           : word == "property" ? read_property_line()
-                                               : text_.fail(quoted(word) + " in the header");
+                                               : skip_line(word);
         if (!well)
             return false;
         if (text_.next_in_line())
             return text_.fail(quoted(text_.token()) + " at the end of a line of the header");
     }
     return text_.fail("the text ends before end_header");
+}
+
+/// Blender up to 2.48 says by whom a file was created without saying that this is a comment.
+bool header::skip_line(std::string_view word) {
+    if (word != "Created")
+        text_.note_once("lines " + quoted(word) + " of the header are skipped");
+    text_.name_in_line();
+    return true;
 }
 
 bool header::word(const char* what) {
@@ -155,7 +174,9 @@ bool header::read_property_line() {
     else if (e.kind == row_kind::face || (e.kind == row_kind::strip && is_list))
         p.means = face_meaning(text_.token(), is_list);
     if (p.means != meaning::nothing && e.has(p.means))
-        return text_.fail("there is a second property " + quoted(text_.token()));
+        p.means = meaning::nothing;
+    if (p.means == meaning::nothing && e.kind != row_kind::other && !is_measure(text_.token()))
+        text_.note_once("the property " + quoted(text_.token()) + " is skipped");
     if (p.means == meaning::corners && !is_whole(p.type))
         return text_.fail("indices of vertices are not whole numbers");
     e.properties.push_back(p);

@@ -73,6 +73,7 @@ public:
 
 private:
     bool word(const char* what);
+    bool skip_line(std::string_view word);
     bool read_format(bool& has_format);
     bool read_element_line();
     bool read_type(number_type& type);

@@ -13,6 +13,7 @@ using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
 constexpr std::size_t header_bytes = 80, count_bytes = 4;
+constexpr std::size_t begin_bytes = header_bytes + count_bytes;
 /// A normal and three corners of three floats each, and two bytes for what programs like.
 constexpr std::size_t triangle_bytes = 12 * sizeof(float) + 2;
 
@@ -74,7 +75,7 @@ public:
         std::uint32_t count = 0;
         if (!text_.binary(count, std::endian::little, "the number of triangles"))
             return false;
-        if (text_.rest().size() != count * triangle_bytes)
+        if (text_.rest().size() < count * triangle_bytes)
             return text_.fail(std::to_string(count) + " triangles take " +
                               std::to_string(count * triangle_bytes) + " bytes; there are " +
                               std::to_string(text_.rest().size()));
@@ -84,6 +85,8 @@ public:
             if (!read_triangle(has_more))
                 return false;
         }
+        if (!text_.rest().empty())
+            text_.note("what follows the last triangle is skipped");
         if (has_more)
             text_.note("what stands behind triangles, such as colours, is skipped");
         return true;
@@ -106,10 +109,8 @@ private:
 
     /// After the word `solid`.
     bool read_solid() {
-        std::string name;
-        while (text_.next_in_line())
-            name.append(name.empty() ? "" : " ").append(text_.token());
-        mesh_.parts.push_back({name, static_cast<std::uint32_t>(mesh_.faces())});
+        mesh_.parts.push_back(
+            {std::string(text_.name_in_line()), static_cast<std::uint32_t>(mesh_.faces())});
         for (;;) {
             if (!text_.next())
                 return text_.fail("the text ends in a solid, before its endsolid");
@@ -120,8 +121,7 @@ private:
             if (!read_facet())
                 return false;
         }
-        while (text_.next_in_line()) // the name again
-            ;
+        text_.name_in_line(); // again
         return true;
     }
 
@@ -141,9 +141,12 @@ private:
         }
         if (!is_word("endloop"))
             return text_.fail(quoted(text_.token()) + " where 'vertex' or 'endloop' should be");
-        if (const std::size_t corners = mesh_.corners.size() - begin; corners < 3)
-            return text_.fail("a facet of " + counted(corners, "corners"));
-        mesh_.end_face();
+        if (const std::size_t corners = mesh_.corners.size() - begin; corners < 3) {
+            text_.note("a facet of " + counted(corners, "corners") + " is skipped");
+            mesh_.corners.resize(begin);
+        } else {
+            mesh_.end_face();
+        }
         return take("endfacet");
     }
 
@@ -179,18 +182,23 @@ private:
 } // namespace
 
 bool l3d_detail::is_binary_stl(std::string_view text) {
-    constexpr std::size_t begin = header_bytes + count_bytes;
-    if (text.size() < begin)
+    if (text.size() < begin_bytes)
         return false;
-    if (text.size() - begin == promised(text) * triangle_bytes)
+    if (text.size() - begin_bytes == promised(text) * triangle_bytes)
         return true;
     // A broken binary file, whose header most programs begin with this word. Text has no zeros.
-    return text.starts_with("solid") && text.substr(0, begin).find('\0') != text.npos;
+    return text.starts_with("solid") && text.substr(0, begin_bytes).find('\0') != text.npos;
+}
+
+bool l3d_detail::is_long_binary_stl(std::string_view text) {
+    return text.size() >= begin_bytes && promised(text) > 0 &&
+           text.size() - begin_bytes > promised(text) * triangle_bytes &&
+           text.substr(0, begin_bytes).find('\0') != text.npos;
 }
 
 std::optional<l3d_model_file> l3d_read_stl(std::string_view text, std::string_view name,
                                            std::string& why) {
-    const bool is_binary = l3d_detail::is_binary_stl(text);
+    const bool is_binary = l3d_detail::is_binary_stl(text) || l3d_detail::is_long_binary_stl(text);
     const auto read = [is_binary](text_cursor& cursor, l3d_model_file& model) {
         stl_reader reader(cursor, model.mesh);
         return is_binary ? reader.read_binary() : reader.read_text();

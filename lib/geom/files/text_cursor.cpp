@@ -9,13 +9,18 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 namespace l3d_detail {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n\v\f";
+/// The last one, SUB, ends the text files of DOS.
+constexpr std::string_view blanks = " \t\r\n\v\f\x1a";
+
+/// Programs of Microsoft's older compilers write 1.#IND, 1.#QNAN and 1.#INF.
+constexpr std::string_view microsofts_odd = "1.#";
 
 } // namespace
 
@@ -70,6 +75,11 @@ void text_cursor::note(const std::string& what) {
         notes_.push_back(name_ + ":" + std::to_string(line_) + ": " + what);
     else
         ++unkept_notes_;
+}
+
+void text_cursor::note_once(const std::string& what) {
+    if (noted_once_.size() < most_notes && noted_once_.insert(what).second)
+        note(what);
 }
 
 std::vector<std::string> text_cursor::take_notes() {
@@ -127,13 +137,26 @@ bool text_cursor::next_in_line() {
     if (rest_.empty() || rest_.front() == line_end_)
         return false;
     // A backslash that joins lines ends a token, but is one where it joins nothing.
+    const auto begins_comment = [this](std::size_t at) {
+        return rest_[at] == comment_ && comment_ != '\0' &&
+               !rest_.substr(0, at + 1).ends_with(microsofts_odd);
+    };
     std::size_t size = 1;
     while (size < rest_.size() && blanks.find(rest_[size]) == blanks.npos &&
-           !(rest_[size] == comment_ && comment_ != '\0') && !(rest_[size] == '\\' && joins_))
+           !begins_comment(size) && !(rest_[size] == '\\' && joins_))
         ++size;
     token_ = rest_.substr(0, size);
     rest_.remove_prefix(size);
     return true;
+}
+
+std::string_view text_cursor::name_in_line() {
+    begin_line();
+    token_ = rest_.substr(0, rest_.find(line_end_));
+    rest_.remove_prefix(token_.size());
+    token_.remove_prefix(std::min(token_.find_first_not_of(blanks), token_.size()));
+    token_ = token_.substr(0, token_.find_last_not_of(blanks) + 1);
+    return token_;
 }
 
 bool text_cursor::next() {
@@ -157,6 +180,13 @@ bool text_cursor::at_end() {
     return rest_.empty();
 }
 
+void text_cursor::go_back(const reading_place& to) {
+    rest_ = to.rest;
+    token_ = to.token;
+    line_ = to.line;
+    set_place(to.of_what, to.index, to.count);
+}
+
 bool text_cursor::next_line() {
     begin_line();
     if (rest_.empty())
@@ -175,7 +205,12 @@ bool text_cursor::parsed(std::string_view digits, Number& value, const char* wha
     const bool plus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
     const char* const end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data() + (plus ? 1 : 0), end, value);
-    if (error == std::errc::result_out_of_range && stop == end)
+    const bool is_out = error == std::errc::result_out_of_range && stop == end;
+    if (is_out && (digits.find("e-") != digits.npos || digits.find("E-") != digits.npos)) {
+        value = 0; // it is nearer to 0 than any double
+        return true;
+    }
+    if (is_out)
         return fail(quoted(digits) + ", " + what + place() + ", is out of range");
     if (error != std::errc() || stop != end)
         return fail(quoted(digits) + ", " + what + place() + ", is not " + kind);
@@ -187,6 +222,11 @@ bool text_cursor::number_in(std::string_view digits, double& value, const char* 
 }
 
 bool text_cursor::any_number_in(std::string_view digits, double& value, const char* what) {
+    if (const std::size_t sharp = digits.find(microsofts_odd); sharp != digits.npos) {
+        value = digits.substr(sharp).starts_with("1.#INF") ? std::numeric_limits<double>::infinity()
+                                                           : std::nan("");
+        return true;
+    }
     return parsed(digits, value, what, "a number");
 }
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace l3d_detail {
@@ -44,6 +45,8 @@ public:
 
     /// Keeps a remark on what is skipped, with the line of the current token.
     void note(const std::string& what);
+    /// Keeps a remark of a kind that one suffices of, if it is the first.
+    void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
     /// Where messages say a value is, until the next call: " of vertex 3 of 8".
@@ -63,6 +66,10 @@ public:
     /// False, without error, at the end of the text.
     bool next_line();
 
+    /// Takes what is left of this line as a name, without the blanks around it: no character of it
+    /// begins a comment, and none joins lines.
+    std::string_view name_in_line();
+
     /// Takes the next token if it is `word` and on this line.
     bool take_in_line(std::string_view word);
     /// Whether nothing but white space and comments is left.
@@ -72,6 +79,17 @@ public:
     /// The line of the current token, from 1 on.
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
+
+    /// Where a number was read that may be wrong only if something depends on it.
+    struct reading_place {
+        std::string_view rest, token;
+        std::ptrdiff_t line;
+        const char* of_what;
+        std::size_t index, count;
+    };
+    reading_place here() const { return {rest_, token_, line_, of_what_, index_, count_}; }
+    /// Goes back there, for a message. Nothing can be taken after that.
+    void go_back(const reading_place& to);
 
     /// From now on a newline after a backslash is white space like a blank, but still counts.
     void join_lines_at_backslash() { joins_ = true; }
@@ -114,15 +132,16 @@ public:
         return true;
     }
 
-    /// A number as Geomview writes it: text, or a float of the file's binary part.
-    bool number_or_float(double& value, bool is_float, const char* what) {
+    /// A number as Geomview writes it: text, or a float of the file's binary part. It may be
+    /// infinite or NaN.
+    bool any_number_or_float(double& value, bool is_float, const char* what) {
         if (!is_float)
-            return number(value, what);
+            return any_number(value, what);
         float bits = 0;
         if (!binary(bits, std::endian::big, what))
             return false;
         value = bits;
-        return is_finite(value, what);
+        return true;
     }
 
 private:
@@ -144,6 +163,7 @@ private:
     std::string name_, why_;
     std::vector<std::string> notes_;
     std::size_t unkept_notes_ = 0;
+    std::unordered_set<std::string> noted_once_;
     const char* of_what_ = nullptr;
     std::size_t index_ = 0, count_ = 0;
     std::ptrdiff_t line_ = 1;

@@ -81,9 +81,10 @@ bool read_mesh(text_cursor& text, l3d_polygon_mesh& mesh) {
         return false;
     const auto count = static_cast<std::size_t>(vertices);
     mesh.vertices.reserve(count);
+    l3d_detail::odd_coordinates odd;
     while (mesh.vertices.size() < count) {
         text.set_place(" of vertex", mesh.vertices.size(), count);
-        if (!l3d_detail::read_vertex(text, mesh))
+        if (!l3d_detail::read_vertex(text, mesh, odd))
             return false;
     }
     text.forget_place();
@@ -91,7 +92,7 @@ bool read_mesh(text_cursor& text, l3d_polygon_mesh& mesh) {
     while (text.next())
         if (!read_face(text, mesh, face))
             return false;
-    return true;
+    return odd.are_unused(text, mesh);
 }
 
 } // namespace

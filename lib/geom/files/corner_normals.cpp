@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// corner_normals: a vertex for each normal that its corners have.
+#include "geom/files/corner_normals_p.h"
+
+#include "geom/files/model_reader_p.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace l3d_detail {
+
+/// The faces that each vertex is a corner of, and their areas.
+struct corner_normals::faces_around {
+    explicit faces_around(const l3d_polygon_mesh& mesh)
+        : ends(mesh.vertices.size() + 1), faces(mesh.corners.size()) {
+        for (const std::uint32_t vertex : mesh.corners)
+            ++ends[vertex + 1];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+        for (std::uint32_t f = 0; f < mesh.faces(); ++f) {
+            for (const std::uint32_t vertex : mesh.face(f))
+                faces[next[vertex]++] = f;
+            areas.push_back(mesh.area_vector(mesh.face(f)));
+        }
+    }
+
+    static bool share(std::uint64_t groups, std::uint64_t others) {
+        return groups == others || ((groups | others) < numbered && (groups & others) != 0);
+    }
+
+    /// The mean of the faces around a vertex that share one of the groups.
+    vector normal(std::uint32_t vertex, std::uint64_t groups,
+                  const std::vector<std::uint64_t>& of_faces) const {
+        vector sum(0);
+        for (std::uint32_t i = ends[vertex]; i < ends[vertex + 1]; ++i)
+            if (share(groups, of_faces[faces[i]]))
+                sum += areas[faces[i]];
+        return l3d_normalized(sum);
+    }
+
+    std::vector<std::uint32_t> ends, faces;
+    std::vector<vector> areas;
+};
+
+bool corner_normals::give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal) {
+    const bool says = has_direction(normals_[normal]);
+    of_corners_.resize(mesh.corners.size() - 1, none);
+    of_corners_.push_back(says ? normal : none);
+    return says;
+}
+
+void corner_normals::give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups) {
+    of_faces_.resize(mesh.faces() - 1, unsaid);
+    of_faces_.push_back(groups);
+}
+
+void corner_normals::finish(l3d_polygon_mesh& mesh) {
+    if (!any() && !mesh.corners.empty())
+        return;
+    of_corners_.resize(mesh.corners.size(), none);
+    of_faces_.resize(mesh.faces(), unsaid);
+    divide_vertices(mesh);
+    forget_odd_normals(mesh);
+}
+
+/// A vertex stays for the first thing that its corners say, and one is made for each other thing.
+void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
+    // What a corner says: the number of a normal; its groups; nothing; or that its face is flat,
+    // which no other corner says.
+    constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
+    struct place_hash {
+        std::size_t operator()(const std::pair<std::uint32_t, std::uint64_t>& of) const {
+            return std::hash<std::uint64_t>()((of.second << 32 | of.second >> 32) ^ of.first);
+        }
+    };
+    const bool has_groups = std::ranges::any_of(
+        of_faces_, [](std::uint64_t groups) { return groups != 0 && groups != unsaid; });
+    const faces_around around(has_groups ? mesh : l3d_polygon_mesh());
+    const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+    std::vector<std::uint64_t> said(vertices, free);
+    std::unordered_map<std::pair<std::uint32_t, std::uint64_t>, std::uint32_t, place_hash> others;
+    mesh.vertex_normals.assign(vertices, vector(0));
+
+    std::size_t corner = 0;
+    for (std::size_t f = 0; f < mesh.faces(); ++f) {
+        const std::uint64_t groups = of_faces_[f];
+        const vector area = mesh.area_vector(mesh.face(f));
+        for (; corner < mesh.face_ends[f]; ++corner) {
+            const std::uint32_t at = mesh.corners[corner], named = of_corners_[corner];
+            const std::uint64_t says = named != none       ? named
+                                       : groups == unsaid  ? unsaid
+                                       : groups == 0       ? flat
+                                       : groups < numbered ? groups | grouped
+                                                           : groups;
+            std::uint32_t to = at;
+            bool is_new = said[at] == free;
+            if (is_new) {
+                said[at] = says;
+            } else if (says == flat || says != said[at]) {
+                const auto next = l3d_polygon_mesh::index_of(mesh.vertices.size());
+                if (says == flat) {
+                    to = next;
+                    is_new = true;
+                } else {
+                    const auto found = others.try_emplace({at, says}, next);
+                    to = found.first->second;
+                    is_new = found.second;
+                }
+                if (is_new) {
+                    mesh.vertices.push_back(mesh.vertices[at]);
+                    mesh.vertex_normals.emplace_back(0);
+                }
+            }
+            mesh.corners[corner] = to;
+            if (is_new && says != unsaid)
+                mesh.vertex_normals[to] = named != none  ? normals_[named]
+                                          : says == flat ? l3d_normalized(area)
+                                                         : around.normal(at, groups, of_faces_);
+        }
+    }
+    for (std::uint32_t v = 0; v < std::min<std::size_t>(vertices, normals_.size()); ++v)
+        if (said[v] == free)
+            mesh.vertex_normals[v] = normals_[v];
+}
+
+} // namespace l3d_detail
