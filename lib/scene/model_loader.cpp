@@ -18,15 +18,17 @@
 namespace {
 
 /// A file that another one names: beside it, also if it is named by a place on another machine, or
-/// as Windows writes places.
+/// as Windows writes places. What comes through a pipe has no folder: the present one is meant.
 std::string beside(const std::string& path, std::string named) {
+    std::error_code unknown;
+    const bool is_file = std::filesystem::is_regular_file(path, unknown);
     const auto place = [&] {
         const std::filesystem::path other(named);
-        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        const std::filesystem::path folder =
+            is_file ? std::filesystem::path(path).parent_path() : std::filesystem::path();
         return (folder / (other.is_absolute() ? other.filename() : other)).string();
     };
     std::string result = place();
-    std::error_code unknown;
     if (named.find('\\') == named.npos || std::filesystem::exists(result, unknown))
         return result;
     std::ranges::replace(named, '\\', '/');

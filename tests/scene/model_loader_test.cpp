@@ -11,6 +11,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
+#include <vector>
+
+#include <sys/stat.h>
 
 namespace {
 
@@ -53,6 +57,18 @@ TEST(model_loader, finds_materials_where_windows_says) {
     EXPECT_EQ(color(".\\more\\#1.mtl"), 0xff0000u);
     EXPECT_EQ(color("C:\\models\\c.mtl"), 0x00ff00u);
     EXPECT_EQ(color("d\\e.mtl"), 0x0000ffu);
+}
+
+TEST(model_loader, finds_materials_of_what_comes_through_a_pipe_in_the_present_folder) {
+    const temporary_folder folder;
+    const std::string pipe = folder.file("pipe");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << "mtllib none.mtl\n" << triangle; });
+    EXPECT_EQ(
+        l3d_load_model(pipe, "a.obj").notes,
+        std::vector<std::string>{"a.obj:1: none.mtl: No such file or directory; its materials "
+                                 "are white"});
+    writer.join();
 }
 
 TEST(model_loader, notes_a_file_of_materials_that_is_not_there) {

@@ -64,11 +64,17 @@ void corner_normals::finish(l3d_polygon_mesh& mesh) {
     forget_odd_normals(mesh);
 }
 
+std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) const {
+    const std::uint64_t groups = of_faces_[face];
+    if (of_corners_[corner] != none)
+        return of_corners_[corner];
+    if (groups == unsaid || groups >= numbered)
+        return groups;
+    return groups == 0 ? flat : groups | grouped;
+}
+
 /// A vertex stays for the first thing that its corners say, and one is made for each other thing.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
-    // What a corner says: the number of a normal; its groups; nothing; or that its face is flat,
-    // which no other corner says.
-    constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
     struct place_hash {
         std::size_t operator()(const std::pair<std::uint32_t, std::uint64_t>& of) const {
             return std::hash<std::uint64_t>()((of.second << 32 | of.second >> 32) ^ of.first);
@@ -77,33 +83,26 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
     const bool has_groups = std::ranges::any_of(
         of_faces_, [](std::uint64_t groups) { return groups != 0 && groups != unsaid; });
     const faces_around around(has_groups ? mesh : l3d_polygon_mesh());
-    const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+    const std::size_t vertices = mesh.vertices.size();
     std::vector<std::uint64_t> said(vertices, free);
     std::unordered_map<std::pair<std::uint32_t, std::uint64_t>, std::uint32_t, place_hash> others;
     mesh.vertex_normals.assign(vertices, vector(0));
 
     std::size_t corner = 0;
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
-        const std::uint64_t groups = of_faces_[f];
         const vector area = mesh.area_vector(mesh.face(f));
         for (; corner < mesh.face_ends[f]; ++corner) {
-            const std::uint32_t at = mesh.corners[corner], named = of_corners_[corner];
-            const std::uint64_t says = named != none       ? named
-                                       : groups == unsaid  ? unsaid
-                                       : groups == 0       ? flat
-                                       : groups < numbered ? groups | grouped
-                                                           : groups;
+            const std::uint32_t at = mesh.corners[corner];
+            const std::uint64_t says = said_by(corner, f);
             std::uint32_t to = at;
             bool is_new = said[at] == free;
             if (is_new) {
                 said[at] = says;
-            } else if (says == flat || says != said[at]) {
-                const auto next = l3d_polygon_mesh::index_of(mesh.vertices.size());
-                if (says == flat) {
-                    to = next;
-                    is_new = true;
-                } else {
-                    const auto found = others.try_emplace({at, says}, next);
+            } else if (says == flat || says != said[at]) { // no two flat faces share a vertex
+                to = l3d_polygon_mesh::index_of(mesh.vertices.size());
+                is_new = says == flat;
+                if (says != flat) {
+                    const auto found = others.try_emplace({at, says}, to);
                     to = found.first->second;
                     is_new = found.second;
                 }
@@ -114,12 +113,15 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
             }
             mesh.corners[corner] = to;
             if (is_new && says != unsaid)
-                mesh.vertex_normals[to] = named != none  ? normals_[named]
-                                          : says == flat ? l3d_normalized(area)
-                                                         : around.normal(at, groups, of_faces_);
+                mesh.vertex_normals[to] = says == flat ? l3d_normalized(area)
+                                          : says < none
+                                              ? normals_[says]
+                                              : around.normal(at, of_faces_[f], of_faces_);
         }
     }
-    for (std::uint32_t v = 0; v < std::min<std::size_t>(vertices, normals_.size()); ++v)
+    const auto is_named = [](std::uint32_t normal) { return normal != none; };
+    const bool are_named = mesh.corners.empty() || std::ranges::any_of(of_corners_, is_named);
+    for (std::size_t v = 0; are_named && v < std::min(vertices, normals_.size()); ++v)
         if (said[v] == free)
             mesh.vertex_normals[v] = normals_[v];
 }

@@ -44,7 +44,7 @@ public:
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
     /// Gives the mesh its normals, once all is read. A vertex of no face gets the normal of its own
-    /// number.
+    /// number, unless all faces leave theirs out.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 
@@ -53,7 +53,13 @@ private:
     /// Of a face of which nothing is said.
     static constexpr std::uint64_t unsaid = ~std::uint64_t{0};
 
+    // What a corner says beside the number of a normal, which is less than `none`: groups that are
+    // `numbered`, groups that are bits, `unsaid`, or that its face is flat. A vertex without a
+    // corner is free.
+    static constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
+
     struct faces_around;
+    std::uint64_t said_by(std::size_t corner, std::size_t face) const;
     void divide_vertices(l3d_polygon_mesh& mesh) const;
 
     std::vector<vector> normals_;
