@@ -28,9 +28,9 @@ uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
-links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz
+links_raster  := -lhwy -lfreetype -lharfbuzz
 needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
-needs_raster  := tbb libhwy freetype2 harfbuzz
+needs_raster  := libhwy freetype2 harfbuzz
 
 include config.mk
 

@@ -52,10 +52,14 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
-    report_.threads = settings.threads;
+    report_.threads = stages_->workers.count();
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;
+
+std::string l3d_pipeline_afd::take_remark() {
+    return stages_->workers.take_shortage();
+}
 
 void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
     stages_->method = method.create(*rasterizers_, stages_->workers);
@@ -250,6 +254,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     } else {
         report_.dice.shade_bound = std::numeric_limits<double>::infinity();
     }
+    // A quad may be without proof for two reasons, and in each band that it reaches.
+    report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;

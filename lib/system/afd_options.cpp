@@ -4,6 +4,7 @@
 
 #include "base/counted_p.h"
 #include "base/printable_p.h"
+#include "raster/parallel/workers.h"
 #include "scene/model_loader.h"
 #include "system/color_text_p.h"
 #include "system/number_text.h"
@@ -184,7 +185,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--threads", threads_,
                 "threads to draw with; without it, as many as processors, at most " +
                     std::to_string(most_threads_unasked) + "; the picture is the same for any",
-                1, 1024);
+                1, l3d_most_threads);
     options.add(
         "--depth-output", depth_output_,
         "write the last frame's distances along the view axis (.pfm); - is the standard output",
