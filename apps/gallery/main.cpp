@@ -79,7 +79,7 @@ private:
         panel.add("patches", std::to_string(scene().patch_count()));
         panel.add("error", rounded(bound()) + " pixels at most");
         if (screen().is_window()) // files are the same each time
-            panel.add("frame", rounded(last_report().time_ms.total) + " ms");
+            panel.add("drawn in", rounded(controls().pace().milliseconds()) + " ms");
         return {panel, l3d_corner::bottom_right};
     }
 
@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
     });
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas("gallery"), scene,
+        l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas(afd.model_file().empty() ? "" : afd.model_title()), scene,
                                               camera, settings);
         if (!afd.places_camera()) {
             // From some 24 degrees above: the front models do not hide those behind them.

@@ -39,13 +39,6 @@ l3d_afd_settings with_method(l3d_afd_settings settings, const l3d_method_choice&
 
 } // namespace
 
-/// Of about ten frames.
-void caption::add_time(double frame_milliseconds) {
-    constexpr double memory = 0.9;
-    milliseconds = milliseconds == 0 ? frame_milliseconds
-                                     : memory * milliseconds + (1 - memory) * frame_milliseconds;
-}
-
 /// A column of words before the numbers takes room that short lines do without.
 l3d_panel caption::lines(bool are_short) const {
     l3d_panel panel;
@@ -66,7 +59,8 @@ l3d_panel caption::lines(bool are_short) const {
         add("bound", formatted("%.3f px", bound_px));
     const char* const off = are_short ? "%.3f px" : "%.3f px off";
     if (error == error_state::awaited) {
-        add("error", "being measured");
+        add("error", awaited_seconds > 0 ? formatted("measured for %d s", awaited_seconds)
+                                         : "being measured");
     } else if (error == error_state::known && !measured.is_known) {
         add("error", "not known");
     } else if (error == error_state::known) {
@@ -117,7 +111,7 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
 
 void comparison::take_next_method() {
     controls().say(show_next_method(other_, other_method_));
-    other_.text.milliseconds = 0;
+    other_pace_ = l3d_picture_pace();
 }
 
 void comparison::switch_budget() {
@@ -167,7 +161,13 @@ void comparison::resize_event(l3d_size size) {
 }
 
 bool comparison::needs_redraw() const {
-    return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() || live_.has_results();
+    return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() ||
+           live_.has_results() || passes_a_second();
+}
+
+/// Whether the captions tell of a measurement, and of less than has passed.
+bool comparison::passes_a_second() const {
+    return text_.error == caption::error_state::awaited && live_.seconds() > text_.awaited_seconds;
 }
 
 /// What is being measured wants to be shown when it is known.
@@ -193,8 +193,6 @@ void comparison::draw_event() {
         if (live_.has_results())
             draw_both();
     } else if (!changed().empty()) {
-        text_.add_time(report().time_ms.total);
-        other_.text.add_time(other_.report().time_ms.total);
         // A frame that shows what was measured is not to make it that of another tolerance.
         if (!shows_results || frames_to_settle_ > 0)
             seek_equal_time();
@@ -205,7 +203,10 @@ void comparison::draw_both() {
     take_results();
     follow_left();
     l3d_pipeline_afd_viewer::draw_event();
+    other_pace_.begin();
     other_.draw_event();
+    if (!other_.changed().empty())
+        other_pace_.end();
     draw_line();
 }
 
@@ -235,6 +236,8 @@ void comparison::follow_left() {
     text_.method = settings().method.name();
     text_.tolerance_px = settings().tolerance;
     text_.shows_time = other_.text.shows_time = screen().is_window();
+    text_.milliseconds = controls().pace().milliseconds();
+    other_.text.milliseconds = other_pace_.milliseconds();
     tell_errors();
 }
 
@@ -308,6 +311,12 @@ void comparison::tell_errors() {
     const auto state = [&](bool is_of_this) {
         return !are_measured ? none : is_of_this ? known : awaited;
     };
+    const int seconds = screen().is_window() ? live_.seconds() : 0;
+    if (seconds != text_.awaited_seconds) {
+        redraw();
+        other_.redraw();
+    }
+    text_.awaited_seconds = other_.text.awaited_seconds = seconds;
     text_.error = state(measured_.left == seen.left);
     other_.text.error = state(measured_.right == seen.right);
 }

@@ -14,7 +14,7 @@
 /// What is written on a half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
-    /// A running mean of frames.
+    /// What drawing takes, by l3d_picture_pace.
     double milliseconds = 0;
     /// Pictures in files do not show it, so they are the same each time.
     bool shows_time = false;
@@ -23,10 +23,10 @@ struct caption {
     std::optional<double> tolerance_px;
     /// What is told of the error: nothing, that it is being measured, or `measured`.
     enum class error_state { none, awaited, known } error = error_state::none;
+    /// For how many seconds it has been measured.
+    int awaited_seconds = 0;
     live_result measured;
 
-    /// Takes a frame's time into the mean.
-    void add_time(double frame_milliseconds);
 
     /// For the upper right corner of a half of this size, half of which stays free. It is shorter
     /// where room is: with short lines, then the method's name alone, then nothing.
@@ -118,6 +118,7 @@ private:
     void measure();
     void take_results();
     void tell_errors();
+    bool passes_a_second() const;
 
     std::shared_ptr<l3d_screen> whole_;
     other_half other_;
@@ -131,6 +132,7 @@ private:
     /// The last one. The halves may be drawn twice for it.
     int frame_ = -1;
     caption text_;
+    l3d_picture_pace other_pace_; ///< of the right half
     live_error live_;
     /// What is being measured, or was begun last, and what the captions' errors are of.
     subjects begun_, measured_;

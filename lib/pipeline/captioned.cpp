@@ -37,7 +37,12 @@ void captioned::key_event(int key) {
     follow();
 }
 
+/// Who presses a button looks at the picture, not at words upon it.
 void captioned::pointer_event(const l3d_event& event) {
+    if (event.type == l3d_event_type::button_press && hint_is_shown()) {
+        hint_seconds_ = 0;
+        is_old_ = true;
+    }
     shown_.pointer_event(event);
     follow();
 }
@@ -155,7 +160,7 @@ l3d_pixel_box captioned::draw_hint(l3d_rasterizer_2d& rasterizer, const std::str
     if (!words.empty())
         hint.add_title(words);
     hint.add(caption_.help.substr(0, 1), "shows all keys");
-    return hint.draw(rasterizer, free, l3d_corner::bottom_left, style());
+    return hint.draw(rasterizer, free, caption_.corner, style());
 }
 
 } // namespace l3d_detail

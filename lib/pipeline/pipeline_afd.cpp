@@ -12,7 +12,6 @@
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
 #include "scene/scene_culling.h"
-#include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/parallel/simd_target.h"
@@ -28,7 +27,7 @@ namespace {
 
 using l3d_detail::stopwatch;
 
-constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
+constexpr std::uint32_t wire_color = 0x0080d0ff;
 
 /// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
 /// drawn.
@@ -144,8 +143,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;
+    const l3d_frame_lights of_frame = lights();
     l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,
-                                             settings_.light, settings_.lighting);
+                                             of_frame.light, of_frame.lighting);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.place_error = static_cast<float>(settings_.tolerance);
@@ -314,14 +314,15 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     if (!stages_->doubts)
         stages_->doubts = std::make_unique<l3d_frame_doubts>();
     l3d_frame_doubts& doubts = *stages_->doubts;
+    const l3d_frame_lights of_frame = lights();
     doubts.find({.scene = scene_,
                  .to_image = stages_->transform.matrix(),
                  .view = stages_->view,
-                 .light = settings_.light,
+                 .light = of_frame.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
                  .has_levels = has_levels,
-                 .lighting = settings_.lighting,
+                 .lighting = of_frame.lighting,
                  .fog = settings_.fog,
                  .drawn = screen_->pixels(),
                  .background = settings_.background},
@@ -370,35 +371,4 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;
-}
-
-/// The 24 edges of every control net, those of common borders once. An edge that reaches behind the
-/// near plane is left out.
-void l3d_pipeline_afd::draw_nets() {
-    untouched_ = false;
-    std::vector<l3d_detail::wire> lines;
-    l3d_detail::shared_wires shared;
-    const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
-        const l3d_clip_vertex a = l3d_canonical_vertex(from, stages_->view);
-        const l3d_clip_vertex b = l3d_canonical_vertex(to, stages_->view);
-        const l3d_detail::wire line{a.dice.vertex.x, a.dice.vertex.y, b.dice.vertex.x,
-                                    b.dice.vertex.y};
-        if (a.drawable && b.drawable && shared.add(line))
-            lines.push_back(line);
-    };
-    const l3d_patch_scene there = what_is_there();
-    for (const l3d_patch_instance& instance : there.instances()) {
-        const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
-        for (const l3d_patch_model::patch& patch : instance.model().patches()) {
-            const l3d_image_patch net = l3d_placed_net(to_image, patch);
-            for (int line = 0; line < 4; ++line)
-                for (int i = 0; i < 3; ++i) {
-                    add(net.at(line, i), net.at(line, i + 1));
-                    add(net.at(i, line), net.at(i + 1, line));
-                }
-        }
-    }
-    // A smooth line does not cover what is transparent.
-    const bool smooth = settings_.antialias && !settings_.background.is_none();
-    l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale()).draw(lines);
 }

@@ -26,6 +26,7 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    void draw_event() override;
     /// Time alone changes only what controls() change. A subclass that overrides update_event
     /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
@@ -50,9 +51,11 @@ private:
     void add_inspection(l3d_panel& panel);
     void switch_wireframe();
     void switch_antialias();
+    void tell_of_part(std::string line);
     l3d_panel legend();
 
     l3d_part_switch parts_{scene()};
+    bool marks_part_ = false; ///< until the next key
     l3d_viewer_controls controls_{
         *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed()};
 };

@@ -4,6 +4,8 @@
 
 #include "base/formatted_p.h"
 #include "pipeline/panel_places_p.h"
+#include "raster/paths/path.h"
+#include "raster/paths/stroke.h"
 
 #include <algorithm>
 #include <array>
@@ -105,11 +107,17 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
     const auto first_view = [this, reset = std::move(reset)] {
         if (reset)
             reset();
+        measured_.reset();
+        marks_.clear();
         steering_.go_home();
     };
     const auto save = [this, &screen] {
         if (save_)
             say(save_(screen.pixels()));
+    };
+    const auto tell_view = [this] {
+        if (tell_view_)
+            say(tell_view_());
     };
     return {
         {"o", "status", {{'o', [this] { status_shown_ = !status_shown_; }}}},
@@ -119,16 +127,25 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
         {"p, space", "pause", {{'p', pause}, {' ', pause}}},
         {"r", "reset view", {{'r', first_view}}},
         {"s", "save a picture", {{'s', save}}},
+        {"g", "this view as options", {{'g', tell_view}}},
         {"F11", "whole screen"},
         {"h, ?", "this help", {{'h', help}, {'?', help}}},
         {"q, Escape", "quit", {{'q', end}, {l3d_key_escape, end}}},
     };
 }
 
+void l3d_viewer_controls::switch_headlight(bool& is_on) {
+    is_on = !is_on;
+    say(is_on ? "light: goes with the eye" : "light: stays where it is in the world");
+}
+
 bool l3d_viewer_controls::key(int key) {
-    const bool said = !message_.empty() || hint_seconds_ > 0;
+    const bool has_marks = !measured_ && !marks_.empty();
+    const bool said = !message_.empty() || hint_seconds_ > 0 || has_marks;
     message_.clear();
     hint_seconds_ = 0;
+    if (!measured_)
+        marks_.clear();
     for (const l3d_viewer_row& row : rows_)
         for (const auto& [code, action] : row.actions)
             if (code == key) {
@@ -157,11 +174,15 @@ void l3d_viewer_controls::measure(double x, double y) {
         return;
     const auto found = viewed_.place_at(x, y);
     if (!found) {
+        if (!measured_)
+            marks_.clear();
         say("nothing is there");
     } else if (!measured_) {
         measured_ = found;
+        marks_ = {found->place};
         say(found->text);
     } else {
+        marks_.push_back(found->place);
         say(formatted("distance %.9g, good to %.1g", l3d_length(found->place - measured_->place),
                       found->error + measured_->error));
         measured_.reset();
@@ -169,9 +190,6 @@ void l3d_viewer_controls::measure(double x, double y) {
 }
 
 bool l3d_viewer_controls::update(double seconds) {
-    constexpr double memory = 0.9; // of the running mean, about ten frames long
-    smoothed_seconds_ =
-        smoothed_seconds_ == 0 ? seconds : memory * smoothed_seconds_ + (1 - memory) * seconds;
     const bool turns = turntable_degrees_ != 0 && !paused_ && !first_frame_;
     if (turns)
         steering_.turn(turntable_degrees_ * seconds * degree, 0);
@@ -211,28 +229,45 @@ l3d_panel l3d_viewer_controls::message_panel() const {
     return message;
 }
 
-l3d_panel l3d_viewer_controls::status_panel(double milliseconds,
-                                            std::span<const std::string> lines) const {
+l3d_panel l3d_viewer_controls::status_panel(std::span<const std::string> lines) const {
     l3d_panel status;
     if (!status_shown_)
         return status;
-    constexpr double least_seconds = 1e-4; // that are told apart from none
-    status.add(formatted("%.0f pictures a second, %.1f milliseconds each",
-                         1 / std::max(smoothed_seconds_, least_seconds), milliseconds));
+    if (const std::string pace = pace_.text(); !pace.empty())
+        status.add(pace);
     for (const std::string& line : lines)
         status.add(line);
     return status;
 }
 
+/// A ring around each place, and a line between two, with dark rims to be seen on any ground.
+void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
+    const double unit = std::max(1.0, screen_.text_scale());
+    l3d_path path;
+    std::optional<l3d_point_2d> before;
+    for (const l3d_camera::vector& place : marks_) {
+        const std::optional<l3d_point_2d> there = steering_.position(place);
+        if (there)
+            path.add_circle(*there, 5 * unit);
+        if (there && before) {
+            path.move_to(*before);
+            path.line_to(*there);
+        }
+        before = there;
+    }
+    const l3d_panel_style style = panel_style();
+    rasterizer.draw_path(l3d_stroked(path, {.width = 4 * unit}), {.color = style.ground});
+    rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
+}
+
 /// What a key was answered with has room first, help what is left.
-void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-                               std::span<const std::string> lines, const l3d_panel& legend,
-                               const l3d_standing_panel& standing) const {
+void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
+                               const l3d_panel& legend, const l3d_standing_panel& standing) const {
+    draw_marks(rasterizer);
     l3d_detail::panel_places places(screen_.pixels().size(), panel_style());
-    const std::array first{
-        l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
-        l3d_standing_panel{legend, l3d_corner::bottom_right},
-        l3d_standing_panel{status_panel(milliseconds, lines), l3d_corner::top_left}};
+    const std::array first{l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
+                           l3d_standing_panel{legend, l3d_corner::bottom_right},
+                           l3d_standing_panel{status_panel(lines), l3d_corner::top_left}};
     l3d_panel help;
     if (help_page_ > 0) {
         const std::vector<l3d_panel> pages = help_pages();

@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "scene/camera.h"
+#include "pipeline/picture_pace.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/view_steering.h"
 #include "raster/rasterizer_2d.h"
@@ -62,6 +63,10 @@ public:
         save_ = std::move(save);
     }
 
+    /// Called by the key g; without it the key does nothing. The function returns the view as the
+    /// options that show it again, which are shown.
+    void set_view_teller(std::function<std::string()> tell) { tell_view_ = std::move(tell); }
+
     /// The first view, which the key r returns to: l3d_view_steering::set_home.
     void set_home(std::function<l3d_camera()> home) { steering_.set_home(std::move(home)); }
 
@@ -109,6 +114,9 @@ public:
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
+    /// What the key l of a viewer of surfaces does: takes the other value, and says so.
+    void switch_headlight(bool& is_on);
+
     /// That line; "" if there is none.
     const std::string& message() const { return message_; }
 
@@ -123,22 +131,27 @@ public:
     /// Whether draw() draws anything.
     bool shows_text() const {
         return status_shown_ || help_page_ > 0 || !message_.empty() || !empty_line_.empty() ||
-               hint_seconds_ > 0;
+               hint_seconds_ > 0 || !marks_.empty();
     }
 
     /// Panels on top of a finished picture: status, help and message, as they are switched on, the
     /// viewer's own legend and its standing panel, if they are not empty. They fit into every
     /// window, and none covers another. Help that has no room beside them is drawn instead of
     /// those that are in its way, but for the message.
-    /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
-    void draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-              std::span<const std::string> lines, const l3d_panel& legend = {},
-              const l3d_standing_panel& standing = {}) const;
+    /// `lines` are the viewer's own of the status, below that of pace().
+    void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
+              const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
+
+    /// The pace of the viewer's pictures, for the viewer to measure.
+    l3d_picture_pace& pace() { return pace_; }
+    /// The same, to be looked at only.
+    const l3d_picture_pace& pace() const { return pace_; }
 
 private:
+    void draw_marks(l3d_rasterizer_2d& rasterizer) const;
     std::vector<l3d_panel> help_pages() const;
     l3d_panel message_panel() const;
-    l3d_panel status_panel(double milliseconds, std::span<const std::string> lines) const;
+    l3d_panel status_panel(std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
     void measure(double x, double y);
@@ -153,6 +166,7 @@ private:
     std::vector<l3d_viewer_row> rows_;
     std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
+    std::vector<l3d_camera::vector> marks_;     ///< places that were clicked on
     bool control_ = false;
     double turntable_degrees_ = 0; ///< per second
     bool first_frame_ = true;
@@ -161,8 +175,9 @@ private:
     std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
     std::string message_;
     std::string empty_line_;
-    double smoothed_seconds_ = 0; ///< between frames
+    l3d_picture_pace pace_;
     std::function<std::string(const l3d_pixels&)> save_;
+    std::function<std::string()> tell_view_;
 };
 
 #endif

@@ -34,6 +34,10 @@ public:
     /// Errors: as the other.
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
+    /// The options that place a camera where this one is, separated by blanks. What is as it was
+    /// without options is left out, but for the places.
+    static std::string view_options(const l3d_camera& camera);
+
     /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 
@@ -91,6 +95,8 @@ private:
     std::string model_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
+    enum class headlight { unless_lit, on, off };
+    headlight headlight_ = headlight::unless_lit;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_;

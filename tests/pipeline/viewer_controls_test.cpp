@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +37,7 @@ public:
         l3d_rasterizer_2d rasterizer(*imp);
         rasterizer.clear_buffer();
         const std::string line = "a line of the viewer's own";
-        controls.draw(rasterizer, 1.5, {&line, 1});
+        controls.draw(rasterizer, {&line, 1});
         int rows = 0;
         for (int y = 0; y < screen.pixels().height; ++y)
             rows += std::ranges::any_of(screen.pixels().row(y),
@@ -78,7 +79,7 @@ TEST(viewer_controls, have_the_viewers_own_keys_and_the_end) {
 }
 
 TEST(viewer_controls, take_further_keys_and_list_them) {
-    nothing_viewer it;
+    nothing_viewer it({640, 480});
     it.controls.key('h');
     const int rows_before = it.text_rows();
     int further = 0;
@@ -135,6 +136,27 @@ TEST(viewer_controls, show_status_help_and_a_message_until_the_next_key) {
     EXPECT_GT(it.text_rows(), help);
     EXPECT_TRUE(it.controls.key('j')) << "the message goes";
     EXPECT_EQ(it.text_rows(), help);
+}
+
+/// The pictures of a viewer at some pace, by a clock of the test's own.
+TEST(viewer_controls, tell_the_pace_of_pictures_by_one_clock) {
+    const auto status = [](int pictures, int milliseconds) {
+        nothing_viewer it;
+        l3d_picture_pace::clock::time_point now{};
+        it.controls.pace() = l3d_picture_pace([&now] { return now; });
+        it.controls.key('o');
+        for (int i = 0; i < pictures; ++i) {
+            it.controls.pace().begin();
+            now += std::chrono::milliseconds(milliseconds);
+            it.controls.pace().end();
+            it.controls.update(0.001); // steps of time that draw nothing count for nothing
+        }
+        it.text_rows();
+        return words_of(it.screen.pixels());
+    };
+    EXPECT_TRUE(status(3, 20) == status(9, 20));
+    EXPECT_FALSE(status(3, 20) == status(3, 40));
+    EXPECT_FALSE(status(0, 20) == status(3, 20));
 }
 
 TEST(viewer_controls, tell_of_the_help_for_some_seconds_or_until_a_key) {
@@ -206,9 +228,9 @@ struct crowd {
             std::ranges::fill(viewer.screen.pixels().row(y), white);
         const std::string line = "error at most 0.250 pixels, of 0.25 allowed";
         if (with_all)
-            viewer.controls.draw(rasterizer, 1.5, {&line, 1}, legend, standing);
+            viewer.controls.draw(rasterizer, {&line, 1}, legend, standing);
         else
-            viewer.controls.draw(rasterizer, 1.5, {&line, 1});
+            viewer.controls.draw(rasterizer, {&line, 1});
     }
 
     /// Where a panel's ground is on another panel's. One ground leaves a fifth of white.

@@ -5,7 +5,7 @@
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_wires.h"
 #include "geom/real.h"
-#include "base/formatted_p.h"
+#include "base/counted_p.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
 #include "scene/framing.h"
@@ -17,7 +17,6 @@
 #include <string>
 #include <utility>
 
-using l3d_detail::formatted;
 using l3d_detail::stopwatch;
 
 namespace {
@@ -62,6 +61,7 @@ void l3d_pipeline_polygons::resize_event(l3d_size) {
 
 void l3d_pipeline_polygons::draw_event() {
     const stopwatch whole;
+    controls_.pace().begin();
     report_.method = name();
     report_.size = screen_->pixels().size();
     report_.time_ms = {};
@@ -74,6 +74,7 @@ void l3d_pipeline_polygons::draw_event() {
     rasterizer_.finish();
     report_.time_ms.overlay = overlaying.milliseconds();
     report_.time_ms.total = whole.milliseconds();
+    controls_.pace().end();
     stale_ = false;
 }
 
@@ -101,7 +102,10 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
+    const l3d_frame_lights lights = settings_.headlight
+                                        ? l3d_headlight(camera_, settings_.lighting)
+                                        : l3d_frame_lights{settings_.light, settings_.lighting};
+    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
     shading.antialias = settings_.antialias && is_solid;
     shading.background = settings_.background;
     if (is_solid && settings_.projection == l3d_projection::perspective)
@@ -168,6 +172,9 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
             {"c", "shading", {{'c', shade}}},
             {"w", "solid, wires, hidden lines", {{'w', style}}},
             {"a", "smooth edges", {{'a', antialias}}},
+            {"l",
+             "light with the eye, in the world",
+             {{'l', [this] { controls_.switch_headlight(settings_.headlight); }}}},
             {"b", "faces seen from behind", {{'b', cull}}},
             {"v", "perspective, parallel", {{'v', project}}}};
 }
@@ -206,16 +213,15 @@ void l3d_pipeline_polygons::draw_overlay() {
         tell_empty();
     if (!controls_.shows_text())
         return;
-    std::vector lines{formatted("%lld of %lld polygons drawn by %s",
-                                static_cast<long long>(report_.polygons.drawn),
-                                static_cast<long long>(report_.triangles), name())};
+    const auto some = [](std::int64_t count, const char* things) {
+        return l3d_detail::counted(static_cast<std::size_t>(count), things);
+    };
+    std::vector lines{std::to_string(report_.polygons.drawn) + " of " +
+                      some(report_.triangles, "polygons") + " drawn by " + name()};
     if (report_.order.knots > 0)
-        lines.push_back(formatted("%lld knots, %lld cuts",
-                                  static_cast<long long>(report_.order.knots),
-                                  static_cast<long long>(report_.order.cuts)));
-    const auto milliseconds =
-        report_.time_ms.place + report_.time_ms.order + report_.time_ms.raster;
-    controls_.draw(rasterizer_, milliseconds, lines);
+        lines.push_back(some(report_.order.knots, "knots") + ", " +
+                        some(report_.order.cuts, "cuts"));
+    controls_.draw(rasterizer_, lines);
 }
 
 void l3d_pipeline_polygons::frame_event(const l3d_frame_times& times) {
