@@ -69,6 +69,10 @@ public:
     /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
     virtual bool is_at_rest() const { return false; }
 
+    /// What the caption of a window says as long as it is so, in some lines that \n divides; "" for
+    /// nothing.
+    virtual std::string message() const { return {}; }
+
     /// How long it stays at rest, if no event comes. Units: seconds, more than 0. Then, or at the
     /// event, rest_event comes. Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
