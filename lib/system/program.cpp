@@ -2,6 +2,7 @@
 // l3d_program: step 1, and the way out.
 #include "system/program.h"
 
+#include <iostream>
 #include <string>
 #include <utility>
 
@@ -26,7 +27,7 @@ std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
     auto dispatcher = factories_.create_dispatcher(settings);
     // Pictures that are counted or written are the same in windows and files.
     if (settings.frames == 0 && settings.output.empty())
-        dispatcher->set_caption(caption_, options_.command());
+        dispatcher->set_caption(caption_);
     return dispatcher;
 }
 
@@ -34,7 +35,14 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     l3d_screen_request request = options_.screen_request();
     if (!shows.empty() && options_.common().title.empty())
         request.title = shows + " - " + request.title;
-    return {factories_.create_screen(request), factories_.chosen().rasterizer_factory};
+    l3d_canvas canvas{factories_.create_screen(request), factories_.chosen().rasterizer_factory};
+    // Pictures that are counted or written are the same on every machine.
+    std::string why;
+    if (canvas.screen->is_window() && options_.frame_settings().frames == 0)
+        canvas.font = l3d_font::of_system(why);
+    if (!why.empty())
+        std::cerr << options_.command() << ": " << why << '\n';
+    return canvas;
 }
 
 void l3d_program::check_transparency(bool in_window) const {
