@@ -28,9 +28,9 @@ uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside, and what pkg-config calls it.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
-links_raster  := -lhwy -lfreetype -lharfbuzz
+links_raster  := -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
 needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
-needs_raster  := libhwy freetype2 harfbuzz
+needs_raster  := libhwy freetype2 harfbuzz fribidi fontconfig
 
 include config.mk
 
@@ -328,9 +328,6 @@ $(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
 	$(Q)mkdir -p $(@D); awk -f packaging/umbrella.awk $< > $@
 $(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
 $(PLUGINS): | $(DOOR)
-
-# One source knows HarfBuzz.
-$(OUT)/lib/raster/shapes/text_shaper.o: private FLAGS_lib += -isystem $(HARFBUZZ)
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outlines of surfaces that pass by the eye: smooth and without sparks.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "../scene/bodies.h"
 #include "beside_larger.h"
@@ -19,7 +20,7 @@ int far_off(double distance, double height, double tolerance, int levels) {
         {distance, height, 0}, {distance + 0.05, 2, 3 * height}, {0, 1, 0.1}, 120, 0.1};
     const auto greys = [&](l3d_size size, bool smooth) {
         const dice_tests::scene scene(dice_tests::ball(), view, size);
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.threads = 1;
         settings.tolerance = tolerance;
         settings.antialias = smooth;

@@ -37,12 +37,12 @@ template <class Enum> constexpr std::size_t after(Enum value, std::size_t count)
 l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model,
                                              const l3d_camera& camera,
                                              const l3d_polygon_settings& settings)
-    : screen_(std::move(canvas.screen)), workers_(settings.threads),
+    : screen_(std::move(canvas.screen)), font_(std::move(canvas.font)), workers_(settings.threads),
       imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
       model_(std::move(model)), camera_(camera), settings_(settings), first_settings_(settings),
       frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(
-          *this, *screen_, camera_, own_rows(), [this] { reset_view(); }, viewed()) {
+          *this, *screen_, camera_, own_rows(), [this] { reset_view(); }, viewed(), font_) {
     report_.frame = -1;
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
@@ -71,6 +71,7 @@ void l3d_pipeline_polygons::draw_event() {
     draw_model(report_);
     const stopwatch overlaying;
     draw_overlay();
+    draw_panels();
     rasterizer_.finish();
     report_.time_ms.overlay = overlaying.milliseconds();
     report_.time_ms.total = whole.milliseconds();
@@ -208,11 +209,12 @@ void l3d_pipeline_polygons::tell_empty() {
                                                            : 'f');
 }
 
-void l3d_pipeline_polygons::draw_overlay() {
+void l3d_pipeline_polygons::draw_panels() {
     if (screen_->is_window())
         tell_empty();
     screen_->set_text({});
-    if (!controls_.shows_text())
+    const l3d_standing_panel standing = standing_panel();
+    if (!controls_.shows_text() && standing.panel.empty())
         return;
     const auto some = [](std::int64_t count, const char* things) {
         return l3d_detail::counted(static_cast<std::size_t>(count), things);
@@ -222,7 +224,7 @@ void l3d_pipeline_polygons::draw_overlay() {
     if (report_.order.knots > 0)
         lines.push_back(some(report_.order.knots, "knots") + ", " +
                         some(report_.order.cuts, "cuts"));
-    controls_.draw(rasterizer_, lines);
+    controls_.draw(rasterizer_, lines, {}, standing);
 }
 
 void l3d_pipeline_polygons::frame_event(const l3d_frame_times& times) {

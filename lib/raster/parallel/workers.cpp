@@ -6,6 +6,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -174,6 +176,11 @@ private:
     bool is_over = false;
     std::exception_ptr failure; ///< what work has thrown first
 };
+
+int l3d_usual_threads() {
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
+                      l3d_most_usual_threads);
+}
 
 std::string l3d_threads_complaint(int threads) {
     if (threads < 1)

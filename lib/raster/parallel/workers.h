@@ -24,6 +24,15 @@ inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 /// Why so many threads cannot draw together, with the number; "" if they can.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
+/// No more threads draw unless somebody says so.
+/// Source:  a picture of 1024x768 is filled in 12 bands, and the teapot is 28 patches to dice. So 8
+///          threads have two bands and four patches each at the most. If one thread takes 1 ms for
+///          a frame, the next 8 could save 0.06 ms. Waking them costs about as much.
+inline constexpr int l3d_most_usual_threads = 8;
+
+/// How many threads draw unless somebody says otherwise: as many as processors, up to that number.
+L3D_PUBLIC int l3d_usual_threads();
+
 /// A number of threads that do independent items of work.
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that
