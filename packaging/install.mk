@@ -44,7 +44,8 @@ install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DAT
 	$(Q)$(foreach a,$(apps),install -m 755 $(call installable,$(a)) \
 	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
 	$(Q)$(call put,644,$(PLUGINDIR),$(filter-out $(TEST_PLUGINS),$(PLUGINS)))
-	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(DATA))
+	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(filter-out $(REPORTS),$(DATA)))
+	$(Q)$(call put,644,$(SHAREDIR)/l3d/report,$(REPORTS))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man7,docs/l3d.7)
 	$(Q)$(call put,644,$(SHAREDIR)/bash-completion/completions,$(BASH_WORDS))

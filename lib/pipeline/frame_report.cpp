@@ -2,6 +2,7 @@
 // l3d_frame_report: as JSON and in words.
 #include "pipeline/frame_report.h"
 
+#include "base/formatted_p.h"
 #include "scene/facing_cones.h"
 #include "pipeline/report_json_p.h"
 
@@ -119,7 +120,7 @@ std::string l3d_frame_report::explanation() const {
         text += std::to_string(dice.coarse) + " patches exceed the tolerance, the worst, number " +
                 std::to_string(dice.coarsest.patch) + " of instance " +
                 std::to_string(dice.coarsest.instance) + ", by a bound of " +
-                std::to_string(dice.coarsest.bound_px) + " px\n";
+                l3d_detail::formatted("%.6f px\n", dice.coarsest.bound_px);
     if (dice.unfinished > 0)
         text += std::to_string(dice.unfinished) +
                 " of these would be finer if the frame might cost more: --most-samples\n";

@@ -11,7 +11,8 @@
 
 namespace {
 
-constexpr std::array<int, 2> watched{SIGINT, SIGTERM};
+/// Keys, a request to end, and a terminal that is closed.
+constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
 /// The signal noted, or 0, and the end of a pipe that takes the news to a sleeper. A handler can
 /// reach nothing but such variables.

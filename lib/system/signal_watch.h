@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// l3d_signal_watch: lets SIGINT and SIGTERM end a loop in good order.
+// l3d_signal_watch: lets SIGINT, SIGQUIT, SIGTERM and SIGHUP end a loop in good order.
 #ifndef L3D_SYSTEM_SIGNAL_WATCH_H
 #define L3D_SYSTEM_SIGNAL_WATCH_H
 
 #include <array>
 #include <csignal>
 
-/// While one lives, the first SIGINT or SIGTERM is only noted; a second one of that kind acts as
+/// While one lives, the first of the signals is only noted; a second one of that kind acts as
 /// it did before, for a program that hangs. When it dies, the signals mean again what they meant,
 /// and the one that was noted is raised: the parent process sees a death by that signal.
 /// A signal that was ignored (as by nohup) stays ignored.
@@ -29,7 +29,7 @@ public:
 
 private:
     int waker_ = -1;
-    std::array<struct sigaction, 2> before_{};
+    std::array<struct sigaction, 4> before_{};
 };
 
 #endif

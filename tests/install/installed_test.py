@@ -213,7 +213,7 @@ def page_fits(program):
     text = run([str(program), "--help"], MOVED).stdout
     told = re.findall(r"^  (-\S+)", text, re.M)
     listed = [line[4:].split(" Ar ")[0].split(" Pq ")[0].replace("Fl ", "-").replace(r"\-", "-")
-              .replace(" , ", ",") for line in page.read_text().splitlines() if line.startswith(".It ")]
+              .replace(" , ", ",") for line in page.read_text().splitlines() if line.startswith(".It Fl ")]
     expect(len(told) > 5, text)
     expect_equal(listed, told)
 

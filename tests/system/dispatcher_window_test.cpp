@@ -345,8 +345,8 @@ void run_with_signal(int signal) {
 
 TEST(dispatcher_window_death_test, signals_end_the_loop_and_then_the_program) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
-    EXPECT_EXIT(run_with_signal(SIGTERM), testing::KilledBySignal(SIGTERM), "loop over");
-    EXPECT_EXIT(run_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "loop over");
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT})
+        EXPECT_EXIT(run_with_signal(signal), testing::KilledBySignal(signal), "loop over");
 }
 
 /// The first signal in vain, as in a program that hangs in a frame.
