@@ -26,11 +26,9 @@ apps_with_reference  := teapot_afd
 uses_stability       := base geom tool_2d raster scene dice pipeline compare
 uses_models          := base geom tool_2d raster scene dice
 
-# What a layer links from outside, and what pkg-config calls it.
+# What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
 links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz
-needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
-needs_raster  := tbb libhwy freetype2 harfbuzz
 
 include config.mk
 
@@ -96,7 +94,6 @@ TOP_DOWN  := reference compare $(call reverse,$(LAYERS))
 objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
 archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
 links      = $(foreach layer,$(1),$(links_$(layer)))
-needs      = $(strip $(foreach layer,$(1),$(needs_$(layer))))
 may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
 # Programs come in by the front door, as everybody's do, but for those that look inside. Sources
 # beside the library also include by paths from the top, tests by paths from tests/, too.
