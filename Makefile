@@ -26,11 +26,9 @@ apps_with_reference  := teapot_afd
 uses_stability       := base geom tool_2d raster scene dice pipeline compare
 uses_models          := base geom tool_2d raster scene dice
 
-# What a layer links from outside, and what pkg-config calls it.
+# What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
 links_raster  := -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
-needs_tool_2d := libpng xext x11-xcb x11 xcb-randr xcb xau
-needs_raster  := libhwy freetype2 harfbuzz fribidi fontconfig
 
 include config.mk
 
@@ -96,7 +94,6 @@ TOP_DOWN  := reference compare $(call reverse,$(LAYERS))
 objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
 archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
 links      = $(foreach layer,$(1),$(links_$(layer)))
-needs      = $(strip $(foreach layer,$(1),$(needs_$(layer))))
 may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
 # Programs come in by the front door, as everybody's do, but for those that look inside. Sources
 # beside the library also include by paths from the top, tests by paths from tests/, too.
@@ -126,8 +123,11 @@ plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
 PLUGINS   := $(call plugged,$(plugins))
 TEST_PLUGINS := $(call plugged,$(filter tests/%,$(plugins)))
-data      := $(wildcard data/* apps/teapot_afd/report_page*) apps/vidflat/plugins/spaceship.obj
-DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data)))
+data      := $(wildcard data/*) apps/vidflat/plugins/spaceship.obj
+# What makes pages of the numbers of teapot_afd --error-report, which tells how to start it.
+reports   := $(wildcard apps/teapot_afd/report_page*)
+REPORTS   := $(addprefix $(OUT)/share/l3d/report/,$(notdir $(reports)))
+DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data))) $(REPORTS)
 
 ARCHIVES  := $(call archives,$(LAYERS))
 APPS      := $(apps:%=$(OUT)/bin/%)
@@ -175,7 +175,7 @@ MAKEFLAGS += -rR --no-print-directory
 .SECONDEXPANSION:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: FORCE all run test stress faults models displays stability matrix lint $(CHECKS) tidy format golden pictures docs bench report report-pages \
+.PHONY: FORCE all run test stress faults models displays stability matrix lint $(CHECKS) tidy format golden pictures docs reference bench report report-pages \
         fuzz fuzz-each packages hooks clean help
 
 Q    := $(if $(V),,@)
@@ -265,6 +265,11 @@ docs: packages-docs $(DOOR) ## the reference of all public headers; a public thi
 	@L3D_VERSION_TEXT=$(VERSION) L3D_HEADERS=$(OUT)/include L3D_REFERENCE=$(BUILD)/docs doxygen docs/Doxyfile
 	@echo $(BUILD)/docs/html/index.html
 
+# The document as it is up to its first table, and the tables as they should be.
+reference_text = { sed '/^\#\# Layer /,$$d' docs/REFERENCE.md; awk -f packaging/reference.awk $(PUBLIC:%=lib/%); }
+reference: ## write the tables of classes in docs/REFERENCE.md, from the comments of the public headers
+	@mkdir -p $(OUT); $(reference_text) > $(OUT)/REFERENCE.md && mv $(OUT)/REFERENCE.md docs/REFERENCE.md
+
 bench: packages-bench ## build and run the benchmarks
 	+@$(again) $(BENCHES) $(APPS)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
@@ -272,7 +277,7 @@ bench: packages-bench ## build and run the benchmarks
 
 report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)
-	@python3 $(OUT)/share/l3d/report_pages.py $(if $(QUICK),$(OUT)/report,docs/report)
+	@python3 $(OUT)/share/l3d/report/report_pages.py $(if $(QUICK),$(OUT)/report,docs/report)
 
 report-pages: packages-report ## the pages and diagrams of the report's numbers that are there
 	@PYTHONDONTWRITEBYTECODE=1 python3 apps/teapot_afd/report_pages.py docs/report
@@ -361,6 +366,7 @@ $(PLUGINS): $(OUT)/flags | packages-build
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(link_$(MODE)) -I$(OUT)/include -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
 
 $(foreach d,$(data),$(eval $(OUT)/share/l3d/$(notdir $(d)): $(d)))
+$(foreach r,$(reports),$(eval $(OUT)/share/l3d/report/$(notdir $(r)): $(r)))
 $(DATA):
 	$(Q)mkdir -p $(@D); cp $< $@
 
@@ -421,7 +427,9 @@ $(OUT)/log/headers.log: FORCE
 	$(call logged,$(MAKE) -k $(LONE) && echo ok headers)
 
 $(OUT)/log/front-door.log: $(DOOR) FORCE
-	$(call logged,awk -f tests/lint/front_door.awk packaging/public_headers $(PUBLIC:%=lib/%))
+	$(call logged,awk -f tests/lint/front_door.awk packaging/public_headers $(PUBLIC:%=lib/%) && \
+	    if $(reference_text) | diff docs/REFERENCE.md -; then echo ok reference; \
+	    else echo "not ok reference: make reference writes the tables of docs/REFERENCE.md anew"; (exit 1); fi)
 
 $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	$(Q)mkdir -p $(@D); echo '#include "$(<:lib/%=%)"' | \

@@ -37,7 +37,7 @@ FONT            := fonts-dejavu-core:/usr/share/fonts/truetype/dejavu/DejaVuSans
 PACKAGES_run    := $(FONT)
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
-    parallel:parallel strace:strace libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
+    parallel:parallel strace:strace locales:/usr/share/i18n/locales/de_DE libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS) $(FONT)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_bare   := debootstrap:debootstrap

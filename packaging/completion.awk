@@ -33,7 +33,10 @@ function value(flag, kind) {
     last = name
     next
 }
-/^                / && texts[last] == "" { sub(/^ +/, ""); texts[last] = $0 }
+/^                / {
+    sub(/^ +/, "")
+    texts[last] = texts[last] (texts[last] == "" ? "" : " ") $0
+}
 
 function action(flag) {
     if (choice[flag] == "FILE")

@@ -26,16 +26,24 @@ BINDIR     ?= $(PREFIX)/bin
 LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 SHAREDIR   ?= $(PREFIX)/share
+DOCDIR     ?= $(SHAREDIR)/doc/l3d
 # Where programs look, from their own place: ../lib/l3d, whatever LIBDIR is.
 PLUGINDIR  := $(PREFIX)/lib/l3d
 
-.PHONY: install install-programs install-library uninstall installcheck bare exported export-list dist package
+.PHONY: install install-programs install-library install-library-told uninstall installcheck bare exported export-list dist package
 
 libraries: $(STATIC) $(SHARED)
 
-install: install-programs ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float fixed"), headers, programs, pages
-	+@set -e; for real in $(REALS); do $(again) REAL=$$real install-library; done
-	@DESTDIR="$(DESTDIR)" packaging/installed.sh "$(BINDIR)" "$(LIBDIR)" "$(INCLUDEDIR)" "$(SHAREDIR)"
+install: ## PREFIX=/usr/local DESTDIR=: libraries (REALS="float fixed"), headers, programs, pages, documents
+	+@$(call build,install-programs)
+	+@set -e; for real in $(REALS); do $(MAKE) REAL=$$real install-library-told; done
+	@DESTDIR="$(DESTDIR)" packaging/installed.sh "$(BINDIR)" "$(LIBDIR)" "$(INCLUDEDIR)" "$(SHAREDIR)" "$(DOCDIR)"
+
+# A number type that nothing was built for takes as long as the first build.
+install-library-told:
+	+@$(call count,install-library); [ "$$steps" = 0 ] || \
+	    echo "The library whose numbers are $(REAL) takes $$steps steps first; REALS names the libraries, now: $(REALS)"; \
+	    $(again) STEPS=$$steps install-library
 
 put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
 
@@ -44,9 +52,12 @@ install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DAT
 	$(Q)$(foreach a,$(apps),install -m 755 $(call installable,$(a)) \
 	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
 	$(Q)$(call put,644,$(PLUGINDIR),$(filter-out $(TEST_PLUGINS),$(PLUGINS)))
-	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(DATA))
+	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(filter-out $(REPORTS),$(DATA)))
+	$(Q)$(call put,644,$(SHAREDIR)/l3d/report,$(REPORTS))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man7,docs/l3d.7)
+	$(Q)$(call put,644,$(DOCDIR),README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE)
+	$(Q)$(foreach d,docs docs/pictures docs/report,$(call put,644,$(DOCDIR)/$(d),$(wildcard $(d)/*.md $(d)/*.png)) &&) true
 	$(Q)$(call put,644,$(SHAREDIR)/bash-completion/completions,$(BASH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/zsh/site-functions,$(ZSH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/applications,packaging/desktop/*.desktop)
@@ -64,7 +75,7 @@ install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc $(DOOR) \
 	    $(OUT)/l3d-config-version.cmake)
 
 uninstall: ## remove what install has put there, given the same PREFIX and DESTDIR
-	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d \
+	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d $(DOCDIR) \
 	    $(LIBDIR)/cmake/l3d)
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,$(call installed,$(apps))) \
 	    $(patsubst $(OUT)/man/%,$(DESTDIR)$(SHAREDIR)/man/man1/%,$(PAGES)) \
@@ -120,7 +131,7 @@ below_prefix = $(patsubst $(PREFIX)/%,$${prefix}/%,$(1))
 $(OUT)/$(NAME).pc: packaging/l3d.pc.in $(OUT)/place $(OUT)/flags
 	$(Q)sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(call below_prefix,$(LIBDIR))|' \
 	    -e 's|@includedir@|$(call below_prefix,$(INCLUDEDIR))|' \
-	    $(named) -e 's|@define@|$(flags_$(REAL))|; s|@requires@|$(call needs,$(LAYERS))|' $< > $@
+	    $(named) -e 's|@define@|$(flags_$(REAL))|; s|@links@|$(call links,$(LAYERS))|' $< > $@
 
 # CMake finds headers from the library's own place, wherever both were moved to.
 named = -e 's|@name@|$(NAME)|; s|@real@|$(REAL)|; s|@version@|$(VERSION)|; s|@soname@|$(SONAME)|' \

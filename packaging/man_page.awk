@@ -56,17 +56,38 @@ function head(first) {
         print ".Op Ar file"
     print ".Sh DESCRIPTION"
     text(purpose)
-    print ".Sh OPTIONS\n.Bl -tag -width Ds"
+    print ".Sh OPTIONS"
+}
+
+function close_list() {
+    if (part == "options" || part == "examples")
+        print ".El"
 }
 
 /^Usage: / { head(); next }
-/^Options:$/ { part = "options"; next }
+# A heading of options or of examples, which have lists of their own.
+after_blank && /^[A-Z].*:$/ {
+    close_list()
+    part = /^Examples:$/ ? "examples" : "options"
+    sub(/:$/, "")
+    print (part == "examples" ? ".Sh EXAMPLES" : ".Ss " $0) "\n.Bl -tag -width Ds"
+    after_blank = 0
+    next
+}
 /^Environment: / {
-    print ".El\n.Sh ENVIRONMENT"
+    close_list()
+    print ".Sh ENVIRONMENT"
     part = "environment"
     sub(/^Environment: /, "")
 }
-$0 == "" { next }
+# A paragraph between the two, such as what may stand for a word in capitals.
+after_blank && part ~ /^(options|notes)$/ && /^[^ ]/ {
+    close_list()
+    print part == "notes" ? ".Pp" : ".Ss Words"
+    part = "notes"
+}
+{ after_blank = $0 == "" }
+after_blank { next }
 
 part == "" { purpose = purpose (purpose == "" ? "" : " ") $0 }
 
@@ -88,7 +109,14 @@ part == "options" {
         text($0)
 }
 
-part == "environment" { text($0) }
+part == "examples" && /^  [^ ]/ {
+    gsub(/-/, "\\-")
+    print ".It Ic" substr($0, 2)
+}
+part == "examples" && /^   / || part == "notes" || part == "environment" {
+    sub(/^ +/, "")
+    text($0)
+}
 
 END {
     print ".Sh EXIT STATUS"

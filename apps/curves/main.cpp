@@ -10,10 +10,10 @@
 #include <l3d/stroke.h>
 
 #include <algorithm>
+#include <charconv>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -300,8 +300,9 @@ private:
 
     static std::string with_four_digits(double value) {
         std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "%.4f", value);
-        return text.data();
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                       std::chars_format::fixed, 4);
+        return {text.data(), end.ptr};
     }
 
     /// Klassen's way takes a power of two of steps: as many, or more.

@@ -12,8 +12,9 @@
 #include <l3d/viewer.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
-#include <cstdio>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -84,9 +85,10 @@ private:
     }
 
     static std::string rounded(double number) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.2f", number);
-        return text;
+        std::array<char, 32> text{};
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                       std::chars_format::fixed, 2);
+        return {text.data(), end.ptr};
     }
 
     double seconds_ = 0;

@@ -2,16 +2,15 @@
 // Where the error sits: colours and legend.
 #include "error_picture.h"
 
+#include "base/formatted_p.h"
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include <l3d/text.h>
 #include <l3d/image.h>
 #include <l3d/image_file.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace {
 
@@ -32,9 +31,8 @@ void draw_legend(const l3d_pixels& pixels, double largest) {
             pixels.row(y)[static_cast<std::size_t>(x)] = color_of(double(x - left) / width);
     l3d_rasterizer_2d_sw_imp imp(pixels);
     l3d_rasterizer_2d rasterizer(imp);
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "0 to %.3g px; magenta: a hole", largest);
-    l3d_draw_text(rasterizer, left, top + height + 4, text.data(), white);
+    l3d_draw_text(rasterizer, left, top + height + 4,
+                  l3d_detail::formatted("0 to %.3g px; magenta: a hole", largest), white);
     rasterizer.finish();
 }
 

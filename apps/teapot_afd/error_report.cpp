@@ -216,7 +216,8 @@ void write_error_report(const std::string& folder, const l3d_patch_model& model,
     const std::size_t left_out =
         std::erase_if(names, [&](const row_name& name) { return !rows.has(name); });
     rows.finish(names);
-    std::fprintf(stderr, "the numbers are in %s; pages of them: python3 %s/report_pages.py %s\n",
+    std::fprintf(stderr,
+                 "the numbers are in %s; pages of them: python3 %s/report/report_pages.py %s\n",
                  folder.c_str(), l3d_data_folder().c_str(), folder.c_str());
     if (left_out > 0)
         throw l3d_error(l3d_exit::failure, "--error-report: " + std::to_string(left_out) + " of " +

@@ -44,12 +44,14 @@ int main(int argc, char** argv) {
                         "In the window, h lists the keys.",
                         {1024, 768});
     const l3d_afd_options afd(program.options());
+    program.options().begin_group("Methods");
     const l3d_method_option method(program.options(), "--method", "afd",
                                    "how surfaces are drawn: ");
     const l3d_method_option compared(program.options(), "--compare", "",
                                      "draw the right half by this method (--report, --explain and "
                                      "--statistics tell of the left one): ");
     const l3d_part_options parts(program.options());
+    program.options().begin_group("Measurements");
     std::string folder;
     bool quick = false;
     program.options().add("--error-report", folder,
@@ -58,6 +60,7 @@ int main(int argc, char** argv) {
                           "FOLDER");
     program.options().has_result("--error-report");
     program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
+    program.options().add_example("--compare tessellation:6", "two methods side by side");
     l3d_camera camera;
     l3d_afd_settings settings;
     l3d_patch_scene scene;

@@ -2,12 +2,11 @@
 // Lines of comma-separated values, the first four of which are a row's name.
 #include "report_rows.h"
 
+#include "base/formatted_p.h"
 #include <l3d/error.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -22,9 +21,7 @@ constexpr const char* columns =
 std::string text_of(double value) {
     if (!std::isfinite(value))
         return std::isnan(value) ? "" : "none";
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", value);
-    return text.data();
+    return l3d_detail::formatted("%.6g", value);
 }
 
 std::string line_of(const frame_result& r) {

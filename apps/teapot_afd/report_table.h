@@ -3,17 +3,15 @@
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_TABLE_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_TABLE_H
 
-#include <array>
-#include <cstdio>
+#include "base/formatted_p.h"
+
 #include <string>
 #include <type_traits>
 
 template <class Field> std::string table_text(const Field& field) {
-    if constexpr (std::is_floating_point_v<Field>) {
-        std::array<char, 32> digits{};
-        std::snprintf(digits.data(), digits.size(), "%.6g", field);
-        return digits.data();
-    } else if constexpr (std::is_integral_v<Field>)
+    if constexpr (std::is_floating_point_v<Field>)
+        return l3d_detail::formatted("%.6g", field);
+    else if constexpr (std::is_integral_v<Field>)
         return std::to_string(field);
     else
         return field;

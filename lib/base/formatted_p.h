@@ -5,12 +5,27 @@
 
 #include <array>
 #include <cstdio>
+#include <locale.h>
 #include <string>
 
 namespace l3d_detail {
 
-/// As std::snprintf has it; what is more than 159 characters long is cut.
+/// Takes a host's locale from this thread while it lives, so that decimal points are points.
+class without_locale {
+public:
+    without_locale() : before_(uselocale(newlocale(LC_ALL_MASK, "C", locale_t{}))) {}
+    without_locale(const without_locale&) = delete;
+    without_locale& operator=(const without_locale&) = delete;
+    // The locale "C" is the library's own, and is not freed.
+    ~without_locale() { uselocale(before_); }
+
+private:
+    locale_t before_;
+};
+
+/// As std::snprintf has it in every locale; what is more than 159 characters long is cut.
 template <class... Values> std::string formatted(const char* format, Values... values) {
+    const without_locale numbers;
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(), format, values...);
     return text.data();

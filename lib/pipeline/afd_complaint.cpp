@@ -2,6 +2,7 @@
 // l3d_afd_complaint: the values that a frame of patches cannot be drawn with.
 #include "pipeline/pipeline_afd.h"
 
+#include "base/formatted_p.h"
 #include "raster/parallel/workers.h"
 
 #include <cmath>
@@ -15,8 +16,8 @@ std::string fog_complaint(const l3d_afd_settings& settings) {
     if (fog == l3d_fog())
         return "";
     if (!(fog.near >= 0 && fog.far > fog.near && std::isfinite(fog.far)))
-        return "fog: " + std::to_string(fog.near) + " to " + std::to_string(fog.far) +
-               " are not two distances, the nearer first";
+        return l3d_detail::formatted("fog: %f to %f are not two distances, the nearer first",
+                                     fog.near, fog.far);
     if (!settings.method.is_default())
         return "fog: " + settings.method.name() + " draws without";
     if (l3d_has_scale(settings.shade))

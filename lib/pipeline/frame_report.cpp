@@ -3,6 +3,7 @@
 #include "pipeline/frame_report.h"
 
 #include "base/counted_p.h"
+#include "base/formatted_p.h"
 #include "scene/facing_cones.h"
 #include "pipeline/report_json_p.h"
 
@@ -120,7 +121,7 @@ std::string l3d_frame_report::explanation() const {
         text += l3d_detail::counted(static_cast<std::size_t>(dice.coarse), "patches") +
                 " over the tolerance; the worst, number " + std::to_string(dice.coarsest.patch) +
                 " of instance " + std::to_string(dice.coarsest.instance) + ", has a bound of " +
-                std::to_string(dice.coarsest.bound_px) + " px\n";
+                l3d_detail::formatted("%.6f px\n", dice.coarsest.bound_px);
     if (dice.unfinished > 0)
         text += std::to_string(dice.unfinished) +
                 " of these would be finer if the frame might cost more: --most-samples\n";

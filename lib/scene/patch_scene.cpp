@@ -2,6 +2,7 @@
 // l3d_patch_scene: boxes and normals of what has been placed.
 #include "scene/patch_scene.h"
 
+#include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
 #include "tool_2d/error.h"
 
@@ -230,7 +231,7 @@ void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
     l3d_patch_instance& instance = instances_[index];
     if (!(opacity >= 0 && opacity <= 1))
         throw l3d_error(l3d_exit::failure,
-                        "opacity: " + std::to_string(opacity) + " is not from 0 to 1");
+                        l3d_detail::formatted("opacity: %f is not from 0 to 1", opacity));
     if (opacity == instance.opacity())
         return;
     const std::size_t others = transparent_count_ - (instance.opacity() < 1 ? 1 : 0);

@@ -5,11 +5,10 @@
 #include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "raster/parallel/workers.h"
-#include "scene/model_loader.h"
 #include "system/color_text_p.h"
+#include "system/model_names_p.h"
 #include "system/number_text.h"
 #include "system/output_names_p.h"
-#include "system/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,11 +100,25 @@ void check_shown(const l3d_afd_settings& asked) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
+    options.begin_group("Model");
     options.add(
         "FILE,--model", model_file_,
         "model to draw: a file, or the name of one of l3d's own; the option's name may be left "
-        "out; without it, the teapot",
+        "out",
         "FILE");
+    options.begin_group("Camera");
+    options.add("--eye", eye_,
+                "where the camera is; without it and --target, where the whole model is seen");
+    options.add("--target", target_, "what it looks at");
+    options.add("--up", camera_.up, "what is upright in the picture");
+    options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
+    options.add("--near", near_, camera_.near,
+                "nearest distance that is drawn; without it, less for small models",
+                l3d_least_distance, largest);
+    options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
+    options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
+                360.0);
+    options.begin_group("Accuracy");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.
     options.add("--tolerance", tolerance_, settings_.tolerance,
@@ -125,15 +138,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "without it 65536 and 2 a pixel, more below 0.05 px; the report tells where it did "
                 "not suffice",
                 1, std::numeric_limits<int>::max());
-    options.add("--eye", eye_,
-                "where the camera is; without it and --target, where the whole model is seen");
-    options.add("--target", target_, "what it looks at");
-    options.add("--up", camera_.up, "what is upright in the picture");
-    options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
-    options.add("--near", near_, camera_.near,
-                "nearest distance that is drawn; without it, less for small models",
-                l3d_least_distance, largest);
-    options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
+    options.begin_group("Surfaces");
     options.add_choice<l3d_shade>(
         "--shade", settings_.shade,
         "how the surface is coloured; error: by the bound of each piece's error, from green, "
@@ -151,6 +156,12 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add_choice<bool>("--legend", settings_.legend,
                              "whether the picture has the scale of such a shade",
                              {{"on", true}, {"off", false}});
+    options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
+    options.add("--net", settings_.net, "the control nets on top");
+    options.add("--one-sided", settings_.one_sided,
+                "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
+                "patches; backs beside a fold stay");
+    options.begin_group("Light, edges and background");
     options.add_each("--light",
                      "direction towards a light and, if it is not white, its colour, as "
                      "1,1,0,orange; each further --light adds one",
@@ -176,14 +187,15 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                      "view axis, and into which colour; without one, into the background; black "
                      "is depth cueing",
                      "NEAR,FAR[,COLOR]", "", [this](const std::string& text) { read_fog(text); });
-    options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
-    options.add("--net", settings_.net, "the control nets on top");
-    options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
-                360.0);
+    options.begin_group("Work and its results");
     options.add("--threads", threads_,
                 "threads to draw with; without it, as many as processors, at most " +
                     std::to_string(l3d_most_usual_threads) + "; the picture is the same for any",
                 1, l3d_most_threads);
+    options.add("--keep-all", keep_all_,
+                "do all work, also what rules leave out; the picture is as good");
+    options.add("--report", report_,
+                "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
     options.add(
         "--depth-output", depth_output_,
         "write the last frame's distances along the view axis (.pfm); - is the standard output",
@@ -192,23 +204,26 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "write how far each pixel of the last frame may be from the exact picture, in "
                 "levels of 255 (.pfm); - is the standard output",
                 "FILE");
-    options.add("--report", report_,
-                "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
-    options.add("--one-sided", settings_.one_sided,
-                "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
-                "patches; backs beside a fold stay");
-    options.add("--explain", explain_, "tell what the last frame did not need, and why");
-    options.add("--statistics", statistics_,
-                "tell at the end how many polygons were drawn, in how many seconds");
-    options.add("--keep-all", keep_all_,
-                "do all work, also what rules leave out; the picture is as good");
     options.add("--pick", pick_,
                 "tell what the last frame shows at this place, in pixels from the left upper "
                 "corner: patch, parameters, point, normal and curvature, each with its error");
+    options.add("--explain", explain_, "tell what the last frame did not need, and why");
+    options.add("--statistics", statistics_,
+                "tell at the end how many polygons were drawn, in how many seconds");
     for (const char* const name :
          {"--depth-output", "--error-output", "--report", "--explain", "--statistics"})
         options.has_result(name);
     options.prints_result("--pick");
+    options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
+                     ". Names are those of CSS: " + l3d_detail::color_names() + '.');
+    std::string names;
+    for (const std::string& name : l3d_detail::model_names())
+        names += ' ' + name;
+    if (!names.empty())
+        options.add_note("Models by name:" + names + ". Without one, the teapot.");
+    options.add_example("teapot_bottom --turntable 1", "a model by its name, which turns");
+    options.add_example("model.bpt --backend memory --output model.png", "a picture, no window");
+    options.add_example("--shade zebra --light 1,1,1,orange", "stripes of reflection under a lamp");
 }
 
 std::string l3d_afd_options::model_title() const {
@@ -362,7 +377,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
 l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
-    const l3d_model_file file = l3d_load_model(l3d_data_file(model_file_), model_file_);
+    const l3d_model_file file = l3d_detail::load_named_model(model_file_);
     const std::string polygons = l3d_detail::counted(file.mesh.faces(), "polygons");
     if (file.patches.empty())
         throw l3d_error(l3d_exit::bad_input,

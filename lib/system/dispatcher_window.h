@@ -13,7 +13,7 @@
 /// is drawn and shown only if the pipeline needs it or the window has a new size. The window must
 /// be visible, too, unless frames are counted or written. A window that was uncovered gets its last
 /// picture again. Escape gives a window that covers the display its place back before it reaches
-/// the program. SIGINT and SIGTERM end the loop within 0.2 s.
+/// the program. The signals of l3d_signal_watch end the loop within 0.2 s.
 class l3d_dispatcher_window final : public l3d_dispatcher {
 public:
     /// Errors:  as l3d_frame_writer.

@@ -22,7 +22,9 @@
 #include <fcntl.h>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <type_traits>
+#include <utility>
 
 struct l3d_options::parser {
     CLI::App app;
@@ -51,9 +53,35 @@ void add_text(CLI::App& app, const std::string& name, const std::string& help,
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-/// Help without a section for what needs no option: there it is listed a second time.
+/// Columns of --help: of a terminal, and where the texts of options begin.
+constexpr std::size_t help_width = 80, help_indent = 26;
+constexpr const char* first_heading = "Help";
+
+/// The words of a text in lines of so many columns.
+std::string wrapped(const std::string& text, std::size_t width) {
+    std::istringstream words(text);
+    std::string result, line;
+    for (std::string word; words >> word; line += word) {
+        if (!line.empty() && line.size() + 1 + word.size() > width)
+            result += std::exchange(line, "") + '\n';
+        line += line.empty() ? "" : " ";
+    }
+    return result + line;
+}
+
+/// Help in lines that a terminal has room for, and without a section for what needs no option:
+/// there it is listed a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
+    /// With one blank line between two groups, not two.
+    std::string make_group(std::string heading, bool is_positional,
+                           std::vector<const CLI::Option*> options) const override {
+        const std::string group = Formatter::make_group(heading, is_positional, options);
+        return heading == first_heading ? group : group.substr(1);
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        return wrapped(option->get_description(), help_width - help_indent);
+    }
 };
 
 /// The default is given as text, since there may be none.
@@ -122,17 +150,14 @@ void open_standard_streams() {
 l3d_options::l3d_options(std::string program, const std::string& purpose, l3d_size default_size)
     : program_(std::move(program)), command_(program_), parser_(std::make_unique<parser>()) {
     parser_->app.description(purpose);
+    begin_group(first_heading);
     parser_->app.set_help_flag("-h,--help", "this text");
     parser_->app.set_version_flag(
         "--version", program_ + " (l3d) " + L3D_VERSION_TEXT + ", real numbers: " + l3d_real_name(),
         "the version");
-    parser_->app.footer(
-        "Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
-        "share no memory\nwith the display; L3D_MESA=auto|egl|osmesa, where to look "
-        "for software GL;\nL3D_FONT=FILE|built-in, for text on panels.");
     parser_->app.allow_extras();
     parser_->app.formatter(std::make_shared<help_formatter>());
-    parser_->app.get_formatter()->column_width(34);
+    parser_->app.get_formatter()->column_width(help_indent);
     add_common(default_size);
 }
 
@@ -141,6 +166,10 @@ l3d_options::~l3d_options() = default;
 void l3d_options::add_common(l3d_size default_size) {
     common_.size = default_size;
     CLI::App& app = parser_->app;
+    add("--list-backends", common_.list_backends, "list them and whether they can serve here");
+    add("--diagnose", common_.diagnose, "tell all that the choice of a back-end depends on");
+    add("--verbose", common_.verbose, "tell what was chosen");
+    begin_group("Back-end and window");
     add_text(app, "--backend", "what shows the pictures; see --list-backends", "NAME", "",
              [this](const std::string& text) { common_.backend = text; });
     add("--no-input", common_.no_input, "never ask anything");
@@ -156,19 +185,45 @@ void l3d_options::add_common(l3d_size default_size) {
                "send only what changed, coarse while it moves, and share no memory; auto: if the "
                "display is reached over a network",
                {{"auto", l3d_remote::automatic}, {"on", l3d_remote::on}, {"off", l3d_remote::off}});
-    add_batch();
     add_number(app, "--fps", common_.fps, "",
                "frames per second; 0: no limit (without it 60, or 15 on a remote display)",
                "NUMBER", 0.0, 1000.0);
-    add_number(app, "--seed", common_.seed, l3d_number_text(common_.seed),
-               "where random numbers start", "NUMBER", std::uint64_t{0},
-               std::numeric_limits<std::uint64_t>::max());
+    begin_group("Pictures and sequences");
     add("--output", common_.output,
         "write the last frame (.png, .ppm), every frame (frame%04d.png), or - for a PPM stream",
         "FILE");
-    add("--list-backends", common_.list_backends, "list them and whether they can serve here");
-    add("--diagnose", common_.diagnose, "tell all that the choice of a back-end depends on");
-    add("--verbose", common_.verbose, "tell what was chosen");
+    add_batch();
+    add_number(app, "--seed", common_.seed, l3d_number_text(common_.seed),
+               "where random numbers start", "NUMBER", std::uint64_t{0},
+               std::numeric_limits<std::uint64_t>::max());
+    begin_group("Of this program");
+}
+
+void l3d_options::begin_group(const std::string& heading) {
+    parser_->app.option_defaults()->group(heading);
+}
+
+void l3d_options::add_note(const std::string& text) {
+    notes_.push_back(text);
+}
+
+void l3d_options::add_example(const std::string& arguments, const std::string& purpose) {
+    examples_.push_back({arguments, purpose});
+}
+
+std::string l3d_options::end_of_help() const {
+    std::string text;
+    for (const std::string& note : notes_)
+        text += wrapped(note, help_width) + "\n\n";
+    if (!examples_.empty())
+        text += "Examples:\n";
+    for (const example& each : examples_)
+        text += "  " + command_ + ' ' + each.arguments + "\n      " + each.purpose + '\n';
+    return text + (examples_.empty() ? "" : "\n") +
+           wrapped("Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
+                   "share no memory with the display; L3D_MESA=auto|egl|osmesa, where to look for "
+                   "software GL; L3D_FONT=FILE|built-in, for text on panels.",
+                   help_width);
 }
 
 /// Frames that one of many processes makes of a sequence, perhaps for the second time.
@@ -328,6 +383,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     if (argc > 0 && argv[0] && *argv[0])
         command_ = l3d_detail::printable(std::filesystem::path(argv[0]).filename().string());
     parser_->app.name(command_);
+    parser_->app.footer(end_of_help());
     // The library wants the arguments last one first.
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     std::for_each(arguments.begin(), std::ranges::find(arguments, "--"), refuse_empty_value);

@@ -58,6 +58,15 @@ public:
     l3d_options& operator=(const l3d_options&) = delete;
     ~l3d_options();
 
+    /// Has --help list the options that are added next under a heading.
+    void begin_group(const std::string& heading);
+
+    /// Has --help end with a paragraph, such as what may stand for a word in capitals.
+    void add_note(const std::string& text);
+
+    /// Has --help end with an example: arguments of the program, and what they are for.
+    void add_example(const std::string& arguments, const std::string& purpose);
+
     /// A number from `least` to `most`; NaN and trailing text are refused.
     void add(const std::string& name, double& value, const std::string& help, double least,
              double most);
@@ -164,6 +173,11 @@ private:
     void add_common(l3d_size default_size);
     void add_batch();
     void refuse_one_file_for_two() const;
+    std::string end_of_help() const;
+
+    struct example {
+        std::string arguments, purpose;
+    };
 
     /// An option that names a file. Lives: borrows the value.
     struct named_file {
@@ -173,7 +187,8 @@ private:
 
     std::string program_, command_;
     l3d_common_options common_;
-    std::vector<std::string> with_results_, printed_;
+    std::vector<std::string> with_results_, printed_, notes_;
+    std::vector<example> examples_;
     std::vector<named_file> files_;
     std::unique_ptr<parser> parser_;
 };

@@ -45,6 +45,7 @@ bool is_empty(const l3d_polygon_model& model) {
 } // namespace
 
 l3d_part_options::l3d_part_options(l3d_options& options) {
+    options.begin_group("Parts");
     options.add("--list-parts", lists_, "draw nothing; list the named parts of the model");
     options.add_each("--hide", "leave out a part of the model; may be given for several", "PART",
                      "", [this](const std::string& name) { hidden_.push_back(name); });

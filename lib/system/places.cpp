@@ -37,8 +37,13 @@ std::string l3d_data_folder() {
 
 std::string l3d_data_file(const std::string& name) {
     std::error_code unknown;
+    if (name.empty() || fs::exists(name, unknown) || fs::path(name).has_parent_path())
+        return name;
     const fs::path ours = fs::path(l3d_data_folder()) / name;
-    const bool is_ours = !fs::exists(name, unknown) && !fs::path(name).has_parent_path() &&
-                         fs::is_regular_file(ours, unknown);
-    return is_ours ? ours.string() : name;
+    if (fs::is_regular_file(ours, unknown))
+        return ours.string();
+    for (const fs::directory_entry& entry : fs::directory_iterator(l3d_data_folder(), unknown))
+        if (entry.path().stem() == name && entry.is_regular_file(unknown))
+            return entry.path().string();
+    return name;
 }

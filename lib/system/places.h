@@ -16,7 +16,7 @@ L3D_PUBLIC std::string l3d_plugin_folder();
 L3D_PUBLIC std::string l3d_data_folder();
 
 /// The file that a user means by the name of a model. It is the file of that name, if there is one,
-/// else one of that name in the data folder, else the name as it is.
+/// else one of that name in the data folder, with or without its ending, else the name as it is.
 L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

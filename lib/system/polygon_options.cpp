@@ -3,10 +3,9 @@
 #include "system/polygon_options.h"
 
 #include "base/printable_p.h"
-#include "scene/model_loader.h"
 #include "pipeline/polygons/patch_tessellation.h"
+#include "system/model_names_p.h"
 #include "system/number_text.h"
-#include "system/places.h"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +28,7 @@ constexpr std::array<std::pair<const char*, l3d_rotation_order>, 6> rotation_ord
 
 l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
     : shared_(shared) {
+    options.begin_group("Polygons");
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
         "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
@@ -69,7 +69,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const std::string& name = shared_.model_file();
     if (name.empty())
         return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
-    const l3d_model_file file = l3d_load_model(l3d_data_file(name), name);
+    const l3d_model_file file = l3d_detail::load_named_model(name);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
     l3d_polygon_mesh mesh = l3d_mesh_of(file, name, facets_);

@@ -2,21 +2,26 @@
 // l3d_signal_watch: the handler, and what it may touch.
 #include "system/signal_watch.h"
 
+#include <atomic>
 #include <cassert>
 #include <cerrno>
 #include <cstddef>
+#include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 namespace {
 
-constexpr std::array<int, 2> watched{SIGINT, SIGTERM};
+/// Keys, a request to end, and a terminal that is closed.
+constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
 /// The signal noted, or 0, and the end of a pipe that takes the news to a sleeper. A handler can
 /// reach nothing but such variables.
-volatile std::sig_atomic_t noted = 0;
-volatile std::sig_atomic_t bell = -1;
+std::atomic<int> noted = 0, bell = -1;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) {
     const int error = errno;
@@ -26,7 +31,34 @@ extern "C" void note_signal(int signal) {
     errno = error;
 }
 
+/// Keeps signals from a thread that is begun now: they are for whoever waits for events.
+class signals_held {
+public:
+    signals_held() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    signals_held(const signals_held&) = delete;
+    signals_held& operator=(const signals_held&) = delete;
+    ~signals_held() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+private:
+    sigset_t before_{};
+};
+
 } // namespace
+
+/// Waits for a signal, and then for the watch's end.
+void l3d_signal_watch::end_what_takes_too_long() const {
+    constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
+    std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};
+    while (poll(news.data(), news.size(), -1) < 0) {
+    }
+    pollfd over{over_, POLLIN, 0};
+    if (news[1].revents == 0 && poll(&over, 1, patience) == 0)
+        kill(getpid(), noted);
+}
 
 l3d_signal_watch::l3d_signal_watch() {
     assert(noted == 0);
@@ -41,6 +73,13 @@ l3d_signal_watch::l3d_signal_watch() {
     // No SA_RESTART: a signal has to end the wait for events.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
+    over_ = eventfd(0, EFD_CLOEXEC);
+    if (waker_ >= 0 && over_ >= 0)
+        try {
+            const signals_held held;
+            guard_ = std::thread([this] { end_what_takes_too_long(); });
+        } catch (const std::system_error&) { // without it, a second signal is needed
+        }
     for (std::size_t i = 0; i < watched.size(); ++i) {
         sigaction(watched[i], nullptr, &before_[i]);
         if (before_[i].sa_handler != SIG_IGN)
@@ -51,6 +90,12 @@ l3d_signal_watch::l3d_signal_watch() {
 l3d_signal_watch::~l3d_signal_watch() {
     for (std::size_t i = 0; i < watched.size(); ++i)
         sigaction(watched[i], &before_[i], nullptr);
+    if (guard_.joinable()) {
+        eventfd_write(over_, 1);
+        guard_.join();
+    }
+    if (over_ >= 0)
+        close(over_);
     const int signal = noted;
     noted = 0;
     if (waker_ >= 0) {

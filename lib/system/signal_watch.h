@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// l3d_signal_watch: lets SIGINT and SIGTERM end a loop in good order.
+// l3d_signal_watch: lets SIGINT, SIGQUIT, SIGTERM and SIGHUP end a loop in good order.
 #ifndef L3D_SYSTEM_SIGNAL_WATCH_H
 #define L3D_SYSTEM_SIGNAL_WATCH_H
 
 #include <array>
 #include <csignal>
+#include <thread>
 
-/// While one lives, the first SIGINT or SIGTERM is only noted; a second one of that kind acts as
+/// While one lives, the first of the signals is only noted; a second one of that kind acts as
 /// it did before, for a program that hangs. When it dies, the signals mean again what they meant,
 /// and the one that was noted is raised: the parent process sees a death by that signal.
 /// A signal that was ignored (as by nohup) stays ignored.
+///
+/// Who watches has five seconds to end in good order. After that the signal acts as a second one
+/// would, whatever loop the program is in: files have no names before they are complete.
 ///
 /// Signal handlers are a property of the process: this is the library's only such state.
 /// Expects: at most one at a time.
@@ -28,8 +32,12 @@ public:
     int waker() const { return waker_; }
 
 private:
+    void end_what_takes_too_long() const;
+
     int waker_ = -1;
-    std::array<struct sigaction, 2> before_{};
+    int over_ = -1; ///< readable when the watch is over
+    std::thread guard_;
+    std::array<struct sigaction, 4> before_{};
 };
 
 #endif

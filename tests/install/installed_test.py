@@ -177,6 +177,40 @@ def needs_cxx20():
         expect(done.returncode != 0 and "l3d needs C++20" in done.stderr, done.stderr)
 
 
+def is_told_who_needs_it(real):
+    """A program's own line has nothing of what the library alone includes."""
+    flags = run(["pkg-config", "--cflags", REALS[real]], MOVED).stdout.split()
+    expect_equal(flags, ["-I%s/include" % MOVED, "-DL3D_REAL_" + real.upper()])
+    linked = run(["pkg-config", "--libs", REALS[real]], MOVED).stdout.split()
+    expect_equal(linked, ["-L%s/lib" % MOVED, "-l" + REALS[real]])
+
+
+def documents_are_there():
+    documents = MOVED / "share" / "doc" / "l3d"
+    for name in ("README.md", "CHANGELOG.md", "LICENSE", "docs/TUTORIAL.md", "docs/REFERENCE.md"):
+        expect((documents / name).is_file(), name)
+    pictures = re.findall(r"\((docs/[^)#]+)", README)
+    expect_equal([name for name in pictures if not (documents / name).is_file()], [])
+    expect_equal([path.name for path in (MOVED / "share" / "l3d").iterdir() if path.suffix in (".py", ".html")], [])
+
+
+def the_loader_is_told():
+    """ldconfig is run where it may be, for the folders that it lists, and is asked for elsewhere."""
+    with tempfile.TemporaryDirectory() as tools:
+        fake = pathlib.Path(tools, "ldconfig")
+        fake.write_text("#!/bin/sh\necho listed anew\n")
+        fake.chmod(0o755)
+
+        def said(prefix):
+            script = ROOT / "packaging" / "installed.sh"
+            places = [prefix + "/" + name for name in ("bin", "lib", "include", "share", "share/doc/l3d")]
+            return run("PATH=%s:$PATH DESTDIR= %s %s" % (tools, script, " ".join(places)), MOVED).stdout
+
+        wanted = "listed anew" if os.geteuid() == 0 else "Run ldconfig as root"
+        expect(wanted in said("/usr/local"), said("/usr/local"))
+        expect("ldconfig" not in said("/elsewhere") and "listed" not in said("/elsewhere"), said("/elsewhere"))
+
+
 def is_found_by_cmake(real):
     version = run(["pkg-config", "--modversion", REALS[real]], MOVED).stdout.strip()
     lists = """cmake_minimum_required(VERSION 3.16)
@@ -214,7 +248,7 @@ def page_fits(program):
     text = run([str(program), "--help"], MOVED).stdout
     told = re.findall(r"^  (-\S+)", text, re.M)
     listed = [line[4:].split(" Ar ")[0].split(" Pq ")[0].replace("Fl ", "-").replace(r"\-", "-")
-              .replace(" , ", ",") for line in page.read_text().splitlines() if line.startswith(".It ")]
+              .replace(" , ", ",") for line in page.read_text().splitlines() if line.startswith(".It Fl ")]
     expect(len(told) > 5, text)
     expect_equal(listed, told)
 
@@ -405,11 +439,12 @@ def main():
     for name in REALS.values():
         checks.run("install.%s.exports" % name, library_exports_ours_only, name)
         checks.run("install.%s.exports_the_list" % name, library_exports_the_listed_names, name)
-    for check in (headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
+    for check in (documents_are_there, the_loader_is_told, headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
                   programs_find_their_files, programs_share_the_library, shells_complete_options):
         checks.run("install." + check.__name__, check)
     for real in REALS:
         checks.run("install.cmake." + real, is_found_by_cmake, real)
+        checks.run("install.pkg_config." + real, is_told_who_needs_it, real)
     alone = MOVED / "alone"
     alone.mkdir()
     users_own_headers(alone)

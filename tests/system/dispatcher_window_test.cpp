@@ -346,8 +346,8 @@ void run_with_signal(int signal) {
 
 TEST(dispatcher_window_death_test, signals_end_the_loop_and_then_the_program) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
-    EXPECT_EXIT(run_with_signal(SIGTERM), testing::KilledBySignal(SIGTERM), "loop over");
-    EXPECT_EXIT(run_with_signal(SIGINT), testing::KilledBySignal(SIGINT), "loop over");
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT})
+        EXPECT_EXIT(run_with_signal(signal), testing::KilledBySignal(signal), "loop over");
 }
 
 /// The first signal in vain, as in a program that hangs in a frame.
@@ -363,6 +363,27 @@ void insist_with_signal(int signal) {
     };
     dispatcher.plug(pipeline, screen);
     dispatcher.start();
+}
+
+/// One signal, in a frame that never ends.
+void hang_with_signal(int signal) {
+    std::signal(signal, SIG_DFL);
+    call_log log;
+    l3d_dispatcher_window dispatcher{l3d_frame_settings{}};
+    fake_screen screen(log);
+    fake_pipeline pipeline(log, screen);
+    pipeline.on_update = [signal](int) {
+        raise(signal);
+        for (volatile bool goes_on = true; goes_on;) {
+        }
+    };
+    dispatcher.plug(pipeline, screen);
+    dispatcher.start();
+}
+
+TEST(dispatcher_window_death_test, one_signal_ends_a_frame_that_hangs_after_a_while) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(hang_with_signal(SIGTERM), testing::KilledBySignal(SIGTERM), "");
 }
 
 TEST(dispatcher_window_death_test, second_signal_ends_a_frame_that_hangs) {

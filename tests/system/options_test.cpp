@@ -331,6 +331,25 @@ TEST(options, help_names_options_and_defaults) {
         EXPECT_NE(tester.out.str().find(text), std::string::npos) << text;
 }
 
+TEST(options, help_has_headings_examples_and_lines_that_fit) {
+    program tester;
+    tester.options.begin_group("More");
+    bool more = false;
+    tester.options.add("--more", more, "one two three four five six seven eight nine ten eleven");
+    tester.options.add_note("FRUIT grows.");
+    tester.options.add_example("--more --net", "more, and a net");
+    EXPECT_FALSE(tester.parse({"--help"}));
+    const std::string text = tester.out.str();
+    for (const char* part : {"\nHelp:\n  -h,--help", "\n\nMore:\n  --more ",
+                             "\n\nFRUIT grows.\n\nExamples:\n  tester --more --net\n"
+                             "      more, and a net\n\nEnvironment: "})
+        EXPECT_NE(text.find(part), std::string::npos) << part << text;
+    EXPECT_EQ(text.find("\n\n\n"), std::string::npos) << text;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
+}
+
 TEST(options, version_is_one_line) {
     program tester;
     EXPECT_FALSE(tester.parse({"--version"}));

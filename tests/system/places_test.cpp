@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Folders of plug-ins and data, and which file the name of a model means.
 #include "system/places.h"
+#include "system/model_names_p.h"
 #include "system/places_p.h"
 #include "system/temporary_folder.h"
+#include "tool_2d/error.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -24,9 +28,30 @@ TEST(places, a_plain_name_means_a_file_here_or_else_ours) {
     EXPECT_EQ(l3d_data_file("./torus.off"), "./torus.off");
     EXPECT_EQ(l3d_data_file("nothing.off"), "nothing.off");
     EXPECT_EQ(l3d_data_file(""), "");
+    EXPECT_EQ(l3d_data_file("torus"), l3d_data_folder() + "/torus.off");
+    EXPECT_EQ(l3d_data_file("teapot"), l3d_data_folder() + "/teapot.bpt");
+    EXPECT_EQ(l3d_data_file("toru"), "toru");
     std::ofstream("torus.off") << "OFF 0 0 0\n";
     EXPECT_EQ(l3d_data_file("torus.off"), "torus.off");
     std::filesystem::current_path(before);
+}
+
+TEST(places, models_have_names_and_an_error_says_where_they_were_looked_for) {
+    EXPECT_EQ(l3d_detail::model_names(),
+              (std::vector<std::string>{"ball", "bird", "mask", "spaceship", "teapot",
+                                        "teapot_bottom", "thing", "torus"}));
+    EXPECT_GT(l3d_detail::load_named_model("torus").mesh.faces(), 0u);
+    try {
+        l3d_detail::load_named_model("tours.off");
+        ADD_FAILURE();
+    } catch (const l3d_error& error) {
+        EXPECT_EQ(error.code(), l3d_exit::bad_input);
+        EXPECT_EQ(error.what(), "tours.off: no such file is here, nor a model of that name in " +
+                                    l3d_data_folder() +
+                                    ", which has ball bird mask spaceship teapot teapot_bottom "
+                                    "thing torus; did you mean 'torus'?");
+    }
+    EXPECT_THROW(l3d_detail::load_named_model("no/such/torus"), l3d_error);
 }
 
 TEST(places, a_program_whose_place_is_unknown_finds_nothing_in_the_current_folder) {

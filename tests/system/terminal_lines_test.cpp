@@ -29,6 +29,15 @@ protected:
         EXPECT_EQ(write(user_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
     }
 
+    /// The same once keys are read one by one: in lines, the terminal itself takes keys back.
+    std::thread type_when_asked(const std::string& keys) const {
+        return std::thread([this, keys] {
+            while (takes_whole_lines() || keys_waiting() > 0)
+                std::this_thread::yield();
+            type(keys);
+        });
+    }
+
     /// A line, with its end in the text; what came before the end of the input, without.
     std::string a_line(int seconds) {
         l3d_detail::terminal_lines typed(terminal_, out_, seconds);
@@ -62,11 +71,7 @@ TEST_F(terminal_lines, end_after_a_countdown_without_a_key) {
 
 TEST_F(terminal_lines, wait_for_the_rest_once_a_key_has_come) {
     type("m");
-    std::thread user([&] {
-        while (takes_whole_lines() || keys_waiting() > 0)
-            std::this_thread::yield();
-        type("emory\n");
-    });
+    std::thread user = type_when_asked("emory\n");
     EXPECT_EQ(a_line(0), "memory\n");
     user.join();
     EXPECT_EQ(out_.str(), "memory\n");
@@ -74,10 +79,11 @@ TEST_F(terminal_lines, wait_for_the_rest_once_a_key_has_come) {
 }
 
 TEST_F(terminal_lines, let_the_user_take_keys_back) {
-    type("xy\x7f\x7f\x7fq\x15"
-         "2\x1b\n");
-    EXPECT_EQ(a_line(0), "2\n");
-    EXPECT_EQ(out_.str(), "xy\b \b\b \bq\b \b2\n");
+    std::thread user = type_when_asked("xy\x7f\x7f\x7fq\x15"
+                                       "2\x1b\n");
+    EXPECT_EQ(a_line(1000), "2\n");
+    user.join();
+    EXPECT_EQ(out_.str().substr(out_.str().find('x')), "xy\b \b\b \bq\b \b2\n");
 }
 
 TEST_F(terminal_lines, end_by_a_key_and_go_on_for_the_next_question) {
@@ -87,8 +93,9 @@ TEST_F(terminal_lines, end_by_a_key_and_go_on_for_the_next_question) {
     std::string first, second;
     std::getline(std::getline(in, first), second);
     EXPECT_EQ(first + second, "nome");
-    type("\x04");
+    std::thread user = type_when_asked("\x04");
     EXPECT_EQ(in.get(), std::istream::traits_type::eof());
+    user.join();
 }
 
 TEST_F(terminal_lines, leave_the_terminal_as_it_was_when_a_signal_ends_the_program) {

@@ -82,7 +82,7 @@ def a_signal_leaves_whole_pictures_and_nothing_else():
     with folder() as whole:
         expect_done(sequence(whole, "40"))
         wanted = pictures(whole)
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
             with folder() as path:
                 with started(sequence(path, "40"), environment()) as process:
                     end = time.monotonic() + PATIENCE

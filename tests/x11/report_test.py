@@ -33,7 +33,7 @@ def report(path, program, *more, env=None):
 
 def pages(path, env=None):
     """By the script that the program's last line names."""
-    script = os.path.join(DATA, "report_pages.py")
+    script = os.path.join(DATA, "report", "report_pages.py")
     done = subprocess.run([sys.executable, script, path], env=env or environment(), capture_output=True, text=True)
     return done.returncode, done.stdout, done.stderr
 
@@ -47,7 +47,7 @@ def is_whole(program):
     with folder() as path:
         status, _, messages = report(path, program)
         expect_equal(status, 0, messages)
-        said = f"the numbers are in {path}; pages of them: python3 {DATA}/report_pages.py {path}\n"
+        said = f"the numbers are in {path}; pages of them: python3 {DATA}/report/report_pages.py {path}\n"
         expect(messages.endswith(said), messages[-300:])
         expect(not os.path.exists(os.path.join(path, "report.md")), "pages that nobody asked for")
         expect_equal(pages(path), (0, path + "/report.md\n", ""))

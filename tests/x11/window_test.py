@@ -52,7 +52,7 @@ def tells_that_the_server_died(program):
 
 
 def dies_by_the_signal(program):
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
         with folder() as path, Session(program, "--output", "last.png", cwd=path) as it:
             it.process.send_signal(number)
             it.expect_end(-number)
