@@ -155,16 +155,18 @@ bool band_fragments::has_column(std::int32_t left, std::int32_t right) const {
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
                               const l3d_pixel_box& box, bool levels) {
     const l3d_micro_grid& grid = part.grid;
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    const quad_corners corners{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
-                               grid.vertex(p01)};
+    quad_corners corners = corners_of(grid, p00);
     const quad_turns turns(corners);
     const std::uint32_t color = color_of(part, part.material);
     if (turns.level())
         return;
+    if (grid.shows_both && !turns.folded())
+        show_side(corners, turns.area2());
     if (!turns.folded())
         return add_convex(corners, color, box, true);
-    const auto add_piece = [&](const auto& piece) {
+    const auto add_piece = [&](auto piece) {
+        if (grid.shows_both)
+            show_side(piece);
         add_convex(piece, color, reached(piece), true);
     };
     if (levels)

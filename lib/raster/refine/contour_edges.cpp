@@ -94,11 +94,6 @@ namespace {
 
 constexpr int word_bits = 64;
 
-quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
-}
-
 /// Whether the piece of a folded quad at its side `side` turns to the right.
 bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, std::size_t side) {
     const scan_point from = position(v[side]);

@@ -60,6 +60,7 @@ public:
     void use_material(std::uint32_t material) { material_ = material; }
 
     void add_quad(const l3d_micro_grid& grid, std::size_t p00) {
+        shows_both_ = grid.shows_both;
         const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
         const std::array<std::size_t, 4> at{p00, p00 + 1, p01 + 1, p01};
         four x, y;
@@ -119,7 +120,9 @@ private:
         const float t = (mean_x * along1_y - mean_y * along1_x) * inverse;
         const float depth = mean(inv_w) + s * (inv_w[2] - inv_w[0]) + t * (inv_w[3] - inv_w[1]);
         if (depth > found_.inv_w)
-            found_ = {linear_light::level_of(level_at(s, t)), depth, area2 > 0, material_};
+            found_ = {
+                linear_light::level_of(shows_both_ && area2 > 0 ? -level_at(s, t) : level_at(s, t)),
+                depth, area2 > 0, material_};
     }
 
     static float mean(const four& of) { return 0.25f * ((of[0] + of[2]) + (of[1] + of[3])); }
@@ -139,6 +142,7 @@ private:
 
     float x_, y_; ///< units: 1/256 pixel
     std::uint32_t material_ = 0;
+    bool shows_both_ = false;
     surface_light found_;
 };
 
