@@ -34,15 +34,13 @@ struct picture {
     }
 
     /// Whether there is a jump from a pixel to the next one in a direction, as the rule says it.
-    bool jumps(std::int32_t x, std::int32_t y, int dx, int dy, jump_rule rule) const {
+    bool jumps(std::int32_t x, std::int32_t y, int dx, int dy) const {
         for (const int shift : {0, 8, 16}) {
             const auto at = [&](int i) { return level(x + i * dx, y + i * dy, shift); };
             const int up = at(1) >= at(0) ? 1 : -1, rise = up * (at(1) - at(0));
             const int before = std::max(up * (at(0) - at(-1)), 0);
             const int after = std::max(up * (at(2) - at(1)), 0);
-            const int steady =
-                rule == jump_rule::smooth ? std::max(before, after) : std::min(before, after);
-            if (rise - 2 * steady > jump_levels)
+            if (rise - 2 * std::min(before, after) > jump_levels)
                 return true;
         }
         return false;
@@ -77,20 +75,19 @@ TEST(find_jumps, finds_those_of_each_channel_and_no_others) {
     for (int i = 0; i < 600; ++i) {
         picture of = random_picture(random, {1 + i % 150, 1 + i % 7});
         const l3d_pixel_box where = random_box(random, of.size);
-        const jump_rule rule = random.between(0, 1) == 0 ? jump_rule::any : jump_rule::smooth;
         for (const std::string& target : l3d_simd_targets()) {
             ASSERT_TRUE(l3d_set_simd_target(target));
             level_jumps jumps;
             jumps.resize(of.size);
             jumps.clear(0, of.size.height);
-            find_jumps(of.pixels(), rule, where, jumps);
+            find_jumps(of.pixels(), where, jumps);
             for (std::int32_t y = 0; y < of.size.height; ++y)
                 for (std::int32_t x = 0; x < of.size.width; ++x) {
                     const bool inside =
                         x >= where.left && x < where.right && y >= where.top && y < where.bottom;
-                    ASSERT_EQ(jumps.right.has(x, y), inside && of.jumps(x, y, 1, 0, rule))
+                    ASSERT_EQ(jumps.right.has(x, y), inside && of.jumps(x, y, 1, 0))
                         << target << ": " << x << ", " << y << ", picture " << i;
-                    ASSERT_EQ(jumps.down.has(x, y), inside && of.jumps(x, y, 0, 1, rule))
+                    ASSERT_EQ(jumps.down.has(x, y), inside && of.jumps(x, y, 0, 1))
                         << target << ": " << x << ", " << y << ", picture " << i;
                 }
         }

@@ -13,11 +13,9 @@ namespace {
 constexpr std::array modes{l3d_shade::lambert, l3d_shade::flat, l3d_shade::normals,
                            l3d_shade::levels};
 
-/// Every second scene takes the short ways that vertices a quarter of a pixel off allow.
-l3d_shading antialiased(l3d_shade mode, unsigned n) {
+l3d_shading antialiased(l3d_shade mode) {
     l3d_shading shading = scene_shading(mode);
     shading.antialias = true;
-    shading.place_error = n % 2 == 0 ? 0 : 0.25f;
     return shading;
 }
 
@@ -51,8 +49,8 @@ surface_parts scene_of(unsigned n, l3d_size size, int sheets) {
     return scene;
 }
 
-void draw(surface_picture& picture, const surface_parts& scene, l3d_shade mode, unsigned n) {
-    picture.rasterizer.begin(picture.pixels(), nullptr, antialiased(mode, n));
+void draw(surface_picture& picture, const surface_parts& scene, l3d_shade mode) {
+    picture.rasterizer.begin(picture.pixels(), nullptr, antialiased(mode));
     picture.rasterizer.draw(pointers(scene));
     picture.rasterizer.finish();
 }
@@ -64,17 +62,17 @@ TEST(RefineSame, WhateverTheThreadsAndBands) {
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = scene_of(n, scene_size, 20);
             surface_picture one(scene_size.width, scene_size.height, 1);
-            draw(one, scene, mode, n);
+            draw(one, scene, mode);
             ASSERT_GT(one.rasterizer.counts().refined, 1000);
             EXPECT_TRUE(one.guards_intact());
             for (const int threads : {2, 3, 8}) {
                 surface_picture other(scene_size.width, scene_size.height, threads);
-                draw(other, scene, mode, n);
+                draw(other, scene, mode);
                 EXPECT_EQ(one.words, other.words) << threads << " threads, seed " << n;
             }
             for (const int rows : {8, 24, 136}) {
                 surface_picture other(scene_size.width, scene_size.height, 2, {rows});
-                draw(other, scene, mode, n);
+                draw(other, scene, mode);
                 EXPECT_EQ(one.words, other.words) << rows << " rows, seed " << n;
             }
         }
@@ -85,9 +83,9 @@ TEST(RefineSame, WhereverBandsEndBesideSteepLight) {
     for (int n = 0; n < 20; ++n) {
         const surface_parts scene{tube(0.02 * n, 1.5 + 0.05 * n, 1.5)};
         surface_picture one(64, 48, 1, {48});
-        draw(one, scene, l3d_shade::levels, 1);
+        draw(one, scene, l3d_shade::levels);
         surface_picture other(64, 48, 1, {8});
-        draw(other, scene, l3d_shade::levels, 1);
+        draw(other, scene, l3d_shade::levels);
         EXPECT_EQ(one.words, other.words) << n;
     }
 }
@@ -97,11 +95,11 @@ TEST(RefineSame, WhateverTheInstructions) {
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = scene_of(n, scene_size, 20);
             surface_picture best(scene_size.width, scene_size.height, 2);
-            draw(best, scene, mode, n);
+            draw(best, scene, mode);
             for (const std::string& name : l3d_simd_targets()) {
                 ASSERT_TRUE(l3d_set_simd_target(name));
                 surface_picture other(scene_size.width, scene_size.height, 2);
-                draw(other, scene, mode, n);
+                draw(other, scene, mode);
                 EXPECT_EQ(best.words, other.words) << name << ", seed " << n;
             }
             l3d_set_simd_target("");
@@ -114,14 +112,14 @@ TEST(RefineSame, PartsAreTheBitsOfTheWhole) {
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = scene_of(n, scene_size, 12);
             surface_picture whole(scene_size.width, scene_size.height, 2);
-            draw(whole, scene, mode, n);
+            draw(whole, scene, mode);
             for (int k = 0; k < 12; ++k) {
                 const int left = random.number(0, scene_size.width - 1);
                 const int top = random.number(0, scene_size.height - 1);
                 const l3d_pixel_box box{left, top, random.number(left + 1, scene_size.width),
                                         random.number(top + 1, scene_size.height)};
                 surface_picture part(scene_size.width, scene_size.height, 2);
-                part.rasterizer.begin_part(part.pixels(), nullptr, antialiased(mode, n), box);
+                part.rasterizer.begin_part(part.pixels(), nullptr, antialiased(mode), box);
                 part.rasterizer.draw(pointers(scene));
                 part.rasterizer.finish();
                 for (int y = 0; y < scene_size.height; ++y)
@@ -158,7 +156,7 @@ TEST(RefineSame, TilingsHaveNoSeams) {
             for (std::size_t i = 0; i < 4; ++i)
                 parts.push_back(part_of(reference::corners{v[i], v[(i + 1) % 4], middle}));
         }
-        draw(picture, parts, l3d_shade::flat, n / 2);
+        draw(picture, parts, l3d_shade::flat);
         // No pixel that lies inside of the quad shows anything but its level.
         const std::uint32_t level = picture.word(12, 10);
         const auto inside = [&](int x, int y) {

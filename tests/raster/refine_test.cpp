@@ -2,7 +2,7 @@
 // Anti-aliasing: against a picture of 16 x 16 times the pixels, and against exact areas.
 #include "raster/refine/linear_light_p.h"
 #include "raster/srgb_light.h"
-#include "raster/refine/sample_pattern_p.h"
+#include "raster/refine/sample_places_p.h"
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,9 @@ using l3d_detail::scan_point;
 
 constexpr int fine = 16; ///< samples of a pixel along x and along y
 
-/// Vertices may be off by `place_error` pixels.
-l3d_shading antialiased(l3d_shade mode, float place_error = 0) {
+l3d_shading antialiased(l3d_shade mode) {
     l3d_shading shading = scene_shading(mode);
     shading.antialias = true;
-    shading.place_error = place_error;
     return shading;
 }
 
@@ -167,7 +165,7 @@ double area_right_of(scan_point a, scan_point b, int x, int y) {
     return sum / rows;
 }
 
-TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
+TEST(Refine, AFoldHasItsShareOfEachPixel) {
     constexpr l3d_size size{48, 32};
     std::mt19937 random(scene_seed);
     const auto number = [&](int least, int most) {
@@ -191,8 +189,9 @@ TEST(Refine, AFoldHasItsExactShareOfEachPixel) {
                 const double area = area_right_of(a, b, x, y);
                 between += area > 0.01 && area < 0.99;
                 const double shown = l3d_light_of_level(picture.word(x, y) & 255) / surface;
-                // Half a level of 126 is 2.4 / 2 / 126 of its light.
-                ASSERT_NEAR(shown, area, 1.0 / 100) << n << ": " << x << ", " << y;
+                // Samples may be wrong by 3.4/64, and half a level of 126 is 2.4 / 2 / 126 of its
+                // light.
+                ASSERT_NEAR(shown, area, 3.4 / 64 + 1.0 / 100) << n << ": " << x << ", " << y;
             }
     }
     EXPECT_GT(between, 5000);
@@ -207,13 +206,13 @@ struct level_errors {
 };
 
 /// Tubes of some radius, seen from 24 sides, beside the slow twin.
-level_errors errors_of_tubes(double radius, double wider, float place_error) {
+level_errors errors_of_tubes(double radius, double wider) {
     constexpr l3d_size size{64, 48};
     surface_picture picture(size.width, size.height, 1);
     level_errors errors;
     for (int n = 0; n < 24; ++n) {
         const surface_parts scene{tube(0.1 + n * 0.26, radius + n % 5 * wider, (n % 3 - 1) * 0.7)};
-        draw(picture, scene, antialiased(l3d_shade::levels, place_error));
+        draw(picture, scene, antialiased(l3d_shade::levels));
         slow_picture slow(scene, size, l3d_shade::levels);
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -232,18 +231,15 @@ level_errors errors_of_tubes(double radius, double wider, float place_error) {
 /// The light of a tube changes by up to 40 levels from pixel to pixel beside its outlines. Limits
 /// are 1.2 times what was measured.
 TEST(Refine, SteepLevelsBesideAFoldAreThoseOfTheSlowTwin) {
-    for (const float place_error : {0.0f, 0.25f}) {
-        SCOPED_TRACE(testing::Message() << "vertices off by " << place_error);
-        const level_errors wide = errors_of_tubes(8, 3, place_error);
-        EXPECT_GT(wide.pixels, 3000);
-        EXPECT_LT(wide.rms(), 1.25);
-        EXPECT_LT(wide.largest, 16);
-        // So thin that a pixel's neighbours tell little of it: its own polygons are asked.
-        const level_errors thin = errors_of_tubes(1.5, 0.5, place_error);
-        EXPECT_GT(thin.pixels, 3000);
-        EXPECT_LT(thin.rms(), 4.1);
-        EXPECT_LT(thin.largest, 36);
-    }
+    const level_errors wide = errors_of_tubes(8, 3);
+    EXPECT_GT(wide.pixels, 3000);
+    EXPECT_LT(wide.rms(), 1.85);
+    EXPECT_LT(wide.largest, 20);
+    // So thin that a pixel's neighbours tell little of it.
+    const level_errors thin = errors_of_tubes(1.5, 0.5);
+    EXPECT_GT(thin.pixels, 3000);
+    EXPECT_LT(thin.rms(), 4.1);
+    EXPECT_LT(thin.largest, 36);
 }
 
 TEST(Refine, LevelsComeBackFromLight) {
@@ -259,7 +255,7 @@ TEST(Refine, LevelsComeBackFromLight) {
 }
 
 TEST(Refine, SamplesTellAreasOfHalfPlanes) {
-    using pattern = l3d_detail::sample_pattern;
+    using l3d_detail::the_samples;
     double largest = 0;
     for (int direction = 0; direction < 180; ++direction) {
         const double angle = direction * 3.14159265358979 / 180;
@@ -267,11 +263,10 @@ TEST(Refine, SamplesTellAreasOfHalfPlanes) {
         for (int step = -70; step <= 70; ++step) {
             const double at = step / 100.0; // of the line from the pixel's middle
             int inside = 0;
-            for (std::size_t row = 0; row < pattern::rows; ++row)
-                for (std::size_t column = 0; column < pattern::columns; ++column)
-                    inside += nx * (pattern::x(row, column) / 512.0 - 0.5) +
-                                  ny * (pattern::y(row, column) / 512.0 - 0.5) <
-                              at;
+            for (std::size_t i = 0; i < the_samples.count; ++i)
+                inside += nx * ((the_samples.x[i] + 0.5) / 16 - 0.5) +
+                              ny * ((the_samples.y[i] + 0.5) / 16 - 0.5) <
+                          at;
             constexpr int fine_rows = 2000;
             double area = 0;
             for (int row = 0; row < fine_rows; ++row) {
@@ -283,10 +278,10 @@ TEST(Refine, SamplesTellAreasOfHalfPlanes) {
                 const double below = std::clamp(end + 0.5, 0.0, 1.0);
                 area += (slope > 0 ? below : 1 - below) / fine_rows;
             }
-            largest = std::max(largest, std::abs(inside / double(pattern::count) - area));
+            largest = std::max(largest, std::abs(inside / double(the_samples.count) - area));
         }
     }
-    EXPECT_LT(largest, 1.25 / 64);
+    EXPECT_LT(largest, 3.6 / 64);
 }
 
 } // namespace

@@ -38,22 +38,6 @@ int turn_of(const l3d_micro_triangles& all, int triangle) {
     return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
 }
 
-/// Whether the quads beside two edges are the same: those of a surface that was given twice.
-bool coincide(const contour_edge& one, const contour_edge& other) {
-    const l3d_micro_grid &a = one.beside.part->grid, &b = other.beside.part->grid;
-    if (a.rows < 2 || b.rows < 2)
-        return false;
-    const auto corner = [](const l3d_micro_grid& grid, const contour_edge& edge, int i) {
-        return grid.vertex(edge.beside.row + i / 2, edge.beside.column + i % 2);
-    };
-    for (int i = 0; i < 4; ++i) {
-        const l3d_micro_vertex v = corner(a, one, i), w = corner(b, other, i);
-        if (v.x != w.x || v.y != w.y || v.inv_w != w.inv_w)
-            return false;
-    }
-    return true;
-}
-
 /// A number of an edge, the same for both directions.
 std::uint32_t hash_of(const contour_edge& edge) {
     const auto of = [](scan_point p) {
@@ -78,13 +62,13 @@ void border_edges::add(const band_item& item) {
             part.border, static_cast<int>(item.triangle_begin), {}, &l3d_border_edge::column);
         for (auto e = begin; e != part.border.end() && e->column < int(item.triangle_end); ++e)
             if (reaches_rows(*e))
-                add_edge(part, *e, turn_of(part.triangles, e->column));
+                add_edge(*e, turn_of(part.triangles, e->column));
         return;
     }
     for (const l3d_border_edge& e : part.border)
         if (e.row >= cells.row_begin && e.row < cells.row_end && e.column >= cells.column_begin &&
             e.column < cells.column_end && reaches_rows(e))
-            add_edge(part, e, turn_at(part.grid, e));
+            add_edge(e, turn_at(part.grid, e));
 }
 
 /// A vertex on a pixel's border belongs to the pixel above.
@@ -94,19 +78,13 @@ bool border_edges::reaches_rows(const l3d_border_edge& edge) const {
            (edge.from_x != edge.to_x || edge.from_y != edge.to_y);
 }
 
-void border_edges::add_edge(const l3d_surface_part& part, const l3d_border_edge& e, int turn) {
-    if (turn == 0)
+void border_edges::add_edge(const l3d_border_edge& e, int turn) {
+    if (turn == 0 && !e.always)
         return;
-    contour_edge edge{{e.from_x, e.from_y},
-                      {e.to_x, e.to_y},
-                      e.nearest,
-                      std::max(e.level, 0.0f),
-                      false,
-                      {&part, e.row, e.column},
-                      {}};
+    contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest};
     if (turn < 0)
         std::swap(edge.from, edge.to);
-    edges_.push_back({edge, e.level, kind::end});
+    edges_.push_back({edge, e.level, e.always ? kind::always : kind::end});
 }
 
 std::span<const contour_edge> border_edges::match() {
@@ -118,6 +96,8 @@ std::span<const contour_edge> border_edges::match() {
     const int shift = 32 - std::countr_zero(places);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         border& here = edges_[i];
+        if (here.is == kind::always)
+            continue;
         std::size_t at = hash_of(here.edge) >> shift;
         for (;; at = (at + 1) % places) {
             if (table_[at] == 0) {
@@ -132,13 +112,9 @@ std::span<const contour_edge> border_edges::match() {
             if (!along && !against)
                 continue;
             here.is = kind::inside; // the other one stands for both
-            if (along && coincide(other.edge, here.edge))
-                break;
-            if (along) {
+            if (along)
                 other.is = kind::fold;
-                other.edge.level = std::abs(other.level); // the sign may be that of the other side
-                other.edge.also = here.edge.beside;
-            } else
+            else
                 other.is =
                     std::abs(other.level - here.level) > jump_levels ? kind::crease : kind::inside;
             break;
@@ -149,7 +125,6 @@ std::span<const contour_edge> border_edges::match() {
     for (border& b : edges_) {
         if (b.is == kind::crease)
             b.edge.nearest *= in_front;
-        b.edge.fold = b.is == kind::fold;
         if (b.is != kind::inside)
             contours_.push_back(b.edge);
     }

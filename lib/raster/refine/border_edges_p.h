@@ -33,7 +33,7 @@ public:
     std::span<const contour_edge> match();
 
 private:
-    enum class kind : unsigned char { end, fold, inside, crease };
+    enum class kind : unsigned char { end, fold, inside, crease, always };
     struct border {
         contour_edge edge;
         float level;
@@ -41,7 +41,7 @@ private:
     };
 
     bool reaches_rows(const l3d_border_edge& edge) const;
-    void add_edge(const l3d_surface_part& part, const l3d_border_edge& edge, int turn);
+    void add_edge(const l3d_border_edge& edge, int turn);
 
     std::int32_t top_ = 0, bottom_ = 0;
     std::vector<border> edges_;

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -100,11 +99,6 @@ bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, st
     return cross(position(v[(side + 1) % 4]) - from, position(centre) - from) > 0;
 }
 
-/// Beside a fold, some vertices' levels are those of the other side: of the other sign.
-float mean_level(float a, float b) {
-    return 0.5f * (std::abs(a) + std::abs(b));
-}
-
 bool has(const std::uint64_t* bits, int column) {
     return (bits[column / word_bits] >> (column % word_bits) & 1) != 0;
 }
@@ -167,7 +161,9 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
         for (level &= inside; level != 0; level &= level - 1) {
             const int column = word * word_bits + std::countr_zero(level);
             const std::size_t p = grid.index(row, column);
-            add_between(part, row, column, p, p + 1, turns(row, column, upper),
+            if (grid.is_cut(p) || grid.is_cut(grid.index(row - 1, column)))
+                continue;
+            add_between(grid.vertex(p), grid.vertex(p + 1), turns(row, column, upper),
                         turns(row - 1, column, lower));
         }
         const auto moved = [&](const std::uint64_t* of) {
@@ -179,55 +175,36 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
         for (upright &= inside; upright != 0; upright &= upright - 1) {
             const int column = word * word_bits + std::countr_zero(upright);
             const std::size_t p = grid.index(row, column);
-            add_between(part, row, column, p + static_cast<std::size_t>(grid.pitch), p,
+            if (grid.is_cut(p) || grid.is_cut(p - 1))
+                continue;
+            add_between(grid.vertex(p + static_cast<std::size_t>(grid.pitch)), grid.vertex(p),
                         turns(row, column, left_side), turns(row, column - 1, right_side));
         }
         for (std::uint64_t some = folded[w] & inside; some != 0; some &= some - 1)
-            add_spokes(part, row, word * word_bits + std::countr_zero(some));
+            if (const int column = word * word_bits + std::countr_zero(some);
+                !grid.is_cut(grid.index(row, column)))
+                add_spokes(grid, row, column);
     }
 }
 
 /// The edge from one vertex to another, if only the polygon on one of its sides turns to the right.
-void contour_edges::add_between(const l3d_surface_part& part, int row, int column, std::size_t from,
-                                std::size_t to, bool right_turns, bool left_turns) {
-    const l3d_micro_grid& grid = part.grid;
-    if (right_turns == left_turns)
-        return;
-    const contour_edge edge{{grid.x[from], grid.y[from]},
-                            {grid.x[to], grid.y[to]},
-                            std::max(grid.inv_w[from], grid.inv_w[to]),
-                            mean_level(grid.normal[0][from], grid.normal[0][to]),
-                            true,
-                            {&part, row, column},
-                            {}};
-    if (right_turns)
-        edges_.push_back(edge);
-    else
-        edges_.push_back(
-            {edge.to, edge.from, edge.nearest, edge.level, true, {&part, row, column}, {}});
+void contour_edges::add_between(const l3d_micro_vertex& from, const l3d_micro_vertex& to,
+                                bool right_turns, bool left_turns) {
+    const float nearest = std::max(from.inv_w, to.inv_w);
+    if (right_turns && !left_turns)
+        edges_.push_back({position(from), position(to), nearest});
+    else if (left_turns && !right_turns)
+        edges_.push_back({position(to), position(from), nearest});
 }
 
-/// The edges between the pieces of a folded quad.
-void contour_edges::add_spokes(const l3d_surface_part& part, int row, int column) {
-    const l3d_micro_grid& grid = part.grid;
+/// The edges between the pieces of a folded quad. The piece at a side goes from the centre to the
+/// side's first corner.
+void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
     const quad_corners v = corners_of(grid, grid.index(row, column));
     const l3d_micro_vertex centre = projective_centre(v);
-    std::array<bool, 4> turns{};
-    for (std::size_t i = 0; i < turns.size(); ++i)
-        turns[i] = piece_turns_right(v, centre, i);
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        const std::size_t before = (i + 3) % 4;
-        if (turns[i] == turns[before])
-            continue;
-        const scan_point corner = position(v[i]), middle = position(centre);
-        const float nearest = std::max(v[i].inv_w, centre.inv_w);
-        const float level = mean_level(v[i].normal[0], centre.normal[0]);
-        // The piece at side i goes from the centre to its first corner.
-        if (turns[i])
-            edges_.push_back({middle, corner, nearest, level, true, {&part, row, column}, {}});
-        else
-            edges_.push_back({corner, middle, nearest, level, true, {&part, row, column}, {}});
-    }
+    for (std::size_t i = 0; i < v.size(); ++i)
+        add_between(centre, v[i], piece_turns_right(v, centre, i),
+                    piece_turns_right(v, centre, (i + 3) % v.size()));
 }
 
 } // namespace l3d_detail

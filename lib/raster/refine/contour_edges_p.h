@@ -18,15 +18,6 @@ namespace l3d_detail {
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
     float nearest = 0;   ///< of both vertices' inv_w
-    float level = 0; ///< mean of both vertices' levels, in mode l3d_shade::levels: of folds without
-                     ///< their signs, of borders 0 if it is negative
-    bool fold = false; ///< the surface on its right folds over here; it does not just end
-    /// A quad beside it. Where two parts meet at a fold, one of each.
-    struct quad_place {
-        const l3d_surface_part* part = nullptr;
-        int row = 0, column = 0;
-    };
-    quad_place beside, also;
 };
 
 /// Finds the edges between a polygon that turns to the right and one that does not. A folded quad
@@ -46,9 +37,9 @@ public:
 
 private:
     void add_row(const l3d_surface_part& part, const grid_cells& cells, int row);
-    void add_between(const l3d_surface_part& part, int row, int column, std::size_t from,
-                     std::size_t to, bool right_turns, bool left_turns);
-    void add_spokes(const l3d_surface_part& part, int row, int column);
+    void add_between(const l3d_micro_vertex& from, const l3d_micro_vertex& to, bool right_turns,
+                     bool left_turns);
+    void add_spokes(const l3d_micro_grid& grid, int row, int column);
 
     std::vector<std::uint64_t> above_, here_; ///< a row's turns, then which quads are folded
     std::vector<contour_edge> edges_;

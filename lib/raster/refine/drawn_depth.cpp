@@ -40,6 +40,19 @@ float drawn_depth::farthest(std::int32_t x, std::int32_t y) const {
     return result;
 }
 
+bool drawn_depth::drawn_in(const l3d_pixel_box& box) const {
+    const l3d_pixel_box around = box.grown(1);
+    if (around.intersected(window_) != around)
+        return false;
+    for (std::int32_t y = around.top; y < around.bottom + depth_tile::height;
+         y += depth_tile::height)
+        for (std::int32_t x = around.left; x < around.right + depth_tile::width;
+             x += depth_tile::width)
+            if (!coarse_->drawn_at(std::min(x, around.right - 1), std::min(y, around.bottom - 1)))
+                return false;
+    return true;
+}
+
 bool drawn_depth::hides_around(std::int32_t x, std::int32_t y, float inv_w) const {
     const neighbourhood near(x, y, window_);
     if (!near.drawn(*coarse_))

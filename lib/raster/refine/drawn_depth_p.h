@@ -23,6 +23,20 @@ public:
     /// The farthest depth of a pixel and those around it; 0 if nothing is in one of them.
     float farthest(std::int32_t x, std::int32_t y) const;
 
+    /// Whether something may be in all tiles around and in a box, and these lie in the window.
+    bool drawn_in(const l3d_pixel_box& box) const;
+
+    /// The same as farthest. Expects: drawn_in of a box with the pixel.
+    float farthest_inside(std::int32_t x, std::int32_t y) const {
+        const float* const above = first_ + (y - 1) * pitch_ + x;
+        const float* const here = above + pitch_;
+        const float* const below = here + pitch_;
+        const auto least = [](const float* row) {
+            return std::min(std::min(row[-1], row[0]), row[1]);
+        };
+        return std::min(std::min(least(above), least(here)), least(below));
+    }
+
     /// Whether all pixels around one, and itself, show what is nearer than `inv_w`. It is fastest
     /// if the one at (x + to_x, y + to_y) does not.
     /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.

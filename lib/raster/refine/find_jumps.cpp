@@ -44,11 +44,9 @@ struct four_levels {
 };
 
 /// A bit for each channel that jumps from b to c.
-template <jump_rule Rule>
 HWY_ATTR HWY_INLINE std::uint64_t jumps_at(const four_levels& of, level_lanes least_jump) {
     const auto rest = [](auto rise, auto before, auto after) HWY_ATTR {
-        const auto steady =
-            Rule == jump_rule::smooth ? hn::Max(before, after) : hn::Min(before, after);
+        const auto steady = hn::Min(before, after);
         return hn::SaturatedSub(hn::SaturatedSub(rise, steady), steady);
     };
     const auto [a, b, c, e] = of;
@@ -95,22 +93,20 @@ struct row_jumps {
 
 /// Finds the jumps of the vector of channels whose first one is of pixel x. It has the place `at`
 /// in the rows: one above, the row itself, and two below.
-template <jump_rule Rule>
 HWY_ATTR HWY_NOINLINE void add_jumps(const row_bytes (&rows)[4], std::ptrdiff_t at, std::int32_t x,
                                      const row_jumps& to) {
     const auto load = [&](std::size_t row, std::ptrdiff_t pixels) HWY_ATTR {
         return hn::LoadU(levels, rows[row] + at + channels * pixels);
     };
     const auto here = load(1, 0), least_jump = hn::LoadU(levels, least.at + at % channels);
-    add_pixels(jumps_at<Rule>({load(1, -1), here, load(1, 1), load(1, 2)}, least_jump), x, to.end,
+    add_pixels(jumps_at({load(1, -1), here, load(1, 1), load(1, 2)}, least_jump), x, to.end,
                to.right);
-    add_pixels(jumps_at<Rule>({load(0, 0), here, load(2, 0), load(3, 0)}, least_jump), x, to.end,
+    add_pixels(jumps_at({load(0, 0), here, load(2, 0), load(3, 0)}, least_jump), x, to.end,
                to.down);
 }
 
 /// Finds the jumps of pixels from x on, whose channels have the places [begin, end) in the rows.
 /// Few are far from a neighbour, and only for these it matters what is around both.
-template <jump_rule Rule>
 HWY_ATTR HWY_INLINE void find_between(const row_bytes (&rows)[4], std::ptrdiff_t begin,
                                       std::ptrdiff_t end, std::int32_t x, const row_jumps& to) {
     const row_bytes row = rows[1], next = rows[2];
@@ -122,12 +118,11 @@ HWY_ATTR HWY_INLINE void find_between(const row_bytes (&rows)[4], std::ptrdiff_t
         const auto least_jump = hn::LoadU(levels, least.at + at % channels);
         const auto most = hn::Max(hn::Max(rise_to(beside), rise_to(below)), least_jump);
         if (HWY_UNLIKELY(!hn::AllTrue(levels, hn::Eq(most, least_jump))))
-            add_jumps<Rule>(rows, at, x + static_cast<std::int32_t>((at - begin) / channels), to);
+            add_jumps(rows, at, x + static_cast<std::int32_t>((at - begin) / channels), to);
     }
 }
 
 /// As find_between, for some pixels at an end of the rows.
-template <jump_rule Rule>
 HWY_ATTR HWY_NOINLINE void find_at_end(const std::uint32_t* const (&rows)[4], std::int32_t width,
                                        std::int32_t x, std::int32_t pixels, const row_jumps& to) {
     row_end ends[4];
@@ -136,12 +131,10 @@ HWY_ATTR HWY_NOINLINE void find_at_end(const std::uint32_t* const (&rows)[4], st
         ends[i].load(rows[i], width, x - 1, pixels + 3);
         bytes[i] = reinterpret_cast<row_bytes>(ends[i].at);
     }
-    find_between<Rule>(bytes, channels, channels * (1 + pixels), x, to);
+    find_between(bytes, channels, channels * (1 + pixels), x, to);
 }
 
-template <jump_rule Rule>
-HWY_ATTR HWY_INLINE void find_by(const l3d_pixels& picture, const l3d_pixel_box& where,
-                                 level_jumps& jumps) {
+void find_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(levels));
     const std::int32_t pixels = std::max(lanes / channels, 1);
     for (std::int32_t y = where.top; y < where.bottom; ++y) {
@@ -154,25 +147,16 @@ HWY_ATTR HWY_INLINE void find_by(const l3d_pixels& picture, const l3d_pixel_box&
         const row_jumps to{where.right, jumps.right.row(y), jumps.down.row(y)};
         std::int32_t x = where.left;
         if (x == 0) {
-            find_at_end<Rule>(rows, picture.width, x, pixels, to);
+            find_at_end(rows, picture.width, x, pixels, to);
             x += pixels;
         }
         // Whole vectors, with two pixels behind the last.
         const std::int32_t room = std::min(where.right + pixels - 1, picture.width - 2) - x;
         const std::int32_t inside = x + std::max(room / pixels, 0) * pixels;
-        find_between<Rule>(bytes, std::ptrdiff_t{channels} * x, std::ptrdiff_t{channels} * inside,
-                           x, to);
+        find_between(bytes, std::ptrdiff_t{channels} * x, std::ptrdiff_t{channels} * inside, x, to);
         for (x = inside; x < where.right; x += pixels)
-            find_at_end<Rule>(rows, picture.width, x, pixels, to);
+            find_at_end(rows, picture.width, x, pixels, to);
     }
-}
-
-void find_jumps(const l3d_pixels& picture, jump_rule rule, const l3d_pixel_box& where,
-                level_jumps& jumps) {
-    if (rule == jump_rule::smooth)
-        find_by<jump_rule::smooth>(picture, where, jumps);
-    else
-        find_by<jump_rule::any>(picture, where, jumps);
 }
 
 } // namespace
@@ -185,10 +169,9 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(find_jumps);
 
-void find_jumps(const l3d_pixels& picture, jump_rule rule, const l3d_pixel_box& where,
-                level_jumps& jumps) {
+void find_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {
     if (!where.empty())
-        L3D_SIMD_CALL(find_jumps)(picture, rule, where, jumps);
+        L3D_SIMD_CALL(find_jumps)(picture, where, jumps);
 }
 
 } // namespace l3d_detail

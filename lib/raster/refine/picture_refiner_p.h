@@ -7,11 +7,8 @@
 #include "raster/refine/band_fragments_p.h"
 #include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
-#include "raster/refine/contour_mixer_p.h"
-#include "raster/refine/contour_pixels_p.h"
 #include "raster/refine/find_jumps_p.h"
 #include "raster/refine/pixel_bits_p.h"
-#include "raster/refine/pixel_mixer_p.h"
 #include "raster/surfaces/band_list_p.h"
 #include "raster/surfaces/coarse_depth_p.h"
 
@@ -34,11 +31,9 @@ struct drawn_frame {
     int rows = 0;         ///< of a band
 };
 
-/// Finds the pixels at edges, and draws these again.
-///
-/// A pixel that a single contour of a surface passes through is mixed by contour_mixer. What jumps
-/// of level no contour explains, pixels of several contours, and those beside one where light is
-/// steep are drawn by pixel_mixer from all polygons that reach them.
+/// Finds the pixels at edges, and draws these again: those that a contour passes through where it
+/// is not hidden, and both sides of jumps of level. A pixel then shows the mean light of what is
+/// seen at its 64 samples.
 ///
 /// Pixels of a band depend on the items of the frame, and on the levels and depths beside them
 /// before any pixel was refined. So they depend neither on the bands nor on the number of workers.
@@ -50,36 +45,20 @@ public:
     std::int64_t refine(const drawn_frame& frame, l3d_workers& workers);
 
 private:
-    /// A pixel's new word, which waits until nobody needs the one that is there.
-    struct refined_pixel {
-        std::int32_t x, y;
-        std::uint32_t word;
-    };
-    /// What is known of a band. Shape: begins two cache lines, so that workers do not take each
-    /// other's.
-    struct alignas(128) band_space {
-        contour_pixels contours;
-        std::vector<refined_pixel> refined;
-    };
+    /// Shape: begins two cache lines, so that workers do not take each other's.
     struct alignas(128) worker_space {
         contour_edges edges;
         border_edges borders;
         band_fragments fragments;
-        pixel_mixer mixer;
+        std::int64_t refined = 0;
     };
 
-    void find_contours(const drawn_frame& frame, int band, worker_space& space);
-    void mix_contours(const drawn_frame& frame, int band);
-    void mark_rims(const l3d_pixel_box& box, int band, const contour_mixer& mixer);
-    void mark_others(const drawn_frame& frame, const l3d_pixel_box& box);
-    void resolve(const drawn_frame& frame, int band, worker_space& space);
+    void find_edges(const drawn_frame& frame, int band, worker_space& space);
+    void join_marks(const drawn_frame& frame, const l3d_pixel_box& box);
+    void draw_marked(const drawn_frame& frame, int band, worker_space& space);
 
-    std::size_t bands_ = 0; ///< of the frame
     level_jumps jumps_;
-    contour_cuts cuts_;
-    pixel_bits contour_bits_; ///< pixels that contours pass through
-    pixel_bits others_;       ///< pixels that are drawn from all polygons
-    std::vector<band_space> each_band_;
+    pixel_bits marks_; ///< pixels that are sampled
     std::vector<worker_space> each_worker_;
 };
 

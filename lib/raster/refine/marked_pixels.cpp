@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// marked_pixels: rows of bits become tiles.
+#include "raster/refine/marked_pixels_p.h"
+
+#include "raster/refine/pixel_samples_p.h"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace l3d_detail {
+
+void marked_pixels::begin(const pixel_bits& marks, const drawn_depth& depth,
+                          const l3d_pixel_box& band) {
+    assert(band.top % side == 0);
+    band_ = band;
+    first_row_ = band.top / side;
+    columns_ = marks.row_words() * (pixel_bits::word_pixels / side);
+    const auto rows = static_cast<std::size_t>((band.bottom - band.top + side - 1) / side);
+    tiles_.assign(rows * columns_, {});
+    pixels_.clear();
+    gather_bits(marks);
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        if (tiles_[i].bits == 0)
+            continue;
+        const std::size_t row = i / columns_, column = i % columns_;
+        list(tiles_[i], static_cast<std::int32_t>(column) * side,
+             band.top + static_cast<std::int32_t>(row) * side, depth);
+        const std::size_t left = column > 0 ? 1 : 0, above = row > 0 ? columns_ : 0;
+        for (const std::size_t before : {std::size_t{0}, left, above, above + left})
+            tiles_[i - before].is_near = true;
+    }
+}
+
+/// A word of a row has the rows of eight tiles.
+void marked_pixels::gather_bits(const pixel_bits& marks) {
+    constexpr std::size_t in_word = pixel_bits::word_pixels / side;
+    constexpr std::uint64_t row_bits = (1u << side) - 1;
+    for (std::int32_t y = band_.top; y < band_.bottom; ++y) {
+        tile* const row =
+            tiles_.data() + static_cast<std::size_t>(y / side - first_row_) * columns_;
+        for (std::size_t w = 0; w < marks.row_words(); ++w) {
+            const std::uint64_t word = marks.row(y)[w];
+            for (std::size_t i = 0; word >> (side * i) != 0; ++i) {
+                row[in_word * w + i].bits |= (word >> (side * i) & row_bits) << (side * (y % side));
+                if (i + 1 == in_word)
+                    break;
+            }
+        }
+    }
+}
+
+void marked_pixels::list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth) {
+    of.first = static_cast<std::uint32_t>(pixels_.size());
+    const bool is_inside = depth.drawn_in({left, top, left + side, top + side});
+    for (std::uint64_t bits = of.bits; bits != 0; bits &= bits - 1) {
+        const int bit = std::countr_zero(bits);
+        const std::int32_t x = left + bit % side, y = top + bit / side;
+        const float farthest = is_inside ? depth.farthest_inside(x, y) : depth.farthest(x, y);
+        pixels_.push_back({x, y, fragment::none, farthest > 0, farthest, HUGE_VALF, 0});
+    }
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// marked_pixels: the pixels of a band that are sampled, in tiles.
+#ifndef L3D_RASTER_REFINE_MARKED_PIXELS_P_H
+#define L3D_RASTER_REFINE_MARKED_PIXELS_P_H
+
+#include "raster/refine/drawn_depth_p.h"
+#include "raster/refine/pixel_bits_p.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A pixel that is sampled.
+struct marked_pixel {
+    std::int32_t x, y;
+    std::uint32_t last; ///< the fragment that came last
+    bool is_closed;     ///< something was drawn in it and in all pixels around it
+    /// No polygon farther than this is seen: the farthest depth that was drawn in it and around it,
+    /// or of the polygons that cover all samples.
+    float farthest;
+    float least;           ///< inv_w of polygons that came
+    std::uint64_t covered; ///< by these
+};
+
+/// The marked pixels of a band.
+///
+/// Shape: rows of tiles of 8 x 8 pixels, each with a bit for a pixel: 8 row + column. Pixels are in
+///        the order of tiles, and in each in that of bits.
+/// Lives: of one worker, kept for its memory.
+class marked_pixels {
+public:
+    static constexpr std::int32_t side = 8;
+    struct tile {
+        std::uint64_t bits = 0;
+        std::uint32_t first = 0; ///< the place of its first marked pixel
+        bool is_near = false;    ///< it, or one next to it on the right or below, has marks
+    };
+
+    /// Expects: the band begins with a whole tile.
+    void begin(const pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
+
+    /// Whether a box that is not empty may reach a marked pixel: one of the tiles that it meets, or
+    /// of those next to these. Expects: it lies in the band.
+    bool may_reach(const l3d_pixel_box& box) const {
+        for (std::int32_t y = box.top / side; y * side < box.bottom; y += 2)
+            for (std::int32_t x = box.left / side; x * side < box.right; x += 2)
+                if (at(x, y).is_near)
+                    return true;
+        return false;
+    }
+
+    /// A tile, by the numbers of its column and row in the picture.
+    const tile& at(std::int32_t x, std::int32_t y) const {
+        return tiles_[static_cast<std::size_t>(y - first_row_) * columns_ +
+                      static_cast<std::size_t>(x)];
+    }
+
+    const l3d_pixel_box& band() const { return band_; }
+    std::vector<marked_pixel>& pixels() { return pixels_; }
+    const std::vector<marked_pixel>& pixels() const { return pixels_; }
+
+private:
+    void gather_bits(const pixel_bits& marks);
+    void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
+
+    l3d_pixel_box band_;
+    std::size_t columns_ = 0; ///< of tiles
+    std::int32_t first_row_ = 0;
+    std::vector<tile> tiles_;
+    std::vector<marked_pixel> pixels_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// pixel_light: the light of polygons at places, in linear light.
+#include "raster/refine/pixel_light_p.h"
+
+#include "raster/refine/linear_light_p.h"
+#include "raster/refine/sample_places_p.h"
+#include "raster/shaders/shader_choice_p.h"
+#include "raster/shapes/attribute_plane_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace l3d_detail {
+
+namespace {
+
+/// Amounts of red, green and blue light.
+struct light_sum {
+    std::array<float, 3> of{};
+
+    void add(const light_sum& other, float share) {
+        for (std::size_t i = 0; i < of.size(); ++i)
+            of[i] += share * other.of[i];
+    }
+
+    std::uint32_t word(const linear_light& tables) const {
+        if (of[0] == of[1] && of[1] == of[2])
+            return tables.level(of[0]) * 0x010101u;
+        std::uint32_t result = 0;
+        for (const float channel : of)
+            result = result << 8 | tables.level(channel);
+        return result;
+    }
+
+    static light_sum of_word(std::uint32_t word, const linear_light& tables) {
+        return {{tables.light(word >> 16 & 255), tables.light(word >> 8 & 255),
+                 tables.light(word & 255)}};
+    }
+};
+
+float held(float part) {
+    return std::min(std::max(part, 0.0f), 1.0f);
+}
+
+/// The level of a polygon of mode l3d_shade::levels at a place: that of levels_shader, at the
+/// parameters that a parallelogram would have. Units: pixels.
+float level_at(const fragment_polygon& of, float x, float y) {
+    const float per_area = l3d_subpixel_one / static_cast<float>(of.area2);
+    const auto ax = static_cast<float>(of.x[2] - of.x[0]),
+               ay = static_cast<float>(of.y[2] - of.y[0]);
+    const auto bx = static_cast<float>(of.x[3] - of.x[1]),
+               by = static_cast<float>(of.y[3] - of.y[1]);
+    const float right = x - of.middle_x, down = y - of.middle_y;
+    // In parts of the diagonals from the mean of the corners.
+    const float s = (by * right - bx * down) * per_area, t = (ax * down - ay * right) * per_area;
+    const auto& [a, b, c, d] = of.light[0];
+    const float ab = of.light[1][0], ad = of.light[2][0], bc = of.light[2][1], dc = of.light[1][3];
+    if (of.corners == 4) {
+        const float u = held(0.5f + s - t), v = held(0.5f + s + t), u1 = 1 - u, v1 = 1 - v;
+        return v1 * (u1 * a + u * b) + v * (u1 * d + u * c) +
+               4 * (u * u1 * (v1 * ab + v * dc) + v * v1 * (u1 * ad + u * bc));
+    }
+    // With d = c, the place is (1/4 - s) a + (1/4 - t) b + (1/2 + s + t) c.
+    const float of_b = held(0.25f - t), of_c = held(0.5f + s + t), of_a = 1 - of_b - of_c;
+    return of_a * a + of_b * b + of_c * c +
+           4 * (of_a * of_b * ab + of_a * of_c * ad + of_b * of_c * bc);
+}
+
+/// Planes of `Count` numbers of a polygon's corners.
+template <std::size_t Corners, std::size_t Count, class NumbersOf>
+attribute_planes<Count> planes_of(const fragment_polygon& polygon, const NumbersOf& numbers_of) {
+    std::array<scan_point, Corners> places;
+    std::array<std::array<float, Count>, Corners> numbers;
+    for (std::size_t i = 0; i < Corners; ++i) {
+        places[i] = {polygon.x[i], polygon.y[i]};
+        numbers_of(polygon.corner(i), numbers[i].data());
+    }
+    return {places, numbers, polygon.area2};
+}
+
+/// The light of polygons behind fog. Lives: borrows the shading.
+template <class Shader> class polygon_light {
+public:
+    polygon_light(const Shader& shader, const l3d_shading& shading, bool has_color, int height)
+        : shader_(shader), shading_(shading), has_color_(has_color), height_(height) {}
+
+    light_sum operator()(const fragment_polygon& polygon, float x, float y) {
+        const light_sum light = clear(polygon, x, y);
+        const l3d_fog& fog = shading_.fog;
+        if (!fog.is_on())
+            return light;
+        const auto [farthest, nearest] =
+            std::minmax({polygon.inv_w[0], polygon.inv_w[1], polygon.inv_w[2], polygon.inv_w[3]});
+        const float plane = polygon.depth + (polygon.depth_right * (x - polygon.middle_x) +
+                                             polygon.depth_down * (y - polygon.middle_y));
+        const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
+        const std::uint32_t amount = fog.amount(std::clamp(plane, farthest, nearest));
+        return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
+    }
+
+private:
+    light_sum clear(const fragment_polygon& polygon, float x, float y) {
+        if constexpr (std::is_same_v<Shader, constant_shader>)
+            return light_sum::of_word(polygon.color, tables_);
+        else if constexpr (has_bends<Shader>)
+            return of_level(level_at(polygon, x, y), polygon.color);
+        else
+            return of_word(word_at(polygon, double{x}, double{y}), polygon.color);
+    }
+
+    light_sum of_level(float lit, std::uint32_t color) const {
+        constexpr std::uint32_t white = 0xffffff;
+        if (!has_color_ || color == white) {
+            const float light = tables_.light_between(lit);
+            return {{light, light, light}};
+        }
+        const float level = linear_light::level_of(lit) / 255;
+        light_sum result;
+        for (std::size_t i = 0; i < result.of.size(); ++i)
+            result.of[i] =
+                tables_.light_at_level(level * static_cast<float>(color >> (16 - 8 * i) & 255));
+        return result;
+    }
+
+    light_sum of_word(std::uint32_t word, std::uint32_t color) const {
+        return light_sum::of_word(has_color_ ? l3d_product_of_colors(color, word) : word, tables_);
+    }
+
+    std::uint32_t word_at(const fragment_polygon& polygon, double x, double y) {
+        const std::array all{polygon.corner(0), polygon.corner(1), polygon.corner(2),
+                             polygon.corner(3)};
+        if constexpr (has_materials<Shader>)
+            shader_.use_material(polygon.color);
+        shader_.begin_polygon(std::span(all).first(static_cast<std::size_t>(polygon.corners)));
+        constexpr std::size_t count = Shader::components;
+        std::array<float, count> values{};
+        if constexpr (count > 0) {
+            const auto numbers = [&](const l3d_micro_vertex& v, float* out) {
+                shader_.corner(v, out);
+            };
+            const double column = l3d_subpixel_one * x, row = l3d_subpixel_one * y;
+            values = polygon.corners == 4
+                         ? planes_of<4, count>(polygon, numbers).at_place(column, row)
+                         : planes_of<3, count>(polygon, numbers).at_place(column, row);
+        }
+        if constexpr (has_places<Shader>)
+            return shader_.word_around(values.data(), x, y);
+        else
+            return shader_.word(values.data());
+    }
+
+    Shader shader_;
+    const l3d_shading& shading_;
+    const linear_light& tables_ = linear_light_tables();
+    bool has_color_;
+    int height_; ///< of the picture
+};
+
+/// The word of light before what is behind all surfaces, which fills `empty` of the pixel.
+std::uint32_t word_before(light_sum light, std::uint32_t behind, float empty,
+                          const linear_light& tables) {
+    if (behind != l3d_pixels::transparent) {
+        light.add(light_sum::of_word(behind, tables), empty);
+        return light.word(tables);
+    }
+    if (!(empty < 1))
+        return behind;
+    light_sum whole;
+    whole.add(light, 1 / (1 - empty));
+    return whole.word(tables) | l3d_transparency_of(empty);
+}
+
+} // namespace
+
+void light_pixels(const band_fragments& band, const l3d_shading& shading,
+                  std::span<const l3d_material> materials, bool has_color,
+                  const l3d_pixels& target) {
+    const linear_light& tables = linear_light_tables();
+    constexpr float part = 1.0f / sample_places::count;
+    const auto pixels = band.pixels();
+    const auto light_by = [&](auto shader) {
+        polygon_light light(shader, shading, has_color, target.height);
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            light_sum sum;
+            int count = 0;
+            for (const seen_fragment& of : band.seen_in(i)) {
+                sum.add(light(band.polygon(of), of.x, of.y), static_cast<float>(of.count));
+                count += of.count;
+            }
+            const std::int32_t x = pixels[i].x, y = pixels[i].y;
+            std::uint32_t& word = target.row(y)[static_cast<std::size_t>(x)];
+            const bool shares = band.closed(i) && count > 0;
+            light_sum mean;
+            mean.add(sum, shares ? 1 / static_cast<float>(count) : part);
+            const float empty = shares ? 0.0f : 1 - part * static_cast<float>(count);
+            word = word_before(mean, shading.background.word(y, target.height), empty, tables);
+        }
+    };
+    with_shader(shading, materials, 0, light_by);
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The places in a pixel at which it is sampled.
+#ifndef L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
+#define L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// 64 samples in the middles of 16 x 16 cells of a pixel, four in each row and each column of
+/// cells.
+///
+/// They were searched for, so that any straight edge has nearly as many samples on either side as
+/// its area says: at most 3.4 of the 64 are wrong, and 0.73 in the mean. Of a (0, 2)-sequence,
+/// which also has one sample in each rectangle of 1/64 of the pixel, 7.5 are at diagonals.
+///
+/// Sample b is bit b of masks. Units: cells.
+struct sample_places {
+    static constexpr std::size_t count = 64;
+    static constexpr std::int32_t cells = 16;
+    alignas(64) std::array<std::int16_t, count> x{
+        1, 4,  8, 14, 3,  6,  10, 12, 0, 8,  11, 15, 2,  4,  6,  13, 7, 9, 11, 14, 0,  2,
+        5, 12, 3, 7,  10, 14, 1,  5,  9, 15, 2,  7,  11, 13, 0,  3,  5, 9, 6,  10, 12, 14,
+        2, 4,  8, 15, 0,  7,  11, 13, 1, 3,  5,  9,  6,  10, 13, 15, 1, 4, 8,  12};
+    alignas(64) std::array<std::int16_t, count> y{};
+
+    constexpr sample_places() {
+        for (std::size_t i = 0; i < count; ++i)
+            y[i] = static_cast<std::int16_t>(i / 4);
+    }
+
+    constexpr bool has_four_in_each_line() const {
+        for (std::int16_t line = 0; line < cells; ++line) {
+            int in_row = 0, in_column = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                in_row += y[i] == line ? 1 : 0;
+                in_column += x[i] == line ? 1 : 0;
+            }
+            if (in_row != 4 || in_column != 4)
+                return false;
+        }
+        return true;
+    }
+
+    /// The samples whose coordinate has bit `digit`.
+    static constexpr std::uint64_t with_digit(const std::array<std::int16_t, count>& of,
+                                              unsigned digit) {
+        std::uint64_t mask = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            mask |= static_cast<std::uint64_t>(of[i] >> digit & 1) << i;
+        return mask;
+    }
+};
+
+inline constexpr sample_places the_samples;
+static_assert(the_samples.has_four_in_each_line());
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// The samples that polygons have in pixels, and what is seen of them.
+#include "raster/refine/band_fragments_p.h"
+#include "raster/refine/pixel_light_p.h"
+#include "raster/refine/sample_places_p.h"
+#include "surface_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace l3d_detail;
+
+constexpr l3d_size size{101, 67};
+
+/// All polygons of a scene, in all pixels whose squares they reach.
+struct all_fragments {
+    l3d_workers workers{1};
+    band_list list;
+    coarse_depth coarse;
+    pixel_bits bits;
+    band_fragments fragments;
+
+    all_fragments(const surface_parts& scene, const l3d_shading& shading) {
+        const l3d_pixel_box window = l3d_whole(size);
+        list.make(pointers(scene), {.window = window, .rows = size.height, .squares = true},
+                  nullptr, workers);
+        coarse.resize(size);
+        coarse.forget(0, size.height); // so that nothing counts as hidden
+        bits.resize(size);
+        bits.clear(0, size.height);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                bits.set(x, y);
+        fragments.begin(bits, drawn_depth(nullptr, 0, window, coarse), window);
+        fragments.use_colors({}, false);
+        for (const std::uint32_t index : list.items(0))
+            fragments.add(list, list.item(index), shading.mode == l3d_shade::levels);
+        fragments.finish();
+    }
+};
+
+/// Whether a sample lies in a polygon, by the fill rule, from its sides as they are.
+bool is_inside(const fragment_polygon& of, std::int64_t x, std::int64_t y) {
+    const std::int64_t way_round = of.area2 > 0 ? 1 : -1;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t next = (i + 1) % 4;
+        const std::int64_t dx = way_round * (of.x[next] - of.x[i]);
+        const std::int64_t dy = way_round * (of.y[next] - of.y[i]);
+        const std::int64_t right = dx * (y - of.y[i]) - dy * (x - of.x[i]);
+        const bool takes_side = dy < 0 || (dy == 0 && dx >= 0);
+        if (right < 0 || (right == 0 && !takes_side))
+            return false;
+    }
+    return true;
+}
+
+fragment_polygon polygon_of(std::span<const l3d_micro_vertex> corners) {
+    fragment_polygon result{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
+        result.x[i] = v.x;
+        result.y[i] = v.y;
+        result.inv_w[i] = v.inv_w;
+    }
+    result.corners = static_cast<std::int32_t>(corners.size());
+    result.set_plane();
+    return result;
+}
+
+/// The samples of each of some polygons in all pixels of a picture.
+struct masks {
+    marked_pixels pixels;
+    std::vector<fragment> fragments;
+
+    masks(std::span<const fragment_polygon> polygons, l3d_size of) {
+        const l3d_pixel_box window = l3d_whole(of);
+        coarse_depth coarse;
+        coarse.resize(of);
+        coarse.forget(0, of.height); // so that nothing counts as hidden
+        pixel_bits bits;
+        bits.resize(of);
+        bits.clear(0, of.height);
+        for (int y = 0; y < of.height; ++y)
+            for (int x = 0; x < of.width; ++x)
+                bits.set(x, y);
+        pixels.begin(bits, drawn_depth(nullptr, 0, window, coarse), window);
+        for (const fragment_polygon& p : polygons) {
+            const polygon_outline outline{{p.x[0], p.x[1], p.x[2], p.x[3], p.x[0]},
+                                          {p.y[0], p.y[1], p.y[2], p.y[3], p.y[0]},
+                                          p.area2,
+                                          1,
+                                          1};
+            const std::size_t first = fragments.size();
+            fragments.resize(first + pixels.pixels().size() + 1);
+            fragments.resize(first + cover_samples(outline, name++, window, pixels,
+                                                   fragments.data() + first,
+                                                   static_cast<std::uint32_t>(first)));
+        }
+    }
+
+    std::uint64_t of(const marked_pixel& pixel, std::uint32_t polygon) const {
+        for (std::uint32_t at = pixel.last; at != fragment::none; at = fragments[at].before)
+            if (fragments[at].polygon == polygon)
+                return fragments[at].samples;
+        return 0;
+    }
+
+    std::uint32_t name = 0;
+};
+
+/// Sides of up to 8.5 pixels are taken as they are.
+TEST(PixelSamples, AreInSmallPolygonsByTheFillRule) {
+    random_polygons random(scene_seed, size);
+    for (int n = 0; n < 400; ++n) {
+        std::array<l3d_micro_vertex, 3> corners;
+        // Every other time at whole sixteenths, where samples lie on sides.
+        const int unit = n % 2 == 0 ? 1 : 8;
+        for (l3d_micro_vertex& v : corners)
+            v = {unit * random.number(0, 1000 / unit), unit * random.number(0, 1000 / unit), 1, {}};
+        const fragment_polygon polygon = polygon_of(corners);
+        if (polygon.area2 == 0)
+            continue;
+        const masks all(std::span(&polygon, 1), {5, 5});
+        for (const marked_pixel& pixel : all.pixels.pixels())
+            for (std::size_t i = 0; i < the_samples.count; ++i)
+                ASSERT_EQ(all.of(pixel, 0) >> i & 1,
+                          is_inside(polygon, 256 * pixel.x + 16 * the_samples.x[i] + 8,
+                                    256 * pixel.y + 16 * the_samples.y[i] + 8))
+                    << n << ", pixel " << pixel.x << ", " << pixel.y << ", sample " << i;
+    }
+}
+
+/// A fan of triangles round a point, of any size. Where it covers all, each sample belongs to
+/// exactly one of them. That is the one that it lies in, but for few beside a long side.
+TEST(PixelSamples, BelongToExactlyOneOfTwoNeighbours) {
+    random_polygons random(scene_seed, size);
+    constexpr l3d_size around{40, 40};
+    std::size_t samples = 0, of_another = 0;
+    for (int n = 0; n < 300; ++n) {
+        const int reach = 256 * 120 << n % 7;
+        const l3d_micro_vertex middle{
+            random.number(0, 256 * 40), random.number(0, 256 * 40), 1, {}};
+        const auto beside = [&](int x, int y) {
+            return l3d_micro_vertex{middle.x + x * reach + random.number(-reach / 2, reach / 2),
+                                    middle.y + y * reach + random.number(-reach / 2, reach / 2),
+                                    1,
+                                    {}};
+        };
+        const std::array v{beside(-1, -1), beside(1, -1), beside(1, 1), beside(-1, 1)};
+        std::array<fragment_polygon, 4> fan;
+        for (std::size_t i = 0; i < 4; ++i) {
+            std::array corners{v[i], v[(i + 1) % 4], middle};
+            std::rotate(corners.begin(), corners.begin() + n % 3, corners.end());
+            if (random.number(0, 1) == 0)
+                std::swap(corners[0], corners[1]);
+            fan[i] = polygon_of(corners);
+        }
+        const masks all(fan, around);
+        for (const marked_pixel& pixel : all.pixels.pixels()) {
+            std::uint64_t any = 0;
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                const std::uint64_t of = all.of(pixel, i);
+                ASSERT_EQ(any & of, 0U) << n << ": " << pixel.x << ", " << pixel.y;
+                any |= of;
+                for (std::size_t k = 0; k < the_samples.count; ++k)
+                    of_another += (of >> k & 1) != 0 &&
+                                  !is_inside(fan[i], 256 * pixel.x + 16 * the_samples.x[k] + 8,
+                                             256 * pixel.y + 16 * the_samples.y[k] + 8);
+            }
+            ASSERT_EQ(any, ~std::uint64_t{0}) << n << ": " << pixel.x << ", " << pixel.y;
+            samples += the_samples.count;
+        }
+    }
+    EXPECT_LT(of_another, samples / 10000);
+}
+
+/// The same surface without a grid.
+l3d_surface_part facets_of(const l3d_surface_part& part) {
+    l3d_surface_part result;
+    result.triangles = part.triangles;
+    for (int row = 0; row + 1 < part.grid.rows; ++row)
+        for (int column = 0; column + 1 < part.grid.columns; ++column) {
+            const auto at = [&](int down, int right) {
+                return part.grid.vertex(part.grid.index(row + down, column + right));
+            };
+            result.triangles.add(at(0, 0), at(0, 1), at(1, 1));
+            result.triangles.add(at(0, 0), at(1, 1), at(1, 0));
+        }
+    return result;
+}
+
+/// Of facets in one place the first is seen, whichever way the others turn.
+TEST(PixelSamples, ShowFacetsInOnePlaceOnce) {
+    const l3d_shading shading = scene_shading(l3d_shade::gouraud);
+    const auto words_of = [&](const surface_parts& scene) {
+        const all_fragments all(scene, shading);
+        surface_picture picture(size.width, size.height, 1);
+        light_pixels(all.fragments, shading, {}, false, picture.pixels());
+        return picture.words;
+    };
+    for (unsigned n = 0; n < 4; ++n) {
+        surface_parts once;
+        for (const l3d_surface_part& part : random_scene(scene_seed + n, size, 6))
+            once.push_back(facets_of(part));
+        surface_parts thrice = once;
+        thrice.insert(thrice.end(), once.begin(), once.end());
+        for (l3d_surface_part part : once) {
+            for (l3d_micro_triangles::block& block : part.triangles.blocks)
+                std::swap(block[0], block[1]);
+            thrice.push_back(part);
+        }
+        EXPECT_EQ(words_of(thrice), words_of(once)) << n;
+    }
+}
+
+/// Thousands of slivers in each pixel are left out as others hide them.
+TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
+    l3d_surface_part part;
+    random_polygons random(scene_seed, size);
+    constexpr int slivers = 60000;
+    for (int i = 0; i < slivers; ++i) {
+        const int x = 256 * 20 + random.number(0, 1024), y = 256 * 20 + random.number(0, 1024);
+        const float inv_w = 0.5f + 1e-6f * static_cast<float>(i);
+        part.triangles.add({x, y, inv_w, {0, 0, 1}}, {x + 600, y + 10, inv_w, {0, 0, 1}},
+                           {x, y + 60, inv_w, {0, 0, 1}});
+    }
+    const all_fragments all({part}, scene_shading(l3d_shade::gouraud));
+    const band_fragments& band = all.fragments;
+    std::size_t fragments = 0;
+    for (std::size_t i = 0; i < band.pixels().size(); ++i)
+        for (const seen_fragment& seen : band.seen_in(i)) {
+            ++fragments;
+            const std::int32_t x = band.pixels()[i].x, y = band.pixels()[i].y;
+            for (std::size_t k = 0; k < the_samples.count; ++k) {
+                if ((seen.samples >> k & 1) == 0)
+                    continue;
+                // No later one, which is nearer, has the sample.
+                const fragment_polygon& nearest = band.polygon(seen);
+                const auto name = std::lround((nearest.inv_w[0] - 0.5f) / 1e-6f);
+                for (long later = name + 1; later < std::min<long>(name + 40, slivers); ++later) {
+                    const std::array corners{part.triangles.vertex(std::size_t(later), 0),
+                                             part.triangles.vertex(std::size_t(later), 1),
+                                             part.triangles.vertex(std::size_t(later), 2)};
+                    ASSERT_FALSE(corners[0].inv_w > nearest.inv_w[0] &&
+                                 is_inside(polygon_of(corners), 256 * x + 16 * the_samples.x[k] + 8,
+                                           256 * y + 16 * the_samples.y[k] + 8));
+                }
+            }
+        }
+    EXPECT_GT(fragments, 500U);
+    EXPECT_LT(band.kept_fragments(), std::size_t{1} << 18);
+}
+
+} // namespace
