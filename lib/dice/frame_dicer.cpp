@@ -63,6 +63,7 @@ unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_co
 /// Vertices get their parameters in place of normals.
 void put_parameters(l3d_diced_piece& piece) {
     l3d_micro_grid& grid = piece.part.grid;
+    grid.shows_both = false;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t at = grid.index(row, column);

@@ -48,7 +48,7 @@ void l3d_make_unit(float (&normal)[3]) {
             component /= length;
 }
 
-void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]) {
+bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]) {
     const l3d_shading& shading = view.shading;
     // The ray that h lies on, times w: linear in h, and so right behind the eye, too.
     double away = 0;
@@ -58,14 +58,11 @@ void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float
             double{shading.ray[k]} + view.size.width / 2.0 * right + view.size.height / 2.0 * down;
         away += double{normal[k]} * (h[2] * centre + h[0] * right + h[1] * down);
     }
-    const float side = away > 0 ? -1.0F : 1.0F;
     if (view.makes_levels()) {
-        normal[0] = side * level_of(shading, normal);
+        normal[0] = level_of(shading, normal);
         normal[1] = normal[2] = 0;
-    } else {
-        for (float& component : normal)
-            component *= side;
     }
+    return away > 0;
 }
 
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,

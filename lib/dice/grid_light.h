@@ -13,10 +13,11 @@
 /// Brings a normal to unit length; what has none stays as it is.
 void l3d_make_unit(float (&normal)[3]);
 
-/// Turns a vertex's unit normal to the eye, or replaces it by its level without bends.
+/// Replaces a vertex's unit normal by its level without bends, if levels are wanted. Returns
+/// whether the normal points away from the eye, and what is written has to be negated to be seen.
 ///
 /// Shape: h is the vertex before the division; it may be behind the eye.
-void l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
+bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
 
 /// Turns the normals of a piece's grid to the side that is seen, or replaces them by levels and
 /// bends that are evaluated one by one. The slow twin of l3d_detail::levels_in_lanes.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace {
 
@@ -16,11 +17,14 @@ namespace {
 /// forth across a plane: of such, which cover nothing, corners too many are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 9> corners;
+    std::array<bool, 9> is_cut{}; ///< the side from a corner to the next was made by a depth plane
     std::size_t count = 0;
 
-    void add(const l3d_clip_vertex& v) {
-        if (count < corners.size())
-            corners[count++] = v;
+    void add(const l3d_clip_vertex& v, bool cut) {
+        if (count == corners.size())
+            return;
+        is_cut[count] = cut;
+        corners[count++] = v;
     }
 };
 
@@ -29,6 +33,7 @@ struct plane {
     l3d_image_point normal;
     double offset = 0;
 
+    bool is_of_depth() const { return normal[0] == 0 && normal[1] == 0; }
     double distance(const l3d_image_point& h) const { return l3d_dot(normal, h) - offset; }
 };
 
@@ -66,11 +71,22 @@ polygon cut_by(const polygon& in, const plane& cut, const l3d_dice_view& view) {
         const l3d_clip_vertex& b = in.corners[(i + 1) % in.count];
         const bool a_inside = cut.distance(a.h) >= 0, b_inside = cut.distance(b.h) >= 0;
         if (a_inside)
-            out.add(a);
+            out.add(a, in.is_cut[i]);
         if (a_inside != b_inside)
-            out.add(crossing(a, b, cut, view));
+            out.add(crossing(a, b, cut, view), a_inside ? cut.is_of_depth() : in.is_cut[i]);
     }
     return out;
+}
+
+/// What can be drawn lies between these.
+std::array<plane, 6> planes_of(const l3d_dice_view& view) {
+    const double g = l3d_guard_band;
+    return {{{{0, 0, 1}, view.near},
+             {{0, 0, -1}, -view.far},
+             {{1, 0, g}, 0},
+             {{-1, 0, g}, 0},
+             {{0, 1, g}, 0},
+             {{0, -1, g}, 0}}};
 }
 
 /// Gives a point that can be drawn its pixel position.
@@ -80,6 +96,25 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.dice.vertex.y = s.y + view.centre_y();
     v.dice.vertex.inv_w = s.inv_w * static_cast<float>(view.depth_scale);
     v.drawable = true;
+}
+
+/// Notes the sides of a fan of triangles, the first of which is given, that a depth plane made.
+void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
+    for (std::size_t i = 0; i < shape.count; ++i) {
+        if (!shape.is_cut[i])
+            continue;
+        const l3d_micro_vertex& a = shape.corners[i].dice.vertex;
+        const l3d_micro_vertex& b = shape.corners[(i + 1) % shape.count].dice.vertex;
+        const std::size_t triangle = first + std::clamp<std::size_t>(i, 1, shape.count - 2) - 1;
+        out.part.border.push_back({.from_x = a.x,
+                                   .from_y = a.y,
+                                   .to_x = b.x,
+                                   .to_y = b.y,
+                                   .nearest = std::max(a.inv_w, b.inv_w),
+                                   .level = std::numeric_limits<float>::quiet_NaN(),
+                                   .column = static_cast<int>(triangle),
+                                   .always = true});
+    }
 }
 
 } // namespace
@@ -107,17 +142,10 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
     const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
     if (farthest <= view.near || nearest >= view.far)
         return;
-    const double g = l3d_guard_band;
-    const std::array<plane, 6> planes{{{{0, 0, 1}, view.near},
-                                       {{0, 0, -1}, -view.far},
-                                       {{1, 0, g}, 0},
-                                       {{-1, 0, g}, 0},
-                                       {{0, 1, g}, 0},
-                                       {{0, -1, g}, 0}}};
     polygon shape;
     for (const auto* corner : {&a, &b, &c})
-        shape.add(*corner);
-    for (const plane& cut : planes) {
+        shape.add(*corner, false);
+    for (const plane& cut : planes_of(view)) {
         shape = cut_by(shape, cut, view);
         if (shape.count < 3)
             return;
@@ -125,6 +153,24 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
     for (std::size_t i = 0; i < shape.count; ++i)
         if (!shape.corners[i].drawable)
             project(shape.corners[i], view);
+    if (view.shading.antialias && out.part.grid.rows == 0)
+        note_cuts(shape, out.part.triangles.count, out);
     for (std::size_t i = 2; i < shape.count; ++i)
         out.add_triangle(shape.corners[0].dice, shape.corners[i - 1].dice, shape.corners[i].dice);
+}
+
+bool l3d_clip_segment(l3d_clip_vertex& a, l3d_clip_vertex& b, const l3d_dice_view& view) {
+    if (a.drawable && b.drawable)
+        return true;
+    for (const plane& cut : planes_of(view)) {
+        const bool a_inside = cut.distance(a.h) >= 0, b_inside = cut.distance(b.h) >= 0;
+        if (!a_inside && !b_inside)
+            return false;
+        if (a_inside != b_inside)
+            (a_inside ? b : a) = crossing(a, b, cut, view);
+    }
+    for (l3d_clip_vertex* end : {&a, &b})
+        if (!end->drawable)
+            project(*end, view);
+    return true;
 }

@@ -11,6 +11,7 @@ struct l3d_clip_vertex {
     l3d_image_point h{0.0, 0.0, 0.0};
     l3d_dice_vertex dice; ///< the vertex is valid only if `drawable`
     bool drawable = false;
+    bool away = false; ///< the normal points away from the eye; for who lights it
 };
 
 /// Whether a homogeneous point is between the near and the far plane and inside the guard band.
@@ -23,8 +24,13 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_vi
 ///
 /// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of p
 /// and q alone, whatever their order. So triangles that share an edge still fit together.
+/// With anti-aliasing, the part's border notes the sides that lie in the near or the far plane, if
+/// the part has no grid.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);
+
+/// Cuts a straight line to the part of it that can be drawn; false if there is none.
+bool l3d_clip_segment(l3d_clip_vertex& a, l3d_clip_vertex& b, const l3d_dice_view& view);
 
 #endif

@@ -4,9 +4,11 @@
 
 #include "dice/edges/border.h"
 #include "dice/grid_light.h"
+#include "dice/seen_sides.h"
 #include "dice/snap.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace {
@@ -33,6 +35,18 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
     return column;
 }
 
+/// The sign of the light that a triangle shows. It shows the side that all its corners do. Where an
+/// outline passes through, it is the one that the triangle turns: not that of the normals if its
+/// corners turn to the right in the picture.
+float side_of(const std::array<l3d_clip_vertex, 3>& v) {
+    if (v[0].away == v[1].away && v[1].away == v[2].away)
+        return v[0].away ? -1.0F : 1.0F;
+    const l3d_image_point &a = v[0].h, &b = v[1].h, &c = v[2].h;
+    const l3d_image_point across{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
+                                 b[0] * c[1] - b[1] * c[0]};
+    return l3d_dot(a, across) > 0 ? -1.0F : 1.0F;
+}
+
 } // namespace
 
 template <class T>
@@ -51,11 +65,12 @@ void l3d_piece_drawer<T>::draw(const piece& p, const l3d_piece_nets<T>& nets,
         evaluate_grid(nets, plan, out);
         set_clip_corners(p);
         for (l3d_clip_vertex& v : clip_grid_)
-            l3d_light_vertex(view_, v.h, v.dice.vertex.normal);
+            v.away = l3d_light_vertex(view_, v.h, v.dice.vertex.normal);
         add_clipped_quads(out);
         for (std::size_t side = 0; side < p.sides.size(); ++side)
             fill_slit(
-                p, side, [&](int r, int c) { return clip_vertex(r, c); }, out);
+                p, side, [&](int r, int c) { return clip_vertex(r, c); },
+                [&](int r, int c) { return side_of(half_of_quad(r, c, side % 3 == 0)); }, out);
         return;
     }
     l3d_micro_grid& grid = out.part.grid;
@@ -81,12 +96,13 @@ template <class T> void l3d_piece_drawer<T>::close(const piece& p, l3d_diced_pie
         const l3d_edge_polyline& edge = (*edges_)[along.edge];
         if (edge.strips().blocks > 0) {
             l3d_close_side(out, side, edge, along.t0, along.t1);
-            if (view_.shading.antialias)
-                l3d_note_border(out, side, edge, along.t0, along.t1);
         } else {
             fill_slit(
-                p, side, [&](int r, int c) { return grid_vertex(p, grid, r, c); }, out);
+                p, side, [&](int r, int c) { return grid_vertex(p, grid, r, c); },
+                [&](int r, int c) { return l3d_side_of_quad(grid, r, c, side); }, out);
         }
+        if (view_.shading.antialias)
+            l3d_note_border(out, side, edge, view_, along.t0, along.t1);
     }
 }
 
@@ -239,11 +255,25 @@ template <class T> void l3d_piece_drawer<T>::set_clip_corners(const piece& p) {
 template <class T> void l3d_piece_drawer<T>::add_clipped_quads(l3d_diced_piece& out) const {
     for (int r = 0; r + 1 < rows_; ++r)
         for (int c = 0; c + 1 < columns_; ++c) {
-            const l3d_clip_vertex &a = clip_vertex(r, c), &b = clip_vertex(r, c + 1);
-            const l3d_clip_vertex &d = clip_vertex(r + 1, c), &e = clip_vertex(r + 1, c + 1);
-            l3d_clip_triangle(a, b, e, view_, out);
-            l3d_clip_triangle(a, e, d, view_, out);
+            for (const bool first : {true, false}) {
+                corners_of_half half = half_of_quad(r, c, first);
+                const float side = side_of(half);
+                for (l3d_clip_vertex& corner : half)
+                    for (float& number : corner.dice.vertex.normal)
+                        number *= side;
+                l3d_clip_triangle(half[0], half[1], half[2], view_, out);
+            }
         }
+}
+
+/// One of the two triangles that a clipped piece's quad is drawn as. The first one has its sides
+/// along low v and high u.
+template <class T>
+auto l3d_piece_drawer<T>::half_of_quad(int row, int column, bool first) const -> corners_of_half {
+    const l3d_clip_vertex &a = clip_vertex(row, column), &e = clip_vertex(row + 1, column + 1);
+    if (first)
+        return {a, clip_vertex(row, column + 1), e};
+    return {a, e, clip_vertex(row + 1, column)};
 }
 
 template <class T>
@@ -263,9 +293,9 @@ l3d_clip_vertex l3d_piece_drawer<T>::grid_vertex(const piece& p, const l3d_micro
 
 /// Fills the slit along one side of a grid given by its vertices.
 template <class T>
-template <class VertexAt>
+template <class VertexAt, class SideAt>
 void l3d_piece_drawer<T>::fill_slit(const piece& p, std::size_t side, VertexAt vertex_at,
-                                    l3d_diced_piece& out) {
+                                    SideAt side_at, l3d_diced_piece& out) {
     const bool along_u = side < 2;
     const int line = side % 2 == 0 ? 0 : (along_u ? rows_ : columns_) - 1;
     const double across = (along_u ? out.v : out.u)[static_cast<std::size_t>(line)];
@@ -283,8 +313,13 @@ void l3d_piece_drawer<T>::fill_slit(const piece& p, std::size_t side, VertexAt v
             std::fill_n(point.vertex.dice.vertex.normal + 1, 2, 0.0F);
         point.vertex.dice.u = along_u ? parameters[k] : across;
         point.vertex.dice.v = along_u ? across : parameters[k];
+        const int quad_beside = std::max(line - 1, 0);
+        if (k + 1 < parameters.size())
+            point.side = along_u ? side_at(quad_beside, i) : side_at(i, quad_beside);
     }
-    l3d_fill_slit(boundary_, (*edges_)[along.edge], view_, out);
+    // Nobody else knows of the sides of a clipped piece.
+    const bool is_border = out.part.grid.rows == 0 && along.edge < l3d_edge_polylines::sides;
+    l3d_fill_slit(boundary_, (*edges_)[along.edge], view_, out, is_border);
 }
 
 template <class T> void l3d_piece_drawer<T>::close_hidden(const piece& p, l3d_diced_piece& out) {
@@ -298,7 +333,8 @@ template <class T> void l3d_piece_drawer<T>::close_hidden(const piece& p, l3d_di
             const l3d_dice_vertex& at = point.vertex.dice;
             const auto normal = l3d_unit_normal(normals_->evaluate(at.u, at.v));
             std::copy(normal.begin(), normal.end(), point.vertex.dice.vertex.normal);
-            l3d_light_vertex(view_, point.vertex.h, point.vertex.dice.vertex.normal);
+            if (l3d_light_vertex(view_, point.vertex.h, point.vertex.dice.vertex.normal))
+                boundary_.front().side = -1;
         }
         l3d_fill_slit(boundary_, (*edges_)[p.sides[s].edge], view_, out);
     }

@@ -53,11 +53,14 @@ private:
     void copy_evaluated(l3d_micro_grid& grid) const;
     void set_grid_corners(const piece& p, l3d_micro_grid& grid) const;
     void set_clip_corners(const piece& p);
+    using corners_of_half = std::array<l3d_clip_vertex, 3>;
+    corners_of_half half_of_quad(int row, int column, bool first) const;
     void add_clipped_quads(l3d_diced_piece& out) const;
     l3d_clip_vertex grid_vertex(const piece& p, const l3d_micro_grid& grid, int row,
                                 int column) const;
-    template <class VertexAt>
-    void fill_slit(const piece& p, std::size_t side, VertexAt vertex_at, l3d_diced_piece& out);
+    template <class VertexAt, class SideAt>
+    void fill_slit(const piece& p, std::size_t side, VertexAt vertex_at, SideAt side_at,
+                   l3d_diced_piece& out);
 
     l3d_clip_vertex& clip_vertex(int row, int column) {
         return clip_grid_[clip_index(row, column)];

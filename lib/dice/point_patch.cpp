@@ -63,7 +63,9 @@ void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
     const double w = net.evaluate(middle, middle)[2];
     const std::array<float, 3> unit = l3d_unit_normal(normal);
     float lit[3] = {unit[0], unit[1], unit[2]};
-    l3d_light_vertex(view, net.evaluate(middle, middle), lit);
+    if (l3d_light_vertex(view, net.evaluate(middle, middle), lit))
+        for (float& number : lit)
+            number = -number;
     std::array<l3d_dice_vertex, 3> triangle;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         triangle[i].vertex = {place.x + corners[i][0],

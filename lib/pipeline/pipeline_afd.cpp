@@ -149,7 +149,6 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
                                              of_frame.light, of_frame.lighting);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
-    shading.place_error = static_cast<float>(settings_.tolerance);
     shading.background = settings_.background;
     if (!l3d_has_scale(settings_.shade)) // viewers change shades while there is fog
         shading.fog = settings_.fog;

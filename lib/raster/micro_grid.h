@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -50,8 +51,24 @@ struct L3D_PUBLIC l3d_micro_grid {
     std::vector<float> inv_w;     ///< 1 / distance, of all vertices
     std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
+    /// Some quads show the side of dS/du x dS/dv, others the other one. The vertices' light, levels
+    /// and bends or normals, is that of the first. A quad that turns to the right in the picture
+    /// shows the other: all its light has the other sign. So has each piece of a folded quad.
+    bool shows_both = false;
+
+    /// Quads that are not drawn, as triangles stand for them: what index() gives of their first
+    /// corners, in rising order.
+    std::vector<std::uint32_t> cut;
+
+    /// Whether a quad is one of these. Expects: the index of its first corner.
+    bool is_cut(std::size_t p00) const {
+        return !cut.empty() && std::binary_search(cut.begin(), cut.end(), p00);
+    }
+
     /// Makes room for so many vertices along u and v. What was in the arrays means nothing after.
     void resize(int new_columns, int new_rows) {
+        shows_both = false;
+        cut.clear();
         columns = new_columns;
         rows = new_rows;
         pitch = (new_columns + 15) / 16 * 16;

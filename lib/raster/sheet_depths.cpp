@@ -70,6 +70,8 @@ void l3d_sheet_depths::add(const l3d_surface_part& part, const l3d_sheet_patch& 
     };
     for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column) {
+            if (grid.is_cut(grid.index(row, column)))
+                continue;
             const bool is_rim =
                 row == 0 || column == 0 || row + 2 == grid.rows || column + 2 == grid.columns;
             add_quad(vertex(row, column), vertex(row, column + 1), vertex(row + 1, column + 1),

@@ -47,6 +47,8 @@ struct L3D_PUBLIC l3d_border_edge {
     /// Which of the quad's sides it is: p00 to p10, p10 to p11, p11 to p01, p01 to p00. Or the
     /// corner at which the triangle's side begins.
     int side = 0;
+    /// It is a contour whatever lies beside it: the surface folds over or is cut off here.
+    bool always = false;
 };
 
 /// A grid of micro-quads and loose triangles, drawn together.

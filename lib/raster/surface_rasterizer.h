@@ -38,10 +38,6 @@ struct L3D_PUBLIC l3d_shading {
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
-    /// How far vertices may be from the surface that is meant. Of what is smaller, little depends
-    /// at edges, so anti-aliasing may take shorter ways there. Units: pixels.
-    float place_error = 0;
-
     /// What pixels show that no surface covers, and the rest of those that are covered in part.
     l3d_background background{};
 
@@ -70,10 +66,9 @@ struct L3D_PUBLIC l3d_shading {
                  }));
     }
 
-    /// A pixel depends on what is drawn in pixels so near in x and y. A contour's other side is
-    /// shown by a neighbour, and its shading by that one's neighbour. Which contours divide these
-    /// two is told by the depths beside them.
-    int reach() const { return antialias ? 4 : 0; }
+    /// A pixel depends on what is drawn in pixels so near in x and y. A jump of level to one beside
+    /// it is told by that one and the next.
+    int reach() const { return antialias ? 2 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };

@@ -53,21 +53,23 @@ public:
         return uneven;
     }
 
-    /// The exact picture has a level within far_levels of this one, within the bound of place.
+    /// The level lies between those of the exact picture within the bound of place, or is no more
+    /// than far_levels beside them.
     bool is_near(int x, int y, int level) const {
-        constexpr int ways = 16, rings = 4;
         int low = 255, high = 0;
-        for (int ring = 0; ring <= rings; ++ring)
-            for (int k = 0; k < ways; ++k) {
-                const double angle = 2 * std::numbers::pi * k / ways;
-                const double distance = radius_ * ring / rings;
-                const double at_x = x + 0.5 + distance * std::cos(angle);
-                const double at_y = y + 0.5 + distance * std::sin(angle);
-                const int there = outlines_.grey(outlines_.look(at_x, at_y), at_x, at_y, light_);
-                low = std::min(low, there);
-                high = std::max(high, there);
-            }
+        around_within_bound(x, y, [&](int there) {
+            low = std::min(low, there);
+            high = std::max(high, there);
+        });
         return level >= low - far_levels && level <= high + far_levels;
+    }
+
+    /// The exact picture has a level within far_levels of this one, within the bound of place.
+    bool is_shown(int x, int y, int level) const {
+        bool found = false;
+        around_within_bound(
+            x, y, [&](int there) { found = found || std::abs(there - level) <= far_levels; });
+        return found;
     }
 
     double depth_px(int x, int y, double w) const {
@@ -75,6 +77,19 @@ public:
     }
 
 private:
+    /// Calls visit(level) for places within the bound of place.
+    template <class Visit> void around_within_bound(int x, int y, Visit visit) const {
+        constexpr int ways = 16, rings = 4;
+        for (int ring = 0; ring <= rings; ++ring)
+            for (int k = 0; k < ways; ++k) {
+                const double angle = 2 * std::numbers::pi * k / ways;
+                const double distance = radius_ * ring / rings;
+                const double at_x = x + 0.5 + distance * std::cos(angle);
+                const double at_y = y + 0.5 + distance * std::sin(angle);
+                visit(outlines_.grey(outlines_.look(at_x, at_y), at_x, at_y, light_));
+            }
+    }
+
     static double cosine(const vec3& p, const vec3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
     const exact_image& exact_;
@@ -147,6 +162,8 @@ seen_picture judge_seen(std::span<const unsigned char> greys, std::span<const fl
             if (kind != outline_kind::none) {
                 ++result.outlines[static_cast<std::size_t>(kind)];
                 result.far_outlines += far;
+                if (far && is && !by.is_shown(x, y, greys[k]))
+                    result.strange.push_back({x, y, greys[k], wanted[k]});
                 continue;
             }
             ++result.judged;

@@ -49,6 +49,9 @@ struct seen_picture {
 
     std::vector<seen_pixel> far;   ///< judged, and farther than far_levels
     std::int64_t far_outlines = 0; ///< as far, but at an outline
+    /// Those of far_outlines that show a surface in a level which the exact picture has nowhere
+    /// within the bound of place, by far_levels: no outline that has moved a little explains it.
+    std::vector<seen_pixel> strange;
     /// Those of `far` whose level the exact picture has nowhere within the bound of place, by
     /// far_levels. The rest is steep shading, moved by no more than the bound.
     std::int64_t far_anywhere = 0;

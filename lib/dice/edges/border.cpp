@@ -8,7 +8,7 @@
 #include <utility>
 
 void l3d_note_border(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
-                     double t0, double t1) {
+                     const l3d_dice_view& view, double t0, double t1) {
     const l3d_micro_grid& grid = piece.part.grid;
     const bool along_u = side < 2, at_end = side == 1 || side == 3;
     // So the quad is on the right if its corners p00 p10 p11 p01 turn to the right.
@@ -30,12 +30,14 @@ void l3d_note_border(l3d_diced_piece& piece, std::size_t side, const l3d_edge_po
         // The level of the grid's vertex on the side where the quad begins.
         const std::size_t vertex =
             grid.index(row + (along_u && at_end ? 1 : 0), column + (!along_u && at_end ? 1 : 0));
-        std::size_t from = i, to = i + 1;
+        l3d_clip_vertex a = edge.clip_vertex(i, view), b = edge.clip_vertex(i + 1, view);
+        if (!l3d_clip_segment(a, b, view))
+            continue;
         if (!forward)
-            std::swap(from, to);
+            std::swap(a, b);
+        const l3d_micro_vertex &from = a.dice.vertex, &to = b.dice.vertex;
         piece.part.border.push_back(
-            {edge.x()[from], edge.y()[from], edge.x()[to], edge.y()[to],
-             std::max(edge.inv_w()[from], edge.inv_w()[to]),
+            {from.x, from.y, to.x, to.y, std::max(from.inv_w, to.inv_w),
              piece.has_levels ? grid.normal[0][vertex] : std::numeric_limits<float>::quiet_NaN(),
              row, column, side_of_quad});
     }

@@ -3,6 +3,7 @@
 #include "dice/edges/slit.h"
 
 #include "dice/grid_light.h"
+#include "dice/seen_sides.h"
 #include "raster/pixel_centres.h"
 
 #include <algorithm>
@@ -54,17 +55,36 @@ void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, do
     out.add_span(straight ? out.slits.straight : out.slits.bent, along_u, low, high);
 }
 
-void add(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
+void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bool is_kept,
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
-    if (all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
+    if (!is_kept && all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
         return;
     for (const bool along_u : {true, false}) {
         const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
                                          : std::minmax({a.dice.v, b.dice.v, c.dice.v});
         note_span(out, true, along_u, low, high);
     }
+    for (l3d_clip_vertex* corner : {&a, &b, &c})
+        for (float& number : corner->dice.vertex.normal)
+            number *= side;
     l3d_clip_triangle(a, b, c, view, out);
+}
+
+/// Notes the way from one point of an edge to the next, beside the triangle that was added last.
+void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
+               l3d_diced_piece& out) {
+    if (out.part.triangles.count == 0 || !l3d_clip_segment(a, b, view))
+        return;
+    const l3d_micro_vertex &from = a.dice.vertex, &to = b.dice.vertex;
+    out.part.border.push_back({.from_x = from.x,
+                               .from_y = from.y,
+                               .to_x = to.x,
+                               .to_y = to.y,
+                               .nearest = std::max(from.inv_w, to.inv_w),
+                               .level = std::numeric_limits<float>::quiet_NaN(),
+                               .column = static_cast<int>(out.part.triangles.count) - 1,
+                               .always = true});
 }
 
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
@@ -79,7 +99,7 @@ public:
           first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
                  : side == 3 ? grid_.index(0, grid_.columns - 1)
                              : 0),
-          step_(along_u_ ? 1 : static_cast<std::size_t>(grid_.pitch)),
+          step_(along_u_ ? 1 : static_cast<std::size_t>(grid_.pitch)), side_(side),
           per_t_((parameters_.back() - parameters_.front()) / (t1 - t0)),
           at_zero_(parameters_.front() - per_t_ * t0) {}
 
@@ -129,16 +149,21 @@ private:
 
     /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
     void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
+        const float seen = side_beside(near);
         if (piece_.has_levels) {
             const auto bend = [&](const row_point& from, const row_point& to) {
-                return level_at((from.along + to.along) / 2, near) - (from.level + to.level) / 2;
+                return seen *
+                       (level_at((from.along + to.along) / 2, near) - (from.level + to.level) / 2);
             };
-            piece_.part.triangles.add(a.lit(a.level, bend(a, b), bend(a, c)),
-                                      b.lit(b.level, 0, bend(b, c)), c.lit(c.level, 0, 0));
+            piece_.part.triangles.add(a.lit(seen * a.level, bend(a, b), bend(a, c)),
+                                      b.lit(seen * b.level, 0, bend(b, c)),
+                                      c.lit(seen * c.level, 0, 0));
         } else {
             const auto lit = [&](const row_point& corner) {
                 l3d_micro_vertex result = corner.lit(0, 0, 0);
                 set_normal_at(corner.along, near, result.normal);
+                for (float& component : result.normal)
+                    component *= seen;
                 return result;
             };
             piece_.part.triangles.add(lit(a), lit(b), lit(c));
@@ -152,6 +177,15 @@ private:
                                                     ? l3d_diced_piece::parameters{along, across_}
                                                     : l3d_diced_piece::parameters{across_, along});
             }
+    }
+
+    /// What the light has to be multiplied by of the side that the quad shows which begins at
+    /// vertex i of the row, or ends there if it is the last one. How a slit's triangle turns is
+    /// chance.
+    float side_beside(std::size_t i) const {
+        const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
+        return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)
+                        : l3d_side_of_quad(grid_, quad, side_ == 3 ? grid_.columns - 2 : 0, side_);
     }
 
     /// Between which vertices of the row a parameter lies, and how far from the first to the next.
@@ -198,14 +232,15 @@ private:
     bool along_u_;
     const std::vector<double>& parameters_;
     double across_;
-    std::size_t first_, step_;
+    std::size_t first_, step_, side_;
     double per_t_, at_zero_; ///< of parameters along the side by the edge's: whole powers of two
 };
 
 } // namespace
 
 void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
-                   const l3d_dice_view& view, l3d_diced_piece& out) {
+                   const l3d_dice_view& view, l3d_diced_piece& out, bool is_border) {
+    const bool notes = is_border && view.shading.antialias;
     const double t0 = row.front().t, t1 = row.back().t;
     const l3d_dice_vertex &first = row.front().vertex.dice, &last = row.back().vertex.dice;
     const double* t = edge.t();
@@ -236,10 +271,15 @@ void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyl
         const l3d_clip_vertex q = on_row(j);
         const bool along_row =
             i + 1 < row.size() && (j + 1 == edge.size() || row[i + 1].t <= t[j + 1]);
-        if (along_row)
-            add(q, p.vertex, row[++i].vertex, view, out);
-        else
-            add(q, p.vertex, on_row(++j), view, out);
+        const float side = row[std::min(i, row.size() - 2)].side;
+        if (along_row) {
+            add(q, p.vertex, row[++i].vertex, side, false, view, out);
+            continue;
+        }
+        const l3d_clip_vertex next = on_row(++j);
+        add(q, p.vertex, next, side, notes, view, out); // one that covers nothing has a side, too
+        if (notes)
+            note_edge(q, next, view, out);
     }
 }
 

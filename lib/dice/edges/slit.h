@@ -12,6 +12,7 @@
 struct l3d_boundary_point {
     double t = 0;
     l3d_clip_vertex vertex;
+    float side = 1; ///< light of the slit from here to the next vertex is its corners' times this
 };
 
 /// Adds triangles that fill the slit between `row` and the stretch of `edge` beside it.
@@ -21,19 +22,21 @@ struct l3d_boundary_point {
 /// as that step's chord: filling adds nothing to the error bound. The row may start or end between
 /// two points of the edge. Then the fan from the edge point below goes on in the neighbouring
 /// piece, which shares the row's end vertex.
+/// With anti-aliasing, the edge is noted in the part's border if it `is_border`.
 /// Shape:   row in order of rising t, at least two points.
-/// Expects: every t of `row` within [0, 1].
+/// Expects: every t of `row` within [0, 1]; if it is_border, a part without a grid.
 void l3d_fill_slit(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
-                   const l3d_dice_view& view, l3d_diced_piece& out);
+                   const l3d_dice_view& view, l3d_diced_piece& out, bool is_border = false);
 
 /// The same along a whole side of the piece's grid, where nothing needs to be clipped. The side
 /// lies along the edge from t0 to t1.
 ///
 /// First the row takes over the edge's vertices where both stand for the same points. These are the
 /// ends of strips, and all points of strips in which the row has as many steps as the edge: there
-/// the slit is empty. The row's normals stay, and are those of the triangles.
-/// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
-/// Expects: the edge has strips. If an end of the row lies between the edge's own ends, it is at
+/// the slit is empty. The row's normals stay, and are those of the triangles. If the grid shows
+/// both sides, a triangle shows the one that the quad beside it does. Shape:   side as in
+/// l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written. Expects: the edge has
+/// strips. If an end of the row lies between the edge's own ends, it is at
 ///          the exact place that both neighbours compute, since the edge's points there may be
 ///          balanced.
 /// Cost:    12 ns a triangle. No allocation once there is memory for the most triangles.

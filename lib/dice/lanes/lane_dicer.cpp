@@ -225,7 +225,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
     for (std::size_t side = 0; side < edges.size(); ++side) {
         l3d_close_side(out, side, edges[side]);
         if (view.shading.antialias)
-            l3d_note_border(out, side, edges[side]);
+            l3d_note_border(out, side, edges[side], view);
         counts.add_edge(edges[side].size(), edges[side].bound());
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.

@@ -64,16 +64,21 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
                               const l3d_pixel_box& box, bool levels) {
     const l3d_micro_grid& grid = part.grid;
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    const quad_corners corners{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
-                               grid.vertex(p01)};
+    quad_corners corners = corners_of(grid, p00);
     const quad_turns turns(corners);
     const std::uint32_t color = color_of(part, part.material);
-    if (turns.level())
+    if (turns.level() || grid.is_cut(p00))
         return;
-    if (!turns.folded())
+    if (!turns.folded()) {
+        if (grid.shows_both)
+            show_side(corners, turns.area2());
         return add_convex(corners, color, box);
-    const auto add_piece = [&](const auto& piece) { add_convex(piece, color, reached(piece)); };
+    }
+    const auto add_piece = [&](auto piece) {
+        if (grid.shows_both)
+            show_side(piece);
+        add_convex(piece, color, reached(piece));
+    };
     if (levels)
         cut_folded_levels(corners, add_piece);
     else

@@ -79,12 +79,12 @@ bool border_edges::reaches_rows(const l3d_border_edge& edge) const {
 }
 
 void border_edges::add_edge(const l3d_border_edge& e, int turn) {
-    if (turn == 0)
+    if (turn == 0 && !e.always)
         return;
     contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest};
     if (turn < 0)
         std::swap(edge.from, edge.to);
-    edges_.push_back({edge, e.level, kind::end});
+    edges_.push_back({edge, e.level, e.always ? kind::always : kind::end});
 }
 
 std::span<const contour_edge> border_edges::match() {
@@ -96,6 +96,8 @@ std::span<const contour_edge> border_edges::match() {
     const int shift = 32 - std::countr_zero(places);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         border& here = edges_[i];
+        if (here.is == kind::always)
+            continue;
         std::size_t at = hash_of(here.edge) >> shift;
         for (;; at = (at + 1) % places) {
             if (table_[at] == 0) {

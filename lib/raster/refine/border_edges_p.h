@@ -33,7 +33,7 @@ public:
     std::span<const contour_edge> match();
 
 private:
-    enum class kind : unsigned char { end, fold, inside, crease };
+    enum class kind : unsigned char { end, fold, inside, crease, always };
     struct border {
         contour_edge edge;
         float level;

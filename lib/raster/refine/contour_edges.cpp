@@ -93,11 +93,6 @@ namespace {
 
 constexpr int word_bits = 64;
 
-quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
-}
-
 /// Whether the piece of a folded quad at its side `side` turns to the right.
 bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, std::size_t side) {
     const scan_point from = position(v[side]);
@@ -166,6 +161,8 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
         for (level &= inside; level != 0; level &= level - 1) {
             const int column = word * word_bits + std::countr_zero(level);
             const std::size_t p = grid.index(row, column);
+            if (grid.is_cut(p) || grid.is_cut(grid.index(row - 1, column)))
+                continue;
             add_between(grid.vertex(p), grid.vertex(p + 1), turns(row, column, upper),
                         turns(row - 1, column, lower));
         }
@@ -178,11 +175,15 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
         for (upright &= inside; upright != 0; upright &= upright - 1) {
             const int column = word * word_bits + std::countr_zero(upright);
             const std::size_t p = grid.index(row, column);
+            if (grid.is_cut(p) || grid.is_cut(p - 1))
+                continue;
             add_between(grid.vertex(p + static_cast<std::size_t>(grid.pitch)), grid.vertex(p),
                         turns(row, column, left_side), turns(row, column - 1, right_side));
         }
         for (std::uint64_t some = folded[w] & inside; some != 0; some &= some - 1)
-            add_spokes(grid, row, word * word_bits + std::countr_zero(some));
+            if (const int column = word * word_bits + std::countr_zero(some);
+                !grid.is_cut(grid.index(row, column)))
+                add_spokes(grid, row, column);
     }
 }
 

@@ -25,7 +25,8 @@ inline grid_cells all_cells(const l3d_micro_grid& grid) {
 inline std::int64_t polygons(const l3d_surface_part& part) {
     const grid_cells cells = all_cells(part.grid);
     return std::int64_t{cells.row_end} * cells.column_end +
-           static_cast<std::int64_t>(part.triangles.count);
+           static_cast<std::int64_t>(part.triangles.count) -
+           static_cast<std::int64_t>(part.grid.cut.size());
 }
 
 } // namespace l3d_detail

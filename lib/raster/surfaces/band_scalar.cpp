@@ -29,7 +29,8 @@ void fill_cell(surface_fill<Shader>& fill, const fill_band& band, const l3d_micr
     if (misses(grid.x[p00], grid.x[p10], grid.x[p11], grid.x[p01], 0, band.width) ||
         misses(grid.y[p00], grid.y[p10], grid.y[p11], grid.y[p01], band.top, band.bottom))
         return;
-    fill.quad({grid.vertex(p00), grid.vertex(p10), grid.vertex(p11), grid.vertex(p01)});
+    fill.quad({grid.vertex(p00), grid.vertex(p10), grid.vertex(p11), grid.vertex(p01)},
+              grid.shows_both);
 }
 
 template <class Shader>
@@ -64,7 +65,8 @@ void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
         fill.use_material(part.material);
         for (int row = cells.row_begin; row < cells.row_end; ++row)
             for (int column = cells.column_begin; column < cells.column_end; ++column)
-                fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
+                if (!part.grid.is_cut(part.grid.index(row, column)))
+                    fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
     });
 }
 

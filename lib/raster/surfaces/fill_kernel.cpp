@@ -76,6 +76,7 @@ public:
         std::size_t count;
         const void* source;
         std::int32_t name, step;
+        bool shows_both;                          ///< as l3d_micro_grid has it
         std::uint32_t material;                   ///< of all of them, unless they have their own:
         const std::uint32_t* materials = nullptr; ///< as l3d_micro_triangles has them
     };
@@ -142,6 +143,9 @@ private:
                 v = hn::TableLookupLanes(v, kept);
             hn::StoreU(v, d, place + to);
         };
+        vec other_side = hn::Zero(d); // the sign's bit
+        if (Light::numbers > 1 && HWY_UNLIKELY(from.shows_both))
+            other_side = hn::ShiftLeft<31>(hn::VecFromMask(d, turns_right(d, x, y)));
         for (std::size_t k = 0; k < 4; ++k) {
             const vertex_arrays& corner = from.corners[k];
             const std::size_t left = corner.size - from.at[k], at = from.light.at[k];
@@ -151,7 +155,7 @@ private:
             put(hn::BitCast(d, inv_w), queue_.corner[k][2]);
             for (std::size_t c = 0; c < Light::numbers; ++c) {
                 const auto light = load_within<Inside>(df, from.light.of[k][c], at + i, at + left);
-                put(hn::BitCast(d, light), queue_.corner[k][3 + c]);
+                put(hn::Xor(hn::BitCast(d, light), other_side), queue_.corner[k][3 + c]);
             }
         }
         const auto name = from.name + static_cast<std::int32_t>(i) * from.step;
@@ -245,10 +249,20 @@ HWY_INLINE void quads_by(const fill_target& to, const fill_grid& of, int row_beg
     const vertex_arrays vertices(grid);
     const corner_arrays corners{vertices, vertices, vertices, vertices};
     for (int row = row_begin; row < row_end; ++row) {
-        const std::size_t p00 = grid.index(row, column), p01 = grid.index(row + 1, column);
-        const corner_places at{p00, p00 + 1, p01 + 1, p01};
-        out.take({corners, at, lights.quads(corners, at, count), count, &grid,
-                  static_cast<std::int32_t>(p00), 1, of.material});
+        std::size_t p00 = grid.index(row, column);
+        const std::size_t end = p00 + count;
+        for (auto cut = std::ranges::lower_bound(grid.cut, p00); p00 < end; ++cut) {
+            const std::size_t stop = cut == grid.cut.end() ? end : std::min<std::size_t>(*cut, end);
+            const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+            const corner_places at{p00, p00 + 1, p01 + 1, p01};
+            if (p00 < stop)
+                out.take({corners, at, lights.quads(corners, at, stop - p00, grid.shows_both),
+                          stop - p00, &grid, static_cast<std::int32_t>(p00), 1, grid.shows_both,
+                          of.material});
+            p00 = stop + 1;
+            if (stop == end)
+                break;
+        }
     }
 }
 
@@ -268,6 +282,7 @@ HWY_INLINE void triangles_by(const fill_target& to, const l3d_micro_triangles& t
          &triangles,
          -1 - static_cast<std::int32_t>(first),
          -1,
+         false,
          material,
          triangles.materials.empty() ? nullptr : triangles.materials.data() + first});
 }

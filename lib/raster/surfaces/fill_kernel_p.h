@@ -166,7 +166,7 @@ struct fill_queue {
     /// Grey levels of a run of polygons' corners, made and read a vector at a time.
     static constexpr std::size_t run = 256;
     static_assert(run % widest_vector == 0);
-    alignas(64) float greys[3][run] = {};
+    alignas(64) float greys[4][run] = {};
 };
 
 /// Where polygons go, and what is written down of it: counts and rest are added to.

@@ -81,6 +81,13 @@ HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     return hn::Add(set(25.5f), hn::Mul(set(grey_of_cosine), lit));
 }
 
+/// Which quads turn to the right in the picture. Wrong for some that are too large for the lanes.
+template <class D>
+HWY_INLINE hn::Mask<D> turns_right(D, const hn::Vec<D> (&x)[4], const hn::Vec<D> (&y)[4]) {
+    return hn::Gt(hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[3], y[1])),
+                  hn::Mul(hn::Sub(y[2], y[0]), hn::Sub(x[3], x[1])));
+}
+
 /// A vector of vertices' normals, and how far they point away from the eye.
 struct lane_normals {
     float_vec normal[3], away;
@@ -94,6 +101,17 @@ struct lane_normals {
     }
 };
 
+/// How far normals of quads point away, of a grid that shows both sides: 1 or 0.
+template <bool Inside>
+HWY_INLINE float_vec away_of_quads(const corner_arrays& v, const corner_places& at, std::size_t i) {
+    int_vec x[4], y[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+        x[k] = load_within<Inside>(ints(), v[k].x, at[k] + i, v[k].size);
+        y[k] = load_within<Inside>(ints(), v[k].y, at[k] + i, v[k].size);
+    }
+    return hn::IfThenElseZero(hn::RebindMask(floats(), turns_right(ints(), x, y)), set(1.0f));
+}
+
 /// Every corner's normal, or its level and what its sides bend by.
 template <class Lanes> class corner_lights {
 public:
@@ -101,13 +119,13 @@ public:
 
     HWY_INLINE corner_lights(const fill_target&, const float*) {}
 
-    HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at,
-                                     std::size_t) const {
+    HWY_INLINE light_arrays<3> quads(const corner_arrays& v, const corner_places& at, std::size_t,
+                                     bool) const {
         return {{v[0].normal, v[1].normal, v[2].normal, v[3].normal}, at};
     }
     HWY_INLINE light_arrays<3> triangles(const corner_arrays& v, std::size_t first,
                                          std::size_t count) const {
-        return quads(v, {first, first, first, first}, count);
+        return quads(v, {first, first, first, first}, count, false);
     }
 };
 
@@ -133,9 +151,20 @@ public:
     HWY_INLINE vertex_lights(const fill_target& to, const float* of_grid)
         : to_(to), of_grid_(of_grid) {}
 
-    HWY_INLINE light_arrays<1> quads(const corner_arrays&, const corner_places& at,
-                                     std::size_t) const {
-        return {{{{of_grid_}, {of_grid_}, {of_grid_}, {of_grid_}}}, at};
+    HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
+                                     std::size_t count, bool shows_both) const {
+        if (!shows_both)
+            return {{{{of_grid_}, {of_grid_}, {of_grid_}, {of_grid_}}}, at};
+        auto& levels = to_.queue.greys;
+        for_vectors(count, v[3].size - at[2], [&](auto inside, std::size_t i) HWY_ATTR {
+            lane_normals n;
+            const float_vec away = away_of_quads<inside()>(v, at, i);
+            for (std::size_t k = 0; k < 4; ++k) {
+                n.load<inside()>(v[k], at[k] + i, to_.shading);
+                hn::StoreU(level_of(lit_of(to_.shading, n.normal), away), floats(), levels[k] + i);
+            }
+        });
+        return {{{{levels[0]}, {levels[1]}, {levels[2]}, {levels[3]}}}, {}};
     }
     HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
                                          std::size_t count) const {
@@ -159,18 +188,18 @@ public:
         : shading_(to.shading), levels_(to.queue.greys[0]) {}
 
     HWY_INLINE light_arrays<1> quads(const corner_arrays& v, const corner_places& at,
-                                     std::size_t count) const {
-        return make<4>(v, at, count);
+                                     std::size_t count, bool shows_both) const {
+        return make<4>(v, at, count, shows_both);
     }
     HWY_INLINE light_arrays<1> triangles(const corner_arrays& v, std::size_t first,
                                          std::size_t count) const {
-        return make<3>(v, {first, first, first, first}, count);
+        return make<3>(v, {first, first, first, first}, count, false);
     }
 
 private:
     template <std::size_t Corners>
     HWY_INLINE light_arrays<1> make(const corner_arrays& v, const corner_places& at,
-                                    std::size_t count) const {
+                                    std::size_t count, bool shows_both) const {
         std::size_t size = v[0].size - at[0];
         for (std::size_t k = 1; k < Corners; ++k)
             size = std::min(size, v[k].size - at[k]);
@@ -188,6 +217,8 @@ private:
                         square_of(sum.normal[2]));
             const float_vec length = hn::Sqrt(hn::Max(square, set(least_square)));
             const float_vec cosine = hn::Div(lit_of(shading_, sum.normal), length);
+            if (shows_both)
+                sum.away = away_of_quads<inside()>(v, at, i);
             hn::Store(level_of(cosine, sum.away), floats(), levels_ + i);
         });
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};

@@ -14,11 +14,6 @@
 namespace l3d_detail {
 namespace {
 
-quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
-}
-
 /// Adds a triangle to the queue's pieces.
 class piece_maker {
 public:
@@ -78,7 +73,11 @@ void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
     }
     const quad_corners corners = corners_of(*grid, index);
     piece_maker pieces(to, material);
-    const auto add = [&](const auto& piece) { pieces.add(piece); };
+    const auto add = [&](auto piece) {
+        if (grid->shows_both)
+            show_side(piece);
+        pieces.add(piece);
+    };
     if (to.shading.mode == l3d_shade::levels)
         cut_folded_levels(corners, add);
     else

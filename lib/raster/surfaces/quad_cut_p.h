@@ -22,6 +22,28 @@ inline scan_point position(const l3d_micro_vertex& vertex) {
 /// Corners p00 p10 p11 p01 of a grid cell.
 using quad_corners = std::array<l3d_micro_vertex, 4>;
 
+/// Corners p00 p10 p11 p01 of the quad whose first corner is there.
+inline quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
+}
+
+/// The light of the side that a polygon shows, in place of that of dS/du x dS/dv. Twice its area is
+/// positive if it turns to the right: dS/du, dS/dv and the line of sight, in this order, are
+/// right-handed like the picture's right, its down and forward. So the normal points away.
+template <std::size_t Corners>
+void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area2) {
+    if (area2 > 0)
+        for (l3d_micro_vertex& corner : polygon)
+            for (float& number : corner.normal)
+                number = -number;
+}
+
+/// The same of a triangle.
+inline void show_side(std::array<l3d_micro_vertex, 3>& v) {
+    show_side(v, cross(position(v[1]) - position(v[0]), position(v[2]) - position(v[0])));
+}
+
 /// Twice the areas of the triangles that a quad's corners make with their neighbours, positive
 /// where it turns to the right.
 class quad_turns {

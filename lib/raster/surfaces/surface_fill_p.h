@@ -31,13 +31,20 @@ public:
             shader_.use_material(index);
     }
 
-    void quad(const quad_corners& v) {
+    /// One of a grid that shows_both, or of another.
+    void quad(quad_corners v, bool shows_both) {
         const quad_turns turns(v);
         if (turns.level())
             return;
+        if (shows_both && !turns.folded())
+            show_side(v, turns.area2());
         if (!turns.folded() && !turns.skew())
             return convex(v, turns.area2());
-        const auto fill_triangle = [this](const auto& piece) { triangle(piece); };
+        const auto fill_triangle = [&](auto piece) {
+            if (shows_both && turns.folded())
+                show_side(piece);
+            triangle(piece);
+        };
         if constexpr (has_bends<Shader>) {
             if (turns.folded())
                 return cut_folded_levels(v, fill_triangle);

@@ -137,8 +137,7 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     const grid_cells cells = all_cells(grid);
     for (int row = 0; row < cells.row_end; ++row)
         for (int column = 0; column < cells.column_end; ++column)
-            add_quad({grid.vertex(row, column), grid.vertex(row, column + 1),
-                      grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column)});
+            add_quad(corners_of(grid, grid.index(row, column)), grid.shows_both);
     for (std::size_t i = 0; i < part.triangles.count; ++i) {
         set_material(part.material_of(i));
         add(std::array{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
@@ -155,11 +154,18 @@ void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
         color_[i] = static_cast<std::uint8_t>(word >> (16 - 8 * i));
 }
 
-void l3d_surface_rasterizer_mesa::add_quad(const std::array<l3d_micro_vertex, 4>& corners) {
-    if (quad_turns(corners).folded())
-        cut_folded(corners, [this](const auto& piece) { add(piece); });
-    else
-        add(corners);
+void l3d_surface_rasterizer_mesa::add_quad(std::array<l3d_micro_vertex, 4> corners,
+                                           bool shows_both) {
+    const quad_turns turns(corners);
+    if (turns.folded())
+        return cut_folded(corners, [&](auto piece) {
+            if (shows_both)
+                show_side(piece);
+            add(piece);
+        });
+    if (shows_both)
+        show_side(corners, turns.area2());
+    add(corners);
 }
 
 void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) {
