@@ -261,7 +261,10 @@ TEST(videoscape_file, has_colours_of_the_palette_or_of_bytes) {
                                       "3 0 1 2 0x3322cc\n4 3 2 1 0 20\n2 0 1 7\n");
     EXPECT_EQ(model.mesh.corners, (numbers{0, 1, 2, 3, 2, 1, 0}));
     EXPECT_EQ(model.mesh.face_colors, (numbers{0xcc2233, 0xa00000})); // 20: red and glossy
-    EXPECT_EQ(model.notes, std::vector<std::string>{"name:9: a face of 2 corners is skipped"});
+    EXPECT_EQ(model.notes, (std::vector<std::string>{
+                               "name:8: kinds of surface, such as glossy ones, are skipped: "
+                               "faces have their colours",
+                               "name:9: a face of 2 corners is skipped"}));
 }
 
 TEST(videoscape_file, says_where_and_what_is_wrong) {

@@ -159,13 +159,19 @@ TEST(mtl_file, has_colors_and_highlights) {
         (std::vector<l3d_named_material>{{"a", {.sharpness = 1}}, {"b", {.sharpness = 1000}}}));
 }
 
+TEST(mtl_file, takes_colours_out_of_range_for_the_nearest) {
+    EXPECT_EQ(read_mtl("newmtl a\nKd 1.001 0.5 -0.1\n",
+                       {"a.mtl:2: colours out of range are taken for the nearest"}),
+              (std::vector<l3d_named_material>{{"a", {.color = 0xff8000}}}));
+}
+
 TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
     EXPECT_EQ(read_mtl("Kd 1 1 1\nnewmtl a\nKd 1 x 1\nKd 1 1\nKd 2 0 0\nKd nan 0 0\nKd spectral a\n"
                        "Ns\nNs many\nfoo 1\nmap_Kd a.png\nmap_Kd b.png\nTf 0.5 0 0\nKd 0 1 0\n",
                        {"a.mtl:1: 'Kd' before the first newmtl is skipped",
                         "a.mtl:3: 'x', a colour, is not a number: skipped",
                         "a.mtl:4: a colour of 2 components is skipped",
-                        "a.mtl:5: a colour is out of range: skipped",
+                        "a.mtl:5: colours out of range are taken for the nearest",
                         "a.mtl:6: 'nan', a colour, is not a number: skipped",
                         "a.mtl:7: 'spectral', a colour, is not a number: skipped",
                         "a.mtl:8: Ns without a number is skipped",

@@ -139,15 +139,7 @@ private:
         }
         if (count == 1)
             components = {components[0], components[0], components[0]};
-        std::uint32_t word = 0;
-        for (const double component : components) {
-            if (!(component >= 0 && component <= 1)) {
-                text_.note("a colour is out of range: skipped");
-                return;
-            }
-            word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * component));
-        }
-        color = word;
+        color = l3d_detail::color_of(text_, components.data());
     }
 
     void finish_material() {

@@ -4,6 +4,7 @@
 #include "geom/files/model_reader_p.h"
 
 #include <charconv>
+#include <iterator>
 
 namespace {
 
@@ -39,6 +40,9 @@ bool read_color(text_cursor& text, std::uint32_t& color) {
     if (!text.is_in(value, "the colour of a face", 0, 0xffffff))
         return false;
     const auto word = static_cast<std::uint32_t>(value);
+    if (!hexadecimal && word <= 255 && word >= std::size(palette))
+        text.note_once(
+            "kinds of surface, such as glossy ones, are skipped: faces have their colours");
     color = hexadecimal || word > 255 ? (word & 255) << 16 | (word & 0xff00) | word >> 16
                                       : palette[word % 16];
     return true;
