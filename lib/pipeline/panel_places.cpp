@@ -43,9 +43,12 @@ bool panel_places::take(const l3d_panel& panel, l3d_corner corner) {
     return !box.empty();
 }
 
-void panel_places::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner) {
+l3d_pixel_box panel_places::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel,
+                                 l3d_corner corner) {
     l3d_pixel_box free = place_for(panel, corner);
-    remove(panel.draw(rasterizer, free, corner, style_));
+    const l3d_pixel_box box = panel.draw(rasterizer, free, corner, style_);
+    remove(box);
+    return box;
 }
 
 /// Each rectangle leaves what is on the four sides of the box.

@@ -125,6 +125,7 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
             last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");
     const l3d_panel key = legend();
     const l3d_standing_panel standing = standing_panel();
+    screen().set_text({});
     if (!controls_.shows_text() && key.empty() && standing.panel.empty())
         return; // asking for the rasterizer makes the next frame clear the picture
     const std::array lines{

@@ -189,6 +189,8 @@ l3d_panel_style l3d_viewer_controls::panel_style() const {
     l3d_panel_style style;
     style.font = font_;
     style.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
+    if (screen_.is_slow())
+        style.ground_coverage = l3d_panel_style::opaque;
     return style;
 }
 
@@ -242,13 +244,19 @@ void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double millisecond
     for (const auto& [panel, corner] : first)
         beside.take(panel, corner);
     const bool help_has_room = beside.take(help, l3d_corner::top_left);
+    std::vector<l3d_pixel_box> texts;
+    const auto draw = [&](const l3d_panel& panel, l3d_corner corner) {
+        if (const l3d_pixel_box box = places.draw(rasterizer, panel, corner); !box.empty())
+            texts.push_back(box);
+    };
     for (const auto& [panel, corner] : first) {
         const bool is_message = &panel == &first[0].panel;
         if (is_message || help_has_room || l3d_detail::panel_places(places).take(panel, corner))
-            places.draw(rasterizer, panel, corner);
+            draw(panel, corner);
         if (is_message && !help_has_room)
-            places.draw(rasterizer, help, l3d_corner::top_left);
+            draw(help, l3d_corner::top_left);
     }
     if (help_has_room)
-        places.draw(rasterizer, help, l3d_corner::top_left);
+        draw(help, l3d_corner::top_left);
+    screen_.set_text(std::move(texts));
 }

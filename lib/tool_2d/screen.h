@@ -11,6 +11,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// A passive output device: it owns pixels and shows them; it draws nothing itself.
 ///
@@ -51,6 +53,14 @@ public:
     /// then. At least 1.
     double text_scale() const { return do_text_scale(); }
 
+    /// Whether pictures travel over a slow line: what moves is coarse there, and what stands still
+    /// costs nothing.
+    bool is_slow() const { return do_is_slow(); }
+
+    /// Where text stands in the pictures from the next one on, until the next call. Over a slow
+    /// line these parts go first, and exactly.
+    void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
+
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
     /// Whether it covers the whole display now.
@@ -72,6 +82,8 @@ private:
     virtual bool do_is_window() const { return false; }
     virtual double do_usual_fps() const { return 60; }
     virtual double do_text_scale() const { return 1; }
+    virtual bool do_is_slow() const { return false; }
+    virtual void do_set_text(std::vector<l3d_pixel_box>) {}
     virtual void do_set_fullscreen(bool) {}
     virtual bool do_is_fullscreen() const { return false; }
     virtual std::string do_describe() const = 0;

@@ -234,6 +234,98 @@ TEST(x11_image_sparing, what_has_come_to_rest_becomes_fine_beside_what_moves) {
     EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
 }
 
+/// Changes at random all that lies beside a box.
+void draw_beside(const l3d_pixels& picture, const l3d_pixel_box& box, unsigned seed) {
+    auto other = random_picture(picture.size(), seed);
+    for (int y = box.top; y < box.bottom; ++y)
+        std::ranges::copy(l3d_row(picture, y, box), l3d_row(other.pixels(), y, box).begin());
+    for (int y = 0; y < picture.height; ++y)
+        std::ranges::copy(other.pixels().row(y), picture.row(y).begin());
+}
+
+/// How many pixels of a box are not as in the picture.
+int wrong_pixels_in(const l3d_pixels& picture, const l3d_pixel_box& box, const x11_window& window) {
+    const onlooker other;
+    auto none = random_picture(picture.size(), 99);
+    int wrong_beside = wrong_pixels(other, none.pixels(), window.info());
+    for (int y = box.top; y < box.bottom; ++y)
+        std::ranges::copy(l3d_row(picture, y, box), l3d_row(none.pixels(), y, box).begin());
+    return static_cast<int>(box.area()) -
+           (wrong_beside - wrong_pixels(other, none.pixels(), window.info()));
+}
+
+/// More moves beside than has room even with a sixteenth of the pixels.
+TEST(x11_image_sparing, what_has_come_to_rest_becomes_fine_however_much_moves) {
+    const xvfb server("1100x800x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto window = open_window(large);
+    const auto image = make_x11_image_sparing(*window, large);
+    auto picture = random_picture(large, 5);
+    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+    const l3d_pixel_box resting{800, 96, 992, 496}; // whole tiles
+    EXPECT_GT(wrong_pixels_in(picture.pixels(), resting, *window), 1000);
+    const auto puts = static_cast<unsigned>(6 * resting.area() / 20'000);
+    for (unsigned i = 0; i < puts; ++i) {
+        draw_beside(picture.pixels(), resting, 100 + i);
+        put_part(*window, *image, picture.pixels(), l3d_whole(large));
+    }
+    EXPECT_EQ(wrong_pixels_in(picture.pixels(), resting, *window), 0);
+}
+
+/// A panel: a ground, and something on it in every third row.
+void draw_text(const l3d_pixels& picture, const l3d_pixel_box& box, unsigned seed) {
+    std::mt19937 random(seed);
+    for (int y = box.top; y < box.bottom; ++y)
+        for (std::uint32_t& word : l3d_row(picture, y, box))
+            word = y % 24 < 8 ? static_cast<std::uint32_t>(random() & 0xFFFFFF) : 0x12161B;
+}
+
+TEST(x11_image_sparing, text_is_fine_at_once_and_stays_so_while_all_else_moves) {
+    const xvfb server("1100x800x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto window = open_window(large);
+    const auto image = make_x11_image_sparing(*window, large);
+    auto picture = random_picture(large, 5);
+    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+    const l3d_pixel_box text{101, 53, 301, 203}; // across cells and tiles
+    image->set_text({text});
+    draw_text(picture.pixels(), text, 7);
+    for (unsigned i = 0; i < 5; ++i) {
+        image->set_text({text});
+        draw_beside(picture.pixels(), text, 100 + i);
+        put_part(*window, *image, picture.pixels(), l3d_whole(large));
+        EXPECT_EQ(wrong_pixels_in(picture.pixels(), text, *window), 0) << i;
+    }
+    rest(*window, *image);
+    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+    // Where text goes away, the picture below moves again.
+    image->set_text({});
+    draw_random(picture.pixels(), 8);
+    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+    rest(*window, *image);
+    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+}
+
+TEST_F(x11_image_network, much_text_goes_alone_and_its_ground_costs_nothing) {
+    auto picture = random_picture(large, 5);
+    put(picture.pixels());
+    come_to_rest();
+    const l3d_pixel_box text{100, 50, 500, 650};
+    image_->set_text({text});
+    draw_text(picture.pixels(), text, 7);
+    draw_beside(picture.pixels(), text, 9);
+    std::uint64_t sent = 0;
+    int puts = 0;
+    for (; wrong_pixels_in(picture.pixels(), text, *window_) > 0 && puts < 50; ++puts) {
+        image_->set_text({text}); // as each picture does
+        sent += put(picture.pixels());
+    }
+    EXPECT_GT(puts, 1) << "in pieces";
+    EXPECT_LT(sent, 4U * static_cast<std::uint64_t>(text.area()) * 3 / 4 + 80'000);
+    come_to_rest();
+    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window_->info()), 0);
+}
+
 TEST(x11_image_sparing, every_kind_of_display_shows_the_picture_in_the_end) {
     for (const char* const screen : {"1100x800x8", "1100x800x15", "1100x800x16", "1100x800x30"}) {
         const xvfb server(screen);

@@ -204,6 +204,7 @@ void l3d_pipeline_polygons::tell_empty() {
 void l3d_pipeline_polygons::draw_overlay() {
     if (screen_->is_window())
         tell_empty();
+    screen_->set_text({});
     if (!controls_.shows_text())
         return;
     std::vector lines{formatted("%lld of %lld polygons drawn by %s",

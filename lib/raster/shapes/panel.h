@@ -34,6 +34,10 @@ struct L3D_PUBLIC l3d_panel_style {
     /// How much the ground hides, from 0 to 255.
     int ground_coverage = 200;
 
+    /// The coverage of a ground that hides all: over a slow line, text then stands still before
+    /// what moves.
+    static constexpr int opaque = 255;
+
     /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale. A
     /// sixteenth of the height is the most: larger letters leave no room for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);

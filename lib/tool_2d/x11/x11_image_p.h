@@ -9,6 +9,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace l3d_detail {
 
@@ -36,6 +37,10 @@ public:
     void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {
         do_put(picture, part, deadline);
     }
+
+    /// Where text stands from the next picture on; an image for a slow line sends it first, and
+    /// exactly. Expects: boxes of words, which do not overlap.
+    void set_text(const std::vector<l3d_pixel_box>& boxes) { do_set_text(boxes); }
 
     /// Goes on with what put could not do without blocking, makes coarse parts fine, and asks after
     /// an answer that is overdue. To be called now and then before events are read.
@@ -68,6 +73,7 @@ private:
     virtual bool do_is_free() const = 0;
     virtual void do_put(const l3d_pixels& picture, const l3d_pixel_box& part,
                         time_point deadline) = 0;
+    virtual void do_set_text(const std::vector<l3d_pixel_box>&) {}
     virtual void do_look_after() = 0;
     virtual time_point do_next_look() const { return time_point::max(); }
     virtual bool do_is_sending() const { return false; }

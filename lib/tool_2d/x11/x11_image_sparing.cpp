@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image by XPutImage of what changed, first coarse if that is much.
+// x11_image by XPutImage of what changed: text first, the rest coarse if that is much.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"
@@ -24,6 +24,9 @@ using namespace std::chrono_literals;
 // What a line of 1 MB a second takes in 80 ms, so twelve pictures a second. More than that goes
 // with fewer pixels, and what makes it fine goes in pieces of it: a key then waits for one at most.
 constexpr std::int64_t bytes_at_once = 80'000;
+// Text that is no more than this part of them goes with a picture, and so does as much of what has
+// come to rest, however much moves beside. More text goes alone.
+constexpr std::int64_t small_part = 4;
 // After so long without a picture, things have come to rest: at 15 pictures a second three are
 // missing.
 constexpr auto until_rest = 250ms;
@@ -36,6 +39,19 @@ int cells(int length, int factor) {
 l3d_pixel_box cells_of(const l3d_pixel_box& box, int factor) {
     return {box.left / factor, box.top / factor, cells(box.right, factor),
             cells(box.bottom, factor)};
+}
+
+/// What a hole leaves of a box around it, as boxes that do not overlap.
+/// Expects: the hole is empty, or lies in the box.
+std::vector<l3d_pixel_box> beside(const l3d_pixel_box& box, const l3d_pixel_box& hole) {
+    if (hole.empty())
+        return {box};
+    std::vector<l3d_pixel_box> sides{{box.left, box.top, box.right, hole.top},
+                                     {box.left, hole.bottom, box.right, box.bottom},
+                                     {box.left, hole.top, hole.left, hole.bottom},
+                                     {hole.right, hole.top, box.right, hole.bottom}};
+    std::erase_if(sides, [](const l3d_pixel_box& side) { return side.empty(); });
+    return sides;
 }
 
 /// The mean of a box of words.
@@ -62,7 +78,8 @@ public:
           cell_writer_(window.info()), native_{size.width * window.scale(),
                                                size.height * window.scale()},
           ximage_(ximage_of(native_)), bytes_(ximage_size(*ximage_)),
-          row_(ximage_row_size(*ximage_)), changed_(native_), coarse_(native_), echo_(window) {
+          row_(ximage_row_size(*ximage_)), letters_(native_), changed_(native_), coarse_(native_),
+          echo_(window) {
         ximage_->data = reinterpret_cast<char*>(bytes_.data());
     }
 
@@ -76,10 +93,20 @@ private:
         const l3d_pixel_box written = pixel_writer::writable_part(part, picture.size());
         update(picture, written);
         if (std::exchange(is_forgotten_, false)) {
-            changed_.add(writer_.native_part(written, native_));
+            add_changed(writer_.native_part(written, native_));
             coarse_.take();
         }
         last_put_ = steady_clock::now();
+        const std::int64_t small = pixels_at_once() / small_part;
+        const std::int64_t text = add_text();
+        if (text <= small)
+            add_motion(picture, small - text);
+        add_question();
+        send(deadline);
+    }
+
+    /// What changed, and at least so many pixels of what has come to rest beside it.
+    void add_motion(const l3d_pixels& picture, std::int64_t least_rest) {
         const int factor = factor_for(changed_.pixels());
         const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
         auto boxes = changed_.take();
@@ -87,16 +114,92 @@ private:
             add_fine(boxes);
         else
             add_coarse(picture, factor, boxes);
-        // What has come to rest beside becomes fine, as far as there is room for it.
         for (const l3d_pixel_box& box : boxes)
             coarse_.remove(box);
-        if (room > 0)
-            add_fine(coarse_.take(room));
+        if (const std::int64_t most = std::max(room, least_rest); most > 0)
+            add_fine(coarse_.take(most));
         if (factor > 1)
             for (const l3d_pixel_box& box : boxes)
                 coarse_.add(box);
-        add_question();
-        send(deadline);
+    }
+
+    void do_set_text(const std::vector<l3d_pixel_box>& boxes) override {
+        std::vector<l3d_pixel_box> text;
+        for (const l3d_pixel_box& box : boxes)
+            text.push_back(box.scaled(writer_.scale()).intersected(l3d_whole(native_)));
+        if (text == text_)
+            return;
+        text_ = std::move(text);
+        // Where text comes to stand and the picture is as before, cells may be shown.
+        for (const l3d_pixel_box& box : text_)
+            for (x11_tiles* tiles : {&changed_, &coarse_}) {
+                for (const l3d_pixel_box& part : tiles->inside(box))
+                    letters_.add(part);
+                tiles->remove(box);
+            }
+    }
+
+    /// Notes what is to be sent. What is in text and what is beside it go different ways.
+    void add_changed(const l3d_pixel_box& box) {
+        for (const l3d_pixel_box& text : text_)
+            if (const l3d_pixel_box letters = box.intersected(text); !letters.empty())
+                letters_.add(letters);
+        for (const l3d_pixel_box& rest : beside_text(box))
+            changed_.add(rest);
+    }
+
+    /// A box without the text that stands in it, as boxes that do not overlap.
+    std::vector<l3d_pixel_box> beside_text(const l3d_pixel_box& box) const {
+        std::vector<l3d_pixel_box> rests{box};
+        for (const l3d_pixel_box& text : text_) {
+            std::vector<l3d_pixel_box> next;
+            for (const l3d_pixel_box& rest : rests) {
+                const auto sides = beside(rest, rest.intersected(text));
+                next.insert(next.end(), sides.begin(), sides.end());
+            }
+            rests = std::move(next);
+        }
+        return rests;
+    }
+
+    /// As much text as goes at once, tile by tile. Returns the number of pixels that travel.
+    std::int64_t add_text() {
+        std::int64_t pixels = 0;
+        while (!letters_.empty() && pixels < pixels_at_once())
+            for (const l3d_pixel_box& box : letters_.take(1))
+                pixels += add_text(box);
+        return pixels;
+    }
+
+    /// A tile of a panel is mostly ground, which the server fills. A box of what differs from that
+    /// travels; what it shows never blinks.
+    std::int64_t add_text(const l3d_pixel_box& box) {
+        const auto* const ground = place_of(box.left, box.top);
+        l3d_pixel_box letters;
+        for (int y = box.top; y < box.bottom; ++y)
+            for (int x = box.left; x < box.right; ++x)
+                if (std::memcmp(place_of(x, y), ground, bytes_of(1)) != 0)
+                    letters = letters.united({x, y, x + 1, y + 1});
+        std::vector<XRectangle> filled;
+        for (const l3d_pixel_box& side : beside(box, letters))
+            filled.push_back({static_cast<short>(side.left), static_cast<short>(side.top),
+                              static_cast<unsigned short>(side.right - side.left),
+                              static_cast<unsigned short>(side.bottom - side.top)});
+        const unsigned long word = XGetPixel(ximage_.get(), box.left, box.top);
+        if (!filled.empty())
+            steps_.emplace_back([this, word, filled]() mutable {
+                XSetForeground(window_.display(), window_.graphics(), word);
+                XFillRectangles(window_.display(), window_.id(), window_.graphics(), filled.data(),
+                                static_cast<int>(filled.size()));
+            });
+        if (!letters.empty())
+            add_pieces(letters, *ximage_, window_.id());
+        return letters.area();
+    }
+
+    const std::uint8_t* place_of(int x, int y) const {
+        return bytes_.data() + static_cast<std::size_t>(y) * ximage_row_size(*ximage_) +
+               bytes_of(x);
     }
 
     unique_ximage ximage_of(l3d_size size) const {
@@ -147,8 +250,8 @@ private:
             while (last > first && kept[last - 1] == found[last - 1])
                 --last;
             if (first < last)
-                changed_.add({left + static_cast<int>(first / pixel), y,
-                              left + static_cast<int>((last + pixel - 1) / pixel), y + 1});
+                add_changed({left + static_cast<int>(first / pixel), y,
+                             left + static_cast<int>((last + pixel - 1) / pixel), y + 1});
             std::copy_n(found, size, kept);
             kept += size;
             found += size;
@@ -161,21 +264,25 @@ private:
             add_pieces(box, *ximage_, window_.id());
     }
 
-    /// Cells, which the server enlarges. The boxes grow to hold whole ones.
+    /// Cells, which the server enlarges. The boxes grow to hold whole ones, but for what is text.
     void add_coarse(const l3d_pixels& picture, int factor, std::vector<l3d_pixel_box>& boxes) {
         if (!enlarger_)
             prepare_cells();
         l3d_pixel_box all;
-        for (l3d_pixel_box& box : boxes) {
+        std::vector<l3d_pixel_box> shown;
+        for (const l3d_pixel_box& box : boxes) {
             const l3d_pixel_box part = cells_of(box, factor);
             write_cells(picture, part, factor);
             add_pieces(part, *cell_ximage_, enlarger_->small());
             all = all.united(part);
-            box = part.scaled(factor).intersected(l3d_whole(native_));
+            const l3d_pixel_box grown = part.scaled(factor).intersected(l3d_whole(native_));
+            const auto rests = beside_text(grown);
+            shown.insert(shown.end(), rests.begin(), rests.end());
         }
         enlarger_->add_steps(all, factor, steps_);
-        for (const l3d_pixel_box& box : boxes)
+        for (const l3d_pixel_box& box : shown)
             steps_.emplace_back([this, box] { enlarger_->show(box); });
+        boxes = std::move(shown);
     }
 
     void prepare_cells() {
@@ -241,13 +348,20 @@ private:
         send({});
         if (!do_is_idle() || steady_clock::now() < do_next_look())
             return;
-        add_fine(coarse_.take(pixels_at_once()));
+        if (add_text() == 0) {
+            // Text may have kept what changed from being sent.
+            for (const l3d_pixel_box& box : changed_.take())
+                coarse_.add(box);
+            add_fine(coarse_.take(pixels_at_once()));
+        }
         add_question();
         send({});
     }
 
     time_point do_next_look() const override {
-        return coarse_.empty() ? time_point::max() : last_put_ + until_rest;
+        if (!letters_.empty())
+            return last_put_;
+        return coarse_.empty() && changed_.empty() ? time_point::max() : last_put_ + until_rest;
     }
 
     void do_forget_shown() override { is_forgotten_ = true; }
@@ -265,6 +379,8 @@ private:
     std::vector<std::uint8_t> bytes_; ///< what the window shall show
     std::vector<std::uint8_t> row_;   ///< what may become part of it
     std::vector<std::uint8_t> cell_bytes_;
+    std::vector<l3d_pixel_box> text_; ///< boxes of the window's own pixels
+    x11_tiles letters_;               ///< where the window shows other text than the latest picture
     x11_tiles changed_; ///< where the window shows neither pixels nor cells of the latest picture
     x11_tiles coarse_;  ///< where it shows cells
     std::unique_ptr<x11_enlarger> enlarger_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace l3d_detail {
 namespace {
@@ -75,6 +76,11 @@ private:
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
     double do_text_scale() const override { return window_->text_scale(); }
+    bool do_is_slow() const override { return is_sparing_ && !no_shm_.empty(); }
+    void do_set_text(std::vector<l3d_pixel_box> boxes) override {
+        text_ = std::move(boxes);
+        image_->set_text(text_);
+    }
     void do_set_fullscreen(bool on) override { fullscreen_.set(on); }
     bool do_is_fullscreen() const override { return fullscreen_.is_on(); }
     std::string do_describe() const override;
@@ -111,6 +117,7 @@ private:
     std::string no_shm_; ///< why memory is not shared; empty: it is
     bool is_sparing_;
     std::string remark_;
+    std::vector<l3d_pixel_box> text_; ///< where it stands in the picture; before what learns of it
     std::unique_ptr<x11_image> image_;
     l3d_image picture_;
     l3d_pixel_box due_;        ///< is to be put once there is a buffer for it
@@ -145,8 +152,10 @@ std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
 }
 
 std::unique_ptr<x11_image> l3d_screen_x11::make_wired_image(l3d_size size) const {
-    return is_sparing_ ? make_x11_image_sparing(*window_, size)
-                       : make_x11_image_put(*window_, size);
+    auto image =
+        is_sparing_ ? make_x11_image_sparing(*window_, size) : make_x11_image_put(*window_, size);
+    image->set_text(text_);
+    return image;
 }
 
 /// To shared memory a picture is copied, from whatever stride; over the connection it may go as it
@@ -327,7 +336,7 @@ void l3d_screen_x11::do_wait(std::chrono::nanoseconds longest, int waker) {
 }
 
 double l3d_screen_x11::do_usual_fps() const {
-    return is_sparing_ && !no_shm_.empty() ? network_fps : local_fps;
+    return do_is_slow() ? network_fps : local_fps;
 }
 
 std::string l3d_screen_x11::do_describe() const {

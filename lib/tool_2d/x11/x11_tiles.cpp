@@ -44,6 +44,14 @@ void x11_tiles::remove(const l3d_pixel_box& box) {
     });
 }
 
+std::vector<l3d_pixel_box> x11_tiles::inside(const l3d_pixel_box& box) const {
+    std::vector<l3d_pixel_box> found;
+    for (const l3d_pixel_box& kept : boxes_)
+        if (const l3d_pixel_box common = kept.intersected(box); !common.empty())
+            found.push_back(common);
+    return found;
+}
+
 /// The boxes of neighbours become one.
 std::vector<l3d_pixel_box> x11_tiles::take_row(int row, std::int64_t most, std::int64_t& taken) {
     std::vector<l3d_pixel_box> found;

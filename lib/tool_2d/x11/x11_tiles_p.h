@@ -34,6 +34,9 @@ public:
     /// Removes what was added of each tile, where all of that lies in the box.
     void remove(const l3d_pixel_box& box);
 
+    /// What is there of a box. No two boxes overlap. Expects: it lies in the picture.
+    std::vector<l3d_pixel_box> inside(const l3d_pixel_box& box) const;
+
     /// Takes boxes out, from top to bottom: all, or as many tiles as have `most` pixels, and one
     /// at least. No two boxes overlap.
     std::vector<l3d_pixel_box> take(std::int64_t most = std::numeric_limits<std::int64_t>::max());
