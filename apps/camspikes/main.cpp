@@ -28,15 +28,17 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program(
-        "camspikes",
-        l3d_caption{.what = "Spikes come at a camera that you can fly.", .keys = l3d_world_keys()},
-        {960, 600});
+    l3d_program program("camspikes",
+                        l3d_caption{.what = "Spikes come at a camera that you can fly.",
+                                    .teaches = "A camera is a place and three axes of its own. All "
+                                               "points are told by them before they are projected.",
+                                    .keys = l3d_world_keys()},
+                        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        camspikes_world world(canvas.screen->pixels().size(), program.seed());
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<camspikes_world>(size, program.seed());
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

@@ -30,16 +30,21 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("clipz",
-                        l3d_caption{.what = "Spikes cut by a near plane. Stop them with 0, and fly "
-                                            "into one.",
-                                    .keys = l3d_world_keys()},
-                        {960, 600});
+    l3d_program program(
+        "clipz",
+        l3d_caption{
+            .what = "Spikes cut by a near plane. Stop them with 0, and fly "
+                    "into one.",
+            .teaches =
+                "Behind the eye there is no projection: polygons are cut at a plane before it. "
+                "Without any order, far ones cover near ones; the key o puts that right.",
+            .keys = l3d_world_keys()},
+        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        clipz_world world(canvas.screen->pixels().size(), program.seed());
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<clipz_world>(size, program.seed());
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

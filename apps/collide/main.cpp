@@ -22,9 +22,11 @@ constexpr double step = 1.0 / 60; // seconds
 /// A coloured thing that flies, tumbles, and glows for a moment when it was hit.
 class body final : public l3d_object {
 public:
-    body(l3d_polygon_mesh mesh, std::uint32_t color, const vector& place, const vector& turn)
-        : place_(place), turn_(turn), color_(color), mesh_(std::move(mesh)),
-          ball_(l3d_bounding_sphere::of(mesh_.vertices)) {
+    /// `is_painted`: its faces show their light by their colours, and none falls on them.
+    body(l3d_polygon_mesh mesh, std::uint32_t color, bool is_painted, const vector& place,
+         const vector& turn)
+        : place_(place), turn_(turn), color_(color), is_painted_(is_painted),
+          mesh_(std::move(mesh)), ball_(l3d_bounding_sphere::of(mesh_.vertices)) {
         show();
     }
 
@@ -47,9 +49,10 @@ public:
     void show() {
         const l3d_matrix<double> at = placement();
         mesh_.face_colors.clear();
-        for (std::size_t face = 0; face < mesh_.faces(); ++face)
-            mesh_.face_colors.push_back(
-                mixed(mixed(0, color_, light_on(mesh_, face, at)), 0xffffff, glow_));
+        for (std::size_t face = 0; face < mesh_.faces(); ++face) {
+            const double light = is_painted_ ? light_on(mesh_, face, at) : 1;
+            mesh_.face_colors.push_back(mixed(mixed(0, color_, light), 0xffffff, glow_));
+        }
         set_mesh(mesh_);
         set_transform(0, l3d_rotation_x<l3d_real>(angles_[0]));
         set_transform(1, l3d_rotation_y<l3d_real>(angles_[1]));
@@ -64,6 +67,7 @@ private:
 
     vector place_, velocity_{0.0}, angles_{0.0}, turn_;
     std::uint32_t color_;
+    bool is_painted_;
     double glow_ = 0;
     l3d_polygon_mesh mesh_;
     l3d_bounding_sphere ball_;
@@ -112,7 +116,7 @@ private:
 // Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
 class collide_world final : public l3d_world {
 public:
-    collide_world(l3d_size size, std::uint64_t seed, int count) : l3d_world(size) {
+    collide_world(l3d_size size, std::uint64_t seed, int count, bool is_painted) : l3d_world(size) {
         order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -60);
         l3d_random random(seed);
@@ -125,9 +129,10 @@ public:
             const int around = random.between(3, 8);
             const double x = one_of(34), y = one_of(26), z = one_of(26);
             const double pitch = one_of(90), yaw = one_of(90);
-            auto made = std::make_unique<body>(l3d_sphere_mesh(around, around / 2 + 1, radius),
-                                               colors[static_cast<std::size_t>(i) % colors.size()],
-                                               vector(x, y, z), vector(pitch, yaw, 0.0));
+            auto made =
+                std::make_unique<body>(l3d_sphere_mesh(around, around / 2 + 1, radius),
+                                       colors[static_cast<std::size_t>(i) % colors.size()],
+                                       is_painted, vector(x, y, z), vector(pitch, yaw, 0.0));
             bodies.push_back(made.get());
             add(std::move(made));
         }
@@ -138,18 +143,21 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program(
-        "collide",
-        l3d_caption{.what = "Bodies bounce off each other where their spheres meet.",
-                    .keys = l3d_world_keys()},
-        {960, 720});
+    l3d_program program("collide",
+                        l3d_caption{.what = "Bodies bounce off each other where their spheres "
+                                            "meet. A body that was hit glows white for a moment.",
+                                    .teaches = "Where two spheres meet, the bodies in them push "
+                                               "each other off, and keep momentum and energy.",
+                                    .keys = l3d_world_keys()},
+                        {960, 720});
     int count = 24;
     program.options().add("--bodies", count, "number of bodies", 1, 200);
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        collide_world world(canvas.screen->pixels().size(), program.seed(), count);
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<collide_world>(size, program.seed(), count,
+                                                   program.is_classic());
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

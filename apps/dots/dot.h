@@ -15,8 +15,13 @@ inline int dot_side(l3d_size picture) {
     return std::max(1, std::min(picture.width / 320, picture.height / 200));
 }
 
-/// Draws a square whose top left pixel is (x, y).
-inline void draw_dot(l3d_rasterizer_2d& rasterizer, double x, double y, int side,
+/// The same without hard edges: a smooth dot of one pixel is spread over four, and too dim to see.
+inline double smooth_dot_side(l3d_size picture) {
+    return 2 * dot_side(picture);
+}
+
+/// Draws a square whose top left corner is (x, y).
+inline void draw_dot(l3d_rasterizer_2d& rasterizer, double x, double y, double side,
                      std::uint32_t color) {
     const std::array<l3d_point_2d, 4> corners{
         {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}};

@@ -4,7 +4,7 @@
 
 #include <l3d/random.h>
 #include <l3d/camera_left_handed.h>
-#include <l3d/pipeline_2d.h>
+#include <l3d/lesson.h>
 #include <l3d/ticker.h>
 #include <l3d/program.h>
 
@@ -69,44 +69,71 @@ class snow final : public dot_kind {
 };
 
 // Step 2 of 5: the application is a pipeline.
-class dots_pipeline final : public l3d_pipeline_2d {
+class dots_pipeline final : public l3d_lesson {
 public:
     dots_pipeline(l3d_canvas canvas, const dot_kind& kind, std::uint64_t seed)
-        : l3d_pipeline_2d(std::move(canvas)), kind_(kind), random_(seed) {
-        for (int i = 0; i < kind.count(); ++i)
-            dots_.push_back(kind.place(i, random_));
+        : l3d_lesson(std::move(canvas)), kind_(kind), seed_(seed), random_(seed) {
+        begin();
     }
 
-    void update_event(double seconds) override {
+private:
+    void begin() {
+        random_ = l3d_random(seed_);
+        eye_ = point::of(0, 0, 0).from_origin;
+        dots_.clear();
+        for (int i = 0; i < kind_.count(); ++i)
+            dots_.push_back(kind_.place(i, random_));
+    }
+
+    void restart() override { begin(); }
+
+    void advance(double seconds) override {
         for (int n = ticker_.due(seconds); n > 0; --n)
             for (point& dot : dots_)
                 kind_.move(dot, random_);
     }
 
-private:
-    /// The eye is at the origin and looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
-    void draw(l3d_rasterizer_2d& rasterizer) override {
+    /// A dot at the distance of the runway's first column follows the pointer.
+    void drag(int, int, int right, int down) override {
+        constexpr double distance = 100;
+        const double unit = distance / (2 * l3d_fov_term(100) * size().width);
+        eye_ += point::of(-right * unit, down * unit, 0).from_origin;
+    }
+
+    /// The eye looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         l3d_camera_left_handed<l3d_real> camera(size());
         camera.fovx *= 2;
         camera.fovy *= 2;
-        rasterizer.clear_buffer();
+        clear(rasterizer);
+        const double side = is_classic() ? dot_side(size()) : smooth_dot_side(size());
         for (const point& dot : dots_) {
-            const auto pixel = camera.project(dot, size());
-            draw_dot(rasterizer, std::floor(pixel.x), std::floor(pixel.y), dot_side(size()),
-                     0xffffff);
+            auto [x, y] = camera.project(dot - eye_, size());
+            if (is_classic()) {
+                x = std::floor(x);
+                y = std::floor(y);
+            }
+            draw_dot(rasterizer, x, y, side, 0xffffff);
         }
     }
 
     const dot_kind& kind_;
+    std::uint64_t seed_;
     l3d_random random_;
     l3d_ticker ticker_;
     std::vector<point> dots_;
+    point::vector eye_ = point::of(0, 0, 0).from_origin; ///< where the eye is
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("dots", l3d_caption{"Dots in space, in true perspective."}, {960, 720});
+    l3d_program program("dots",
+                        l3d_caption{.what = "Dots in space, in true perspective.",
+                                    .teaches = "Perspective divides by the distance: what is far "
+                                               "moves less, also when you move your eye.",
+                                    .keys = l3d_lesson_keys("move the eye")},
+                        {960, 720});
     const runway a_runway;
     const stars some_stars;
     const snow some_snow;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // drawdot: a dot that moves and leaves a trail; the smallest program.
-#include <l3d/pipeline_2d.h>
+#include <l3d/lesson.h>
 #include <l3d/program.h>
 
 #include <algorithm>
@@ -11,22 +11,36 @@
 namespace {
 
 // Step 2 of 5: the application is a pipeline.
-class drawdot_pipeline final : public l3d_pipeline_2d {
+class drawdot_pipeline final : public l3d_lesson {
 public:
-    using l3d_pipeline_2d::l3d_pipeline_2d;
+    explicit drawdot_pipeline(l3d_canvas canvas) : l3d_lesson(std::move(canvas)) { restart(); }
 
     void key_event(int key) override {
-        l3d_pipeline_2d::key_event(key);
         if ((key >= 'h' && key <= 'l' && key != 'i') || key == 'p' || key == ' ')
             turn((key == 'l') - (key == 'h'), (key == 'j') - (key == 'k'));
+        else
+            l3d_lesson::key_event(key);
     }
 
     void resize_event(l3d_size size) override {
-        l3d_pipeline_2d::resize_event(size);
+        l3d_lesson::resize_event(size);
         turn(right_, down_); // what is outside now starts again from the border
     }
 
-    void update_event(double seconds) override {
+    bool needs_redraw() const override { return moved_; }
+    bool is_at_rest() const override { return right_ == 0 && down_ == 0; }
+
+private:
+    void restart() override {
+        x_ = is_classic() ? 0 : size().width / 2;
+        y_ = is_classic() ? 0 : size().height / 2;
+        right_ = 1;
+        down_ = 0;
+        start_line();
+        trail_.erase(trail_.begin(), trail_.end() - 1);
+    }
+
+    void advance(double seconds) override {
         const double step = 60 * seconds; // one pixel per frame, unless --fps says otherwise
         x_ = std::clamp(x_ + right_ * step, 0.0, size().width - 1.0);
         y_ = std::clamp(y_ + down_ * step, 0.0, size().height - 1.0);
@@ -35,12 +49,17 @@ public:
         line = {line.x0, line.y0, static_cast<int>(x_), static_cast<int>(y_)};
     }
 
-    bool needs_redraw() const override { return moved_; }
-    bool is_at_rest() const override { return right_ == 0 && down_ == 0; }
+    /// The dot goes to the pointer, and on from there.
+    void drag(int x, int y, int, int) override {
+        x_ = x;
+        y_ = y;
+        start_line();
+    }
 
-private:
-    void draw(l3d_rasterizer_2d& rasterizer) override {
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         moved_ = false;
+        if (!is_classic())
+            clear(rasterizer); // smooth edges would add up
         const std::uint32_t green = l3d_screen_info::ext_to_native(0, 255, 128);
         const double pen = std::floor(size().height / 128.0); // seen in large windows, too
         if (pen < 2)
@@ -65,13 +84,19 @@ private:
     void turn(int right, int down) {
         right_ = right;
         down_ = down;
-        trail_.push_back({trail_.back().x1, trail_.back().y1, trail_.back().x1, trail_.back().y1});
+        start_line();
+    }
+
+    void start_line() {
+        const int x = static_cast<int>(x_), y = static_cast<int>(y_);
+        trail_.push_back({x, y, x, y});
+        moved_ = true;
     }
 
     double x_ = 0, y_ = 0;
     int right_ = 1, down_ = 0;
-    std::vector<l3d_line_2d> trail_{{}}; // one line from turn to turn; the last one grows
-    bool moved_ = false;
+    std::vector<l3d_line_2d> trail_; // one line from turn to turn; the last one grows
+    bool moved_ = true;
 };
 
 } // namespace
@@ -79,8 +104,13 @@ private:
 int main(int argc, char** argv) {
     l3d_program program(
         "drawdot",
-        l3d_caption{.what = "A dot leaves a trail.",
-                    .keys = {{"h, j, k, l", "left, down, up, right"}, {"p, space", "rest"}},
+        l3d_caption{.what = "A dot leaves a trail. Draw with the mouse, or steer by h, j, k, l.",
+                    .teaches = "The smallest program: five steps, and a pipeline that is told of "
+                               "keys, of time, and when to draw.",
+                    .keys = {{"drag", "draw"},
+                             {"h, j, k, l", "left, down, up, right"},
+                             {"p, space", "rest"},
+                             {"r", "start again"}},
                     .help = "?"},
         {640, 400});
     return program.run(argc, argv, [&] {                     // step 1: choose factories

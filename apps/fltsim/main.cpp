@@ -52,20 +52,24 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("fltsim",
-                        l3d_caption{.what = "A flight among pyramids, one of them from a plug-in.",
-                                    .keys = l3d_world_keys()},
-                        {960, 600});
+    l3d_program program(
+        "fltsim",
+        l3d_caption{.what = "A flight among pyramids, one of them from a plug-in.",
+                    .teaches = "A class gives all its objects one behaviour; a plug-in gives one "
+                               "to an object of a program that is finished.",
+                    .keys = l3d_world_keys()},
+        {960, 600});
     std::string plugin;
     program.options().add(
         "--plugin", plugin,
         "a shared library that makes one more object; without it, l3d's pyramid.so", "FILE");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        fltsim_world world(canvas.screen->pixels().size(), program.seed(),
-                           plugin.empty() ? l3d_plugin_folder() + "/pyramid.so" : plugin);
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<fltsim_world>(
+                size, program.seed(),
+                plugin.empty() ? l3d_plugin_folder() + "/pyramid.so" : plugin);
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // hello: the first lessons: a window, what happens to it, and a picture made word by word.
 #include <l3d/font.h>
+#include <l3d/lesson.h>
 #include <l3d/random.h>
 #include <l3d/program.h>
 
 #include <algorithm>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -51,22 +53,31 @@ std::string name_of(const l3d_event& event) {
 }
 
 // Step 2 of 5: the application is a pipeline.
-class hello_pipeline final : public l3d_pipeline_2d {
+class hello_pipeline final : public l3d_lesson {
 public:
     hello_pipeline(l3d_canvas canvas, lesson which, std::uint64_t seed)
-        : l3d_pipeline_2d(std::move(canvas)), lesson_(which), random_(seed) {
+        : l3d_lesson(std::move(canvas)), lesson_(which), seed_(seed), random_(seed) {
         if (lesson_ == lesson::event)
             std::cerr << screen().describe() << '\n';
         // Files have the built-in face, the same on every machine.
         std::string told_beside_the_caption;
         if (screen().is_window())
             font_ = l3d_font::of_system(told_beside_the_caption);
+        restart();
     }
 
     void any_event(const l3d_event& event) override {
-        if (const std::string name = name_of(event); lesson_ == lesson::event && !name.empty())
-            std::cerr << (last_event_ = name) << '\n';
-        changed_ = true;
+        l3d_lesson::any_event(event);
+        const std::string name = name_of(event);
+        if (name.empty())
+            return;
+        if (lesson_ == lesson::event)
+            std::cerr << name << '\n';
+        const bool goes_on = event.type == l3d_event_type::pointer_motion && !events_.empty() &&
+                             events_.back().starts_with("MotionNotify");
+        if (goes_on || events_.size() == most_events)
+            events_.erase(goes_on ? events_.end() - 1 : events_.begin());
+        events_.push_back(name);
     }
 
     void pointer_event(const l3d_event& event) override {
@@ -74,23 +85,42 @@ public:
         y_ = event.y;
     }
 
-    bool is_at_rest() const override { return lesson_ != lesson::image; }
-    bool needs_redraw() const override { return changed_ || lesson_ == lesson::image; }
+    /// Only what happens to the window changes anything, unless words are random.
+    bool is_at_rest() const override { return lesson_ != lesson::image || is_stopped(); }
+
+    /// The last events, the latest one at the bottom.
+    std::string message() const override {
+        std::string lines = "What happens to this window:";
+        for (const std::string& event : events_)
+            lines += '\n' + event;
+        return lesson_ == lesson::image ? l3d_lesson::message() : lines;
+    }
 
 private:
-    void draw(l3d_rasterizer_2d& rasterizer) override {
-        changed_ = false;
+    static constexpr std::size_t most_events = 12;
+
+    void advance(double) override {}
+
+    void restart() override {
+        random_ = l3d_random(seed_);
+        events_.clear();
+        x_ = is_classic() ? 20 : size().width / 3;
+        y_ = is_classic() ? 20 : size().height / 2;
+    }
+
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         if (lesson_ == lesson::image) {
             for (int y = 0; y < size().height; ++y)
                 for (std::uint32_t& word : screen().pixels().row(y))
                     word = random_.next() & 0xFFFFFF;
             return;
         }
-        rasterizer.clear_buffer();
+        clear(rasterizer);
         const int scale = std::max(1, size().height / 200); // legible in large windows
         say(rasterizer, x_, y_, "Hello, X!", 0xFFFFFF, 2 * scale);
         if (lesson_ == lesson::event)
-            say(rasterizer, 50 * scale, 50 * scale, last_event_, 0x00FF80, scale);
+            say(rasterizer, 50 * scale, 50 * scale,
+                events_.empty() ? "no event yet" : events_.back(), 0x00FF80, scale);
     }
 
     /// The built-in face has capitals of seven dots below an empty one, and an em of ten.
@@ -100,17 +130,22 @@ private:
     }
 
     lesson lesson_;
+    std::uint64_t seed_;
     l3d_random random_;
     l3d_font font_;
-    int x_ = 20, y_ = 20; ///< of the greeting, which follows the pointer
-    std::string last_event_ = "no event yet";
-    bool changed_ = false;
+    int x_ = 0, y_ = 0; ///< of the greeting, which follows the pointer
+    std::vector<std::string> events_;
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("hello", l3d_caption{"A window, and what happens to it."}, {640, 400});
+    l3d_program program("hello",
+                        l3d_caption{.what = "A window, and what happens to it.",
+                                    .teaches = "A program does not ask for keys and the mouse: it "
+                                               "is told of events, and answers them.",
+                                    .keys = l3d_lesson_keys("move the greeting")},
+                        {640, 400});
     lesson which = lesson::window;
     program.options().add_choice(
         "--lesson", which, "a greeting; what happens to the window; words of random colours",

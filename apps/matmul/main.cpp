@@ -43,8 +43,14 @@ void print() {
 
 int main(int argc, char** argv) try {
     l3d_options options("matmul", "Products of matrices, as text.", {320, 200});
-    if (options.parse(argc, argv))
+    bool is_classic = false;
+    options.add("--classic", is_classic, "the numbers alone, as in the book");
+    if (options.parse(argc, argv)) {
+        if (!is_classic)
+            std::cout << "Matrices change points from the right to the left: (a b) p does b first, "
+                         "so a b is not b a.\n\n";
         print();
+    }
     return static_cast<int>(std::cout.flush() ? l3d_exit::success : l3d_exit::failure);
 } catch (const std::exception& error) {
     return l3d_report("matmul", error);

@@ -3,6 +3,7 @@
 #include <l3d/vertex_interpolator.h>
 #include <l3d/ticker.h>
 #include <l3d/polygon_2d_flatshaded.h>
+#include <l3d/lesson.h>
 #include <l3d/program.h>
 #include <l3d/transform.h>
 
@@ -22,13 +23,27 @@ vertex_list form(std::initializer_list<std::array<int, 2>> corners) {
 }
 
 // Step 2 of 5: the application is a pipeline.
-class morph2d_pipeline final : public l3d_pipeline_2d {
+class morph2d_pipeline final : public l3d_lesson {
 public:
-    explicit morph2d_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {
+    explicit morph2d_pipeline(l3d_canvas canvas) : l3d_lesson(std::move(canvas)) { begin(); }
+
+private:
+    static constexpr int steps = 50; // from form to form
+
+    void begin() {
+        last_ = 0;
+        right_ = down_ = 0;
         morph_.start(forms_[0], forms_[1], steps);
     }
 
-    void update_event(double seconds) override {
+    void restart() override { begin(); }
+
+    void drag(int, int, int right, int down) override {
+        right_ += right;
+        down_ += down;
+    }
+
+    void advance(double seconds) override {
         for (int due = ticker_.due(seconds); due > 0; --due) {
             if (morph_.step())
                 continue;
@@ -37,17 +52,15 @@ public:
         }
     }
 
-private:
-    static constexpr int steps = 50; // from form to form
-
-    void draw(l3d_rasterizer_2d& rasterizer) override {
-        rasterizer.clear_buffer();
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
+        clear(rasterizer);
         // Whole, not clipped beforehand: the rasterizer cuts it off at the window without moving
         // an edge.
         vertex_list& vertices = morph_.list();
         for (auto& vertex : vertices.fixed()) {
             vertex.reset();
             vertex.transform(scaling(), 1);
+            vertex.transform(l3d_translation<l3d_real>(right_, down_, 0), 2);
         }
         polygon_.draw(vertices, rasterizer);
     }
@@ -62,7 +75,8 @@ private:
                                             form({{100, 100}, {200, 100}, {150, 200}, {140, 200}}),
                                             form({{-100, 100}, {200, 100}, {950, 200}, {940, 200}}),
                                             form({{100, 150}, {100, 100}, {250, 200}, {100, 200}})};
-    std::size_t last_ = 0; ///< the form that it comes from
+    std::size_t last_ = 0;     ///< the form that it comes from
+    int right_ = 0, down_ = 0; ///< how far the user has dragged it, in pixels
     l3d_vertex_interpolator<l3d_real> morph_;
     l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_screen_info::ext_to_native(0, 128, 255)};
     l3d_ticker ticker_;
@@ -71,7 +85,11 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("morph2d", l3d_caption{"A polygon on its way through four forms."},
+    l3d_program program("morph2d",
+                        l3d_caption{.what = "A polygon on its way through four forms.",
+                                    .teaches = "Corners go in equal steps. The third form is three "
+                                               "times as wide as the window, which cuts it off.",
+                                    .keys = l3d_lesson_keys("move it")},
                         {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3

@@ -80,7 +80,11 @@ constexpr std::array<form, 4> forms{{{ball, 0xe0952f, 0xe0952f},
 /// The forms one after another, each over a second, while it turns.
 class morphing final : public l3d_object {
 public:
-    morphing() : first_(l3d_sphere_mesh(48, 32)), now_(first_) { begin(); }
+    /// `is_painted`: its faces show their light by their colours, and none falls on them.
+    explicit morphing(bool is_painted)
+        : is_painted_(is_painted), first_(l3d_sphere_mesh(48, 32)), now_(first_) {
+        begin();
+    }
 
 private:
     static constexpr int rest = 30, way = 60; ///< steps on the spot, and from form to form
@@ -130,7 +134,7 @@ private:
             const bool is_low = first_.vertices[now_.face(face)[0]][2] < trunk_end;
             const std::uint32_t from = is_low ? last().low : last().high;
             const std::uint32_t to = is_low ? next().low : next().high;
-            const double light = light_on(now_, face, turned);
+            const double light = is_painted_ ? light_on(now_, face, turned) : 1;
             now_.face_colors.push_back(mixed(0, mixed(from, to, done), light));
         }
         set_mesh(now_);
@@ -138,6 +142,7 @@ private:
         set_transform(1, l3d_rotation_y<l3d_real>(degrees_));
     }
 
+    bool is_painted_;
     const l3d_polygon_mesh first_; ///< the unit sphere that all forms are made of
     l3d_polygon_mesh now_;
     l3d_vertex_interpolator<double> morph_;
@@ -150,25 +155,28 @@ private:
 // Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
 class morph3d_world final : public l3d_world {
 public:
-    explicit morph3d_world(l3d_size size) : l3d_world(size) {
+    morph3d_world(l3d_size size, bool is_painted) : l3d_world(size) {
         order = l3d_draw_order::far_first;
         camera.place = l3d_point<l3d_real>::of(0, 0, -20);
-        add(std::make_unique<morphing>());
+        add(std::make_unique<morphing>(is_painted));
     }
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("morph3d",
-                        l3d_caption{.what = "A ball becomes a cube, a star and a palm tree.",
-                                    .keys = l3d_world_keys()},
-                        {960, 720});
+    l3d_program program(
+        "morph3d",
+        l3d_caption{.what = "A ball becomes a cube, a star and a palm tree.",
+                    .teaches = "Forms with the same number of vertices pass into each other: each "
+                               "vertex goes its way in equal steps.",
+                    .keys = l3d_world_keys()},
+        {960, 720});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        morph3d_world world(canvas.screen->pixels().size());
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<morph3d_world>(size, program.is_classic());
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

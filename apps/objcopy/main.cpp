@@ -64,16 +64,18 @@ int main(int argc, char** argv) {
     l3d_program program(
         "objcopy",
         l3d_caption{.what = "A pyramid and its copy, cut into two halves by a plane.",
+                    .teaches = "A copy in depth has a life of its own. Cut by a plane, the faces "
+                               "of one half share new vertices.",
                     .keys = l3d_world_keys()},
         {960, 600});
     bool capped = false;
     program.options().add("--cap", capped, "close the halves where they were cut");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
-        objcopy_world world(canvas.screen->pixels().size(), program.seed(),
-                            capped ? l3d_cut_end::capped : l3d_cut_end::open);
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<objcopy_world>(
+                size, program.seed(), capped ? l3d_cut_end::capped : l3d_cut_end::open);
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 // rotspikes: spikes that tumble about all three axes while they fly past the viewer.
-#include "../spikes/spikes_pipeline.h"
+#include "../spikes/spikes_world.h"
+#include <l3d/pipeline_world.h>
 #include <l3d/program.h>
 
-// Step 2 of 5: the application is a pipeline, that of spikes; these tumble.
+// Step 2 of 5: what the pipeline shows is the world of spikes; these tumble.
 int main(int argc, char** argv) {
-    l3d_program program("rotspikes", l3d_caption{"Spikes tumble and fly past the viewer."},
+    l3d_program program("rotspikes",
+                        l3d_caption{.what = "Spikes tumble and fly past the viewer.",
+                                    .teaches = "One product of matrices turns a spike about three "
+                                               "axes and puts it into its place.",
+                                    .keys = l3d_world_keys()},
                         {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        spikes_pipeline pipeline(program.create_canvas(), program.seed(),
-                                 spike_kind{.fastest_turn = 8});
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<spikes_world>(size, program.seed(),
+                                                  spike_kind{.fastest_turn = 8});
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

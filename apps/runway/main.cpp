@@ -2,7 +2,7 @@
 // runway: three rows of dots at different speeds look like depth, and are not.
 #include "../dots/dot.h"
 
-#include <l3d/pipeline_2d.h>
+#include <l3d/lesson.h>
 #include <l3d/ticker.h>
 #include <l3d/program.h>
 
@@ -17,37 +17,51 @@ struct row {
 constexpr row rows[] = {{180, 20, 1}, {140, 10, 2}, {120, 7, 4}};
 
 // Step 2 of 5: the application is a pipeline.
-class runway_pipeline final : public l3d_pipeline_2d {
+class runway_pipeline final : public l3d_lesson {
 public:
-    using l3d_pipeline_2d::l3d_pipeline_2d;
-
-    void update_event(double seconds) override { updates_ += ticker_.due(seconds); }
+    using l3d_lesson::l3d_lesson;
 
 private:
-    void draw(l3d_rasterizer_2d& rasterizer) override {
+    void advance(double seconds) override { updates_ += ticker_.due(seconds); }
+    void restart() override { updates_ = 0; }
+
+    /// The nearest row follows the pointer.
+    void drag(int, int, int right, int) override {
+        dragged_ -= right;
+        updates_ += dragged_ / dot_side(size());
+        dragged_ %= dot_side(size());
+    }
+
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         const int side = dot_side(size()), width = size().width / side;
-        rasterizer.clear_buffer();
+        const double drawn_side = is_classic() ? side : smooth_dot_side(size());
+        clear(rasterizer);
         for (const row& r : rows)
             for (int x = 0; x + r.spacing <= width; x += r.spacing)
-                draw_dot(rasterizer, side * moved(x, r, width), side * r.y, side, 0xffffff);
+                draw_dot(rasterizer, side * moved(x, r, width), side * r.y, drawn_side, 0xffffff);
     }
 
     /// To the left, and in again from the right.
     int moved(int x, const row& r, int width) const {
         const auto gone = static_cast<int>(updates_ / r.updates_per_pixel % width);
-        return (x - gone + width) % width;
+        return ((x - gone) % width + width) % width;
     }
 
     l3d_ticker ticker_;
     long updates_ = 0;
+    int dragged_ = 0; ///< pixels to the left that make no whole update yet
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program("runway",
-                        l3d_caption{"Dots in three rows of different speeds look like a plain."},
-                        {960, 600});
+    l3d_program program(
+        "runway",
+        l3d_caption{.what = "Dots in three rows of different speeds look like a plain.",
+                    .teaches = "No third dimension is computed: that far things "
+                               "seem slower is enough for the eye.",
+                    .keys = l3d_lesson_keys("move the rows")},
+        {960, 600});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         runway_pipeline pipeline(program.create_canvas());

@@ -48,8 +48,14 @@ void print() {
 
 int main(int argc, char** argv) try {
     l3d_options options("vecmath", "Sums and products of points and vectors, as text.", {320, 200});
-    if (options.parse(argc, argv))
+    bool is_classic = false;
+    options.add("--classic", is_classic, "the numbers alone, as in the book");
+    if (options.parse(argc, argv)) {
+        if (!is_classic)
+            std::cout << "The difference of two points is a vector; a point and a vector make a "
+                         "point; two points have no sum.\n\n";
         print();
+    }
     return static_cast<int>(std::cout.flush() ? l3d_exit::success : l3d_exit::failure);
 } catch (const std::exception& error) {
     return l3d_report("vecmath", error);

@@ -29,7 +29,10 @@ public:
 int main(int argc, char** argv) {
     l3d_program program(
         "vidflat",
-        l3d_caption{.what = "A model, read from a file by a plug-in.", .keys = l3d_world_keys()},
+        l3d_caption{.what = "A model, read from a file by a plug-in.",
+                    .teaches = "What a program can't know yet, such as a format of files, comes as "
+                               "a plug-in with a line of parameters.",
+                    .keys = l3d_world_keys()},
         {960, 720});
     std::string folder, plugin;
     std::string parameters = "0 0 0 1 0 0 0 1 0 0 0 1 spaceship.obj";
@@ -44,13 +47,13 @@ int main(int argc, char** argv) {
                           "FOLDER");
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        auto canvas = program.create_canvas();
         const l3d_plugin_loader loader("vidflat", program.seed(),
                                        folder.empty() ? l3d_data_folder() : folder);
-        vidflat_world world(canvas.screen->pixels().size(), loader,
-                            plugin.empty() ? l3d_plugin_folder() + "/videoscape.so" : plugin,
-                            parameters);
-        l3d_pipeline_world pipeline(std::move(canvas), world);
+        l3d_pipeline_world pipeline(program.create_canvas(), [&](l3d_size size) {
+            return std::make_unique<vidflat_world>(
+                size, loader, plugin.empty() ? l3d_plugin_folder() + "/videoscape.so" : plugin,
+                parameters);
+        });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         return dispatcher->start();                    // step 5
     });

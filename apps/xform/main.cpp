@@ -20,17 +20,27 @@ private:
         const int down = random.between(-height * 5 / 6, height * 5 / 6);
         const int x = random.between(0, width * 5 / 6);
         const int y = random.between(0, height * 4 / 5);
+        draw_moved(rasterizer, right, down, color);
+        rasterizer.draw_line(0, 0, x, y, color);
+    }
+
+    void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) override {
+        constexpr int middle_x = 157, middle_y = 123; // the mean of its corners
+        draw_moved(rasterizer, x - middle_x, y - middle_y, color);
+    }
+
+    void draw_moved(l3d_rasterizer_2d& rasterizer, int right, int down, std::uint32_t color) {
         vertices_.clear_varying();
         for (auto& vertex : vertices_.fixed()) {
             vertex.reset();
             vertex.transform(l3d_translation<l3d_real>(right, down, 0), 1);
         }
+        const auto [width, height] = size();
         const auto window = l3d_window_corners(position(0, 0), position(width, height));
         triangle_.init_clip_ivertices();
         triangle_.final_color = color;
         if (triangle_.clip_to_polygon_2d(vertices_, window))
             triangle_.draw(vertices_, rasterizer);
-        rasterizer.draw_line(0, 0, x, y, color);
     }
 
     static l3d_position<l3d_real> position(double x, double y) {
@@ -47,8 +57,12 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    l3d_program program(
-        "xform", l3d_caption{"Triangles that the window clips, and lines, pile up."}, {640, 480});
+    l3d_program program("xform",
+                        l3d_caption{.what = "Triangles that the window clips, and lines, pile up.",
+                                    .teaches = "A polygon is cut at one side of the window after "
+                                               "the other, before it is drawn.",
+                                    .keys = l3d_lesson_keys("more of them, there")},
+                        {640, 480});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         xform_pipeline pipeline(program.create_canvas(), program.seed());

@@ -2,6 +2,9 @@
 // l3d_caption: rows of keys as text.
 #include "pipeline/caption.h"
 
+#include <sstream>
+#include <utility>
+
 std::vector<l3d_caption_row> l3d_caption::all_keys() const {
     std::vector<l3d_caption_row> rows = keys;
     std::string shows_help;
@@ -15,16 +18,20 @@ std::vector<l3d_caption_row> l3d_caption::all_keys() const {
 
 std::string l3d_caption::text() const {
     constexpr std::size_t widest_line = 79; // of a usual terminal
-    std::string result = what + '\n', line = "Keys:";
-    for (const l3d_caption_row& row : all_keys()) {
-        const std::string words = ' ' + row.keys + ": " + row.text + ';';
-        if (line.size() + words.size() > widest_line) {
-            result += line + '\n';
-            line = words.substr(1);
-        } else {
-            line += words;
-        }
-    }
+    std::string result = what + '\n', line;
+    const auto add = [&](const std::string& words) {
+        if (!line.empty() && line.size() + 1 + words.size() > widest_line)
+            result += std::exchange(line, {}) + '\n';
+        line += (line.empty() ? "" : " ") + words;
+    };
+    std::istringstream lesson(teaches);
+    for (std::string word; lesson >> word;)
+        add(word);
+    if (!line.empty())
+        result += std::exchange(line, {}) + '\n';
+    add("Keys:");
+    for (const l3d_caption_row& row : all_keys())
+        add(row.keys + ": " + row.text + ';');
     line.back() = '.';
     return result + line;
 }

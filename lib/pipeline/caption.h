@@ -25,6 +25,9 @@ struct L3D_PUBLIC l3d_caption {
     /// A sentence or two.
     std::string what;
 
+    /// What one can learn from it, in a sentence or two; it makes the program a lesson of the book.
+    std::string teaches{};
+
     /// The program's own keys. Those that every program has follow by themselves.
     std::vector<l3d_caption_row> keys{};
 
@@ -34,7 +37,7 @@ struct L3D_PUBLIC l3d_caption {
     /// All keys: the program's own, F11, those of help, and the end.
     std::vector<l3d_caption_row> all_keys() const;
 
-    /// What --help says: the sentence, and a list of all keys below it.
+    /// What --help says: the sentences, and a list of all keys below them.
     std::string text() const;
 };
 

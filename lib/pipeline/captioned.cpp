@@ -10,7 +10,7 @@ namespace l3d_detail {
 namespace {
 
 /// Of a picture; a larger hint would hide what it speaks of.
-constexpr int largest_share = 5; // one part of so many
+constexpr int largest_share = 5, largest_share_of_lesson = 4; // one part of so many
 
 } // namespace
 
@@ -102,28 +102,50 @@ void captioned::uncover() {
     covered_ = {};
 }
 
-/// Draws the panel, if there is one, and keeps the picture below.
+/// Draws the panels, if there are some, and keeps the picture below.
 void captioned::cover() {
-    if (help_page_ == 0 && !hint_is_shown())
-        return;
-    const l3d_pixels pixels = screen_.pixels();
-    picture_.clear();
-    for (int y = 0; y < pixels.height; ++y)
-        picture_.insert(picture_.end(), pixels.row(y).begin(), pixels.row(y).end());
-    l3d_rasterizer_2d_sw_imp imp(pixels);
-    l3d_rasterizer_2d rasterizer(imp);
-    if (help_page_ > 0)
-        covered_ = draw_help(rasterizer);
-    else if (!covers_little(rasterizer, caption_.what) && !covers_little(rasterizer, {}))
-        hint_seconds_ = 0;
+    texts_.clear();
+    l3d_panel message;
+    if (const std::string words = shown_.message(); !words.empty())
+        message.add(words);
+    if (help_page_ > 0 || hint_is_shown() || !message.empty()) {
+        const l3d_pixels pixels = screen_.pixels();
+        picture_.clear();
+        for (int y = 0; y < pixels.height; ++y)
+            picture_.insert(picture_.end(), pixels.row(y).begin(), pixels.row(y).end());
+        l3d_rasterizer_2d_sw_imp imp(pixels);
+        l3d_rasterizer_2d rasterizer(imp);
+        if (help_page_ > 0) {
+            const std::vector<l3d_panel> pages = help_pages();
+            draw(rasterizer, pages[std::min(help_page_, pages.size()) - 1], l3d_corner::top_right);
+        } else {
+            if (hint_is_shown() && !draws_a_hint(rasterizer))
+                hint_seconds_ = 0;
+            draw(rasterizer, message, l3d_corner::top_left);
+        }
+    }
+    screen_.set_text(texts_);
 }
 
-/// Draws a hint with these words above it, and takes it away again if it is too large.
-bool captioned::covers_little(l3d_rasterizer_2d& rasterizer, const std::string& words) {
-    covered_ = draw_hint(rasterizer, words);
-    if (largest_share * covered_.area() <= l3d_whole(screen_.pixels().size()).area())
-        return true;
-    uncover();
+void captioned::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner) {
+    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
+    const l3d_pixel_box box = panel.draw(rasterizer, free, corner, style());
+    if (box.empty())
+        return;
+    covered_ = covered_.united(box);
+    texts_.push_back(box);
+}
+
+/// Draws the first hint that leaves most of the picture free. Returns whether there is one.
+bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
+    const int share = caption_.teaches.empty() ? largest_share : largest_share_of_lesson;
+    for (const l3d_panel& hint : hints()) {
+        draw(rasterizer, hint, l3d_corner::bottom_left);
+        if (share * covered_.area() <= l3d_whole(screen_.pixels().size()).area())
+            return true;
+        uncover();
+        texts_.clear();
+    }
     return false;
 }
 
@@ -131,31 +153,36 @@ l3d_panel_style captioned::style() const {
     l3d_panel_style result;
     result.font = font_;
     result.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
+    if (screen_.is_slow())
+        result.ground_coverage = l3d_panel_style::opaque;
     return result;
 }
 
 std::vector<l3d_panel> captioned::help_pages() const {
     l3d_panel all;
     all.add_title(caption_.what);
+    if (!caption_.teaches.empty())
+        all.add_title(caption_.teaches);
     for (const l3d_caption_row& row : caption_.all_keys())
         all.add(row.keys, row.text);
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-l3d_pixel_box captioned::draw_help(l3d_rasterizer_2d& rasterizer) const {
-    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
-    const std::vector<l3d_panel> pages = help_pages();
-    return pages[std::min(help_page_, pages.size()) - 1].draw(rasterizer, free,
-                                                              l3d_corner::top_right, style());
-}
-
-l3d_pixel_box captioned::draw_hint(l3d_rasterizer_2d& rasterizer, const std::string& words) const {
-    l3d_pixel_box free = l3d_whole(screen_.pixels().size());
-    l3d_panel hint;
-    if (!words.empty())
-        hint.add_title(words);
-    hint.add(caption_.help.substr(0, 1), "shows all keys");
-    return hint.draw(rasterizer, free, l3d_corner::bottom_left, style());
+/// From the one that says most to the key alone.
+std::vector<l3d_panel> captioned::hints() const {
+    constexpr std::size_t most_keys = 4; // that one remembers
+    l3d_panel what, taught;
+    what.add_title(caption_.what);
+    taught = what;
+    if (!caption_.teaches.empty())
+        taught.add_title(caption_.teaches);
+    std::vector<l3d_panel> result{taught, taught, what, {}};
+    if (!caption_.teaches.empty())
+        for (std::size_t i = 0; i < std::min(most_keys, caption_.keys.size()); ++i)
+            result[0].add(caption_.keys[i].keys, caption_.keys[i].text);
+    for (l3d_panel& hint : result)
+        hint.add(caption_.help.substr(0, 1), "shows all keys");
+    return result;
 }
 
 } // namespace l3d_detail

@@ -18,9 +18,10 @@ namespace l3d_detail {
 /// Hands every call on to a pipeline. It draws a panel on the finished picture, and puts back what
 /// the panel covers before the pipeline draws again: some programs add to the picture before.
 ///
-/// The panel says for some seconds what is shown and which key lists the others. Where that would
-/// hide much of the picture, it names the key alone; where that would, too, nothing. The keys of
-/// help show all keys, page after page, and hide them again.
+/// The panel says for some seconds what is shown, what it teaches, and some keys. Where that would
+/// hide much of the picture, it says less, down to the key that lists the others, or nothing. The
+/// keys of help show all keys, page after page, and hide them again. Another panel has the
+/// pipeline's message.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
@@ -51,9 +52,9 @@ private:
     void cover();
     l3d_panel_style style() const;
     std::vector<l3d_panel> help_pages() const;
-    l3d_pixel_box draw_help(l3d_rasterizer_2d& rasterizer) const;
-    l3d_pixel_box draw_hint(l3d_rasterizer_2d& rasterizer, const std::string& words) const;
-    bool covers_little(l3d_rasterizer_2d& rasterizer, const std::string& words);
+    void draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
+    bool draws_a_hint(l3d_rasterizer_2d& rasterizer);
+    std::vector<l3d_panel> hints() const;
 
     l3d_pipeline& shown_;
     l3d_screen& screen_;
@@ -64,6 +65,7 @@ private:
     bool is_old_ = false;       ///< another panel is wanted than is drawn
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;
+    std::vector<l3d_pixel_box> texts_; ///< the panels in the covered box
 };
 
 } // namespace l3d_detail

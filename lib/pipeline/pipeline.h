@@ -9,6 +9,7 @@
 #include "tool_2d/pixels.h"
 
 #include <limits>
+#include <string>
 
 /// What happened to a frame after it was drawn. Units: seconds.
 struct L3D_PUBLIC l3d_frame_times {
@@ -67,6 +68,10 @@ public:
     /// Whether nothing changes until the next event, however much time goes by. In a window the
     /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
     virtual bool is_at_rest() const { return false; }
+
+    /// What the caption of a window says as long as it is so, in some lines that \n divides; "" for
+    /// nothing.
+    virtual std::string message() const { return {}; }
 
     /// How long it stays at rest, if no event comes. Units: seconds, more than 0. Then, or at the
     /// event, rest_event comes. Expects: is_at_rest().

@@ -16,6 +16,8 @@
 struct L3D_PUBLIC l3d_canvas {
     std::unique_ptr<l3d_screen> screen; ///< where pictures are shown; its pixels are drawn into
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< makes what draws into them
+    /// Whether lessons draw as the book does: hard edges, letters of dots, a black ground.
+    bool is_classic = false;
 };
 
 /// Pixels in memory, drawn by the CPU: for programs without a window.

@@ -24,7 +24,7 @@ l3d_exit l3d_dispatcher::start_with_caption() {
     const l3d_font font = l3d_font::of_system(why);
     if (!why.empty())
         std::cerr << command_ << ": " << why << '\n';
-    constexpr double hint_seconds = 8; // two lines are read in four
+    const double hint_seconds = caption_.teaches.empty() ? 8 : 15; // two lines are read in four
     l3d_detail::captioned shown(*pipeline_, *screen_, caption_, font, hint_seconds);
     const l3d_exit result = do_start(shown, *screen_);
     pipeline_->done |= shown.done;

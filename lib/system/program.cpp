@@ -2,6 +2,9 @@
 // l3d_program: step 1, and the way out.
 #include "system/program.h"
 
+#include "raster/rasterizer_factory_sw.h"
+
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -9,7 +12,11 @@ l3d_program::l3d_program(std::string name, const std::string& purpose, l3d_size 
     : options_(std::move(name), purpose, default_size) {}
 
 l3d_program::l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size)
-    : options_(std::move(name), caption.text(), default_size), caption_(caption) {}
+    : options_(std::move(name), caption.text(), default_size), caption_(caption) {
+    if (!caption_.teaches.empty())
+        options_.add("--classic", is_classic_,
+                     "pictures as in the book: hard edges, letters of dots, a black ground");
+}
 
 int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps) {
     try {
@@ -34,7 +41,13 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     l3d_screen_request request = options_.screen_request();
     if (!shows.empty() && options_.common().title.empty())
         request.title = shows + " - " + request.title;
-    return {factories_.create_screen(request), factories_.chosen().rasterizer_factory};
+    l3d_canvas canvas{factories_.create_screen(request), factories_.chosen().rasterizer_factory,
+                      is_classic_};
+    // What is drawn by GL, or by a factory of the program's own, keeps the edges that it has.
+    const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
+    if (!caption_.teaches.empty() && !is_classic_ && is_ours)
+        canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);
+    return canvas;
 }
 
 void l3d_program::check_transparency(bool in_window) const {

@@ -80,6 +80,9 @@ public:
     /// Expects: called by the steps.
     void check_transparency(bool in_window) const;
 
+    /// Whether a lesson draws as the book does: --classic.
+    bool is_classic() const { return is_classic_; }
+
     /// Where random numbers start: --seed.
     std::uint64_t seed() const { return options_.common().seed; }
 
@@ -87,6 +90,7 @@ private:
     l3d_options options_;
     l3d_factory_manager factories_;
     l3d_caption caption_;
+    bool is_classic_ = false;
     std::function<bool()> goes_on_ = [] { return true; };
 };
 

@@ -20,6 +20,7 @@ public:
 
     int draws = 0, keys = 0;
     bool moves = true;
+    std::string says;
 
     void draw_event() override {
         const auto row = screen_.pixels().row(screen_.pixels().height - 20);
@@ -31,6 +32,7 @@ public:
     }
     bool needs_redraw() const override { return moves; }
     bool is_at_rest() const override { return !moves; }
+    std::string message() const override { return says; }
 
 private:
     l3d_screen& screen_;
@@ -87,6 +89,50 @@ TEST(caption, breaks_lines_before_they_leave_a_terminal) {
     }
     EXPECT_LE(longest, 80u);
     EXPECT_GT(longest, 50u);
+}
+
+TEST(caption, says_what_a_lesson_teaches_between_what_it_shows_and_its_keys) {
+    const l3d_caption caption{.what = "Dots.", .teaches = "Far dots move less.", .keys = {}};
+    EXPECT_EQ(caption.text(), "Dots.\nFar dots move less.\n"
+                              "Keys: F11: whole screen; h, ?: help; q, Escape: quit.");
+    l3d_caption longer = caption;
+    for (int i = 0; i < 20; ++i)
+        longer.teaches += " Far dots move less.";
+    const std::string text = longer.text();
+    for (std::size_t begin = 0, end = 0; end != text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        EXPECT_LE(end - begin, 79u);
+    }
+}
+
+TEST_F(captioned_row, shows_a_message_as_long_as_it_is_told_and_tells_where_text_stands) {
+    row.moves = false;
+    pass(hint_seconds);
+    EXPECT_TRUE(is_plain());
+    EXPECT_TRUE(screen.text.empty());
+    row.says = "it stands\nstill";
+    shown.draw_event();
+    EXPECT_FALSE(is_plain());
+    ASSERT_EQ(screen.text.size(), 1u);
+    EXPECT_LT(screen.text[0].bottom, 100) << "above, where no hint is";
+    row.says = "";
+    shown.draw_event();
+    EXPECT_TRUE(is_plain());
+    EXPECT_TRUE(screen.text.empty());
+}
+
+TEST_F(captioned_row, hides_what_is_behind_text_where_the_line_is_slow) {
+    for (int y = 0; y < 300; ++y)
+        std::ranges::fill(screen.pixels().row(y), 0xFFFFFFu);
+    const auto corner_of_hint = [&] {
+        shown.draw_event();
+        const l3d_pixel_box box = screen.text.at(0);
+        return screen.pixels().row(box.top)[static_cast<std::size_t>(box.left)];
+    };
+    const std::uint32_t through = corner_of_hint();
+    screen.slow = true;
+    EXPECT_EQ(corner_of_hint(), l3d_panel_style().ground);
+    EXPECT_NE(through, l3d_panel_style().ground);
 }
 
 TEST_F(captioned_row, shows_a_hint_at_first_and_leaves_the_picture_as_it_would_be) {

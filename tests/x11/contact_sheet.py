@@ -31,7 +31,8 @@ def tile(size, name, *arguments):
 
 def programs():
     """What each shows at the end of the frames that the test compares."""
-    rows = {row.title: row for row in table() if not row.is_console}
+    rows = {row.title: row for row in table()
+            if not row.is_console and "--classic" not in row.arguments}
     return [tile((240, 180), row.name, *row.arguments, "--frames", str(FRAMES))
             for row in rows.values()]
 

@@ -24,20 +24,21 @@ GREEN = 0x00FF80  # drawdot's dot
 class Program:
     """A program under test, and how to start it with a small window."""
 
-    def __init__(self, name, size):
+    def __init__(self, name, size, *always):
         self.name = name
         self.size = size
+        self.always = always
 
     def command(self, *arguments):
         size = "%dx%d" % self.size
-        return [os.path.join(BIN, self.name), "--size", size, *arguments]
+        return [os.path.join(BIN, self.name), "--size", size, *self.always, *arguments]
 
 
 # Frames that are counted show what memory holds: no gradient, and no word about the help. These last
 # longer than anybody looks.
 COUNTED = ("--frames", "1000000")
 
-DRAWDOT = Program("drawdot", (53, 31))
+DRAWDOT = Program("drawdot", (53, 31), "--classic")  # black around a dot of one pixel
 PROGRAMS = [
     program
     for program in (DRAWDOT, Program("teapot_afd", (157, 119)))

@@ -172,7 +172,7 @@ def hello_tells_every_event():
 
 def morph2d_has_the_books_forms():
     """Rows 21 and 37: every pixel of the four forms, the third cut off by the window."""
-    program = harness.Program("morph2d", (320, 200))
+    program = harness.Program("morph2d", (320, 200), "--classic")
     for frames, wanted in ((50, 5530), (100, 7132), (150, 7450), (200, 6715)):
         rows = harness.memory_picture(program, "--frames", str(frames))
         found = [pixel for row in rows for pixel in row if pixel]
@@ -189,7 +189,7 @@ def xform_differs_by_seed():
 
 def collide_keeps_its_bodies_together():
     """The spring pulls all back, and balls that bounce keep their energy: nothing flies away."""
-    program = harness.Program("collide", (160, 120))
+    program = harness.Program("collide", (160, 120), "--classic")
     for frames in (1, 1200, 3600):
         rows = harness.memory_picture(program, "--frames", str(frames))
         expect(sum(pixel != 0 for row in rows for pixel in row) > 300, "few pixels at", frames)
@@ -198,7 +198,7 @@ def collide_keeps_its_bodies_together():
 
 def morph3d_comes_back_to_its_first_form():
     """After four forms of 90 steps each it is the ball again, which looks alike from all sides."""
-    program = harness.Program("morph3d", (160, 120))
+    program = harness.Program("morph3d", (160, 120), "--classic")
     covered = []
     for frames in (2, 92, 182, 272, 362):
         rows = harness.memory_picture(program, "--frames", str(frames))

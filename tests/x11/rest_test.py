@@ -18,15 +18,22 @@ STOPS = {
     "clipz": "0",
     "collide": "0",
     "curves": None,
+    "dots": "space",
     "drawdot": "space",
     "fltsim": "0",
     "gallery": "space",
     "hello": None,
+    "mesaflat": "space",
     "modelview": None,
+    "morph2d": "space",
     "morph3d": "0",
     "objcopy": "0",
+    "rotspikes": "space",
+    "runway": "space",
+    "spikes": "space",
     "teapot_afd": None,
-    "vidflat": "0",
+    "vidflat": "space",
+    "xform": "space",
 }
 # The word about the help is drawn and taken away: a program that shows it wakes up so often for
 # that, and for what the server has to say of its window. Its seconds have hundreds of frames.

@@ -32,6 +32,11 @@ template <class T> void l3d_camera_left_handed<T>::change_size(l3d_size from, l3
     fovy *= static_cast<double>(to.width) / to.height * from.height / from.width;
 }
 
+template <class T> void l3d_camera_left_handed<T>::drag(double right, double down, l3d_size size) {
+    this->turn_about_up(-std::atan(right / (fovx * size.width)) / degree);
+    this->turn_about_right(-std::atan(down / (fovy * size.height)) / degree);
+}
+
 template <class T>
 typename l3d_camera_left_handed<T>::pixel l3d_camera_left_handed<T>::project(const l3d_point<T>& p,
                                                                              l3d_size size) const {

@@ -32,6 +32,10 @@ public:
     /// The picture has another shape: what is square on it stays so.
     void change_size(l3d_size from, l3d_size to);
 
+    /// Turns as if a hand moved the world: what is in the middle of a picture of this size goes so
+    /// many pixels to the right and down.
+    void drag(double right, double down, l3d_size size);
+
     /// Where a point in the camera's coordinates appears: the picture's centre is (width / 2,
     /// height / 2), y is down. Expects: p[2] > 0.
     struct pixel {

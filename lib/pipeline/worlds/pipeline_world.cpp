@@ -38,7 +38,10 @@ constexpr int least_height = 300; // of a picture, for each pixel of a letter's 
 } // namespace
 
 std::vector<l3d_caption_row> l3d_world_keys() {
-    return {{"i, k", "fly forward and back"},
+    return {{"drag, wheel", "look around, fly"},
+            {"space", "stop the world, let it go on"},
+            {"r", "start again"},
+            {"i, k", "fly forward and back"},
             {"s, f", "fly left and right"},
             {"e, d", "fly up and down"},
             {"j, l", "turn left and right"},
@@ -53,41 +56,71 @@ std::vector<l3d_caption_row> l3d_world_keys() {
 }
 
 l3d_pipeline_world::l3d_pipeline_world(l3d_canvas canvas, l3d_world& world)
-    : l3d_pipeline_world(canvas.rasterizers, std::move(canvas), world) {}
+    : l3d_pipeline_world(canvas.rasterizers, std::move(canvas), &world, {}) {}
+
+l3d_pipeline_world::l3d_pipeline_world(l3d_canvas canvas, maker make)
+    : l3d_pipeline_world(canvas.rasterizers, std::move(canvas), nullptr, std::move(make)) {
+    make_world();
+}
 
 l3d_pipeline_world::l3d_pipeline_world(std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
-                                       l3d_canvas&& canvas, l3d_world& world)
-    : l3d_pipeline_2d(std::move(canvas)), world_(world), rasterizers_(std::move(rasterizers)),
-      seen_size_(size()) {}
+                                       l3d_canvas&& canvas, l3d_world* world, maker make)
+    : l3d_lesson(std::move(canvas)), make_(std::move(make)), world_(world),
+      rasterizers_(std::move(rasterizers)), seen_size_(size()) {}
 
-void l3d_pipeline_world::any_event(const l3d_event&) {
-    is_stale_ = true;
+void l3d_pipeline_world::restart() {
+    if (make_)
+        make_world();
+}
+
+void l3d_pipeline_world::make_world() {
+    own_ = make_(size());
+    world_ = own_.get();
+    if (is_classic())
+        return;
+    if (world_->order == l3d_draw_order::far_first)
+        world_->order = l3d_draw_order::by_depth;
+    world_->surfaces.shade = l3d_shade::flat;
+    world_->surfaces.lighting.ambient = {0.35F, 0.35F, 0.35F}; // colours are told in the shade, too
+    world_->surfaces.light = {-0.48, 0.6, -0.64}; // from above, from the left and from the viewer
+    world_->surfaces.background = ground();
+    world_->surfaces.antialias = true;
 }
 
 void l3d_pipeline_world::key_event(int key) {
-    if (!turn_key(key) && !thrust_key(key) && !look_key(key))
-        l3d_pipeline_2d::key_event(key);
+    if (key == ' ')
+        world_->frozen = !world_->frozen;
+    else if (!turn_key(key) && !thrust_key(key) && !look_key(key))
+        l3d_lesson::key_event(key);
+}
+
+void l3d_pipeline_world::drag(int, int, int right, int down) {
+    world_->camera.drag(right, down, size());
+}
+
+void l3d_pipeline_world::roll(int notches) {
+    world_->camera.push({.forward = double(notches)});
 }
 
 bool l3d_pipeline_world::turn_key(int key) {
     switch (key) {
     case 'j':
-        world_.camera.twist({.up = -1});
+        world_->camera.twist({.up = -1});
         return true;
     case 'l':
-        world_.camera.twist({.up = 1});
+        world_->camera.twist({.up = 1});
         return true;
     case 'I':
-        world_.camera.twist({.right = 1});
+        world_->camera.twist({.right = 1});
         return true;
     case 'K':
-        world_.camera.twist({.right = -1});
+        world_->camera.twist({.right = -1});
         return true;
     case 'J':
-        world_.camera.twist({.forward = 1});
+        world_->camera.twist({.forward = 1});
         return true;
     case 'L':
-        world_.camera.twist({.forward = -1});
+        world_->camera.twist({.forward = -1});
         return true;
     default:
         return false;
@@ -95,25 +128,25 @@ bool l3d_pipeline_world::turn_key(int key) {
 }
 
 bool l3d_pipeline_world::thrust_key(int key) {
-    auto& thrust = world_.camera.thrust;
+    auto& thrust = world_->camera.thrust;
     switch (key) {
     case 'i':
-        world_.camera.push({.forward = 1});
+        world_->camera.push({.forward = 1});
         return true;
     case 'k':
-        world_.camera.push({.forward = -1});
+        world_->camera.push({.forward = -1});
         return true;
     case 's':
-        world_.camera.push({.right = -1});
+        world_->camera.push({.right = -1});
         return true;
     case 'f':
-        world_.camera.push({.right = 1});
+        world_->camera.push({.right = 1});
         return true;
     case 'e':
-        world_.camera.push({.up = 1});
+        world_->camera.push({.up = 1});
         return true;
     case 'd':
-        world_.camera.push({.up = -1});
+        world_->camera.push({.up = -1});
         return true;
     case 'v':
     case 'V':
@@ -132,27 +165,27 @@ bool l3d_pipeline_world::look_key(int key) {
     const auto change = [](double& fov, double by) { fov = std::max(fov + by, least_fov); };
     switch (key) {
     case 'X':
-        change(world_.camera.fovx, fov_step);
+        change(world_->camera.fovx, fov_step);
         return true;
     case 'x':
-        change(world_.camera.fovx, -fov_step);
+        change(world_->camera.fovx, -fov_step);
         return true;
     case 'Y':
-        change(world_.camera.fovy, fov_step);
+        change(world_->camera.fovy, fov_step);
         return true;
     case 'y':
-        change(world_.camera.fovy, -fov_step);
+        change(world_->camera.fovy, -fov_step);
         return true;
     case 'n':
     case 'N':
         status_shown_ = !status_shown_;
         return true;
     case 'o':
-        world_.order = after(world_.order);
+        world_->order = after(world_->order);
         return true;
     case '0':
     case '1':
-        world_.frozen = key == '0';
+        world_->frozen = key == '0';
         return true;
     default:
         return false;
@@ -160,14 +193,13 @@ bool l3d_pipeline_world::look_key(int key) {
 }
 
 void l3d_pipeline_world::resize_event(l3d_size size) {
-    l3d_pipeline_2d::resize_event(size);
-    world_.camera.change_size(seen_size_, size);
+    l3d_lesson::resize_event(size);
+    world_->camera.change_size(seen_size_, size);
     seen_size_ = size;
 }
 
-void l3d_pipeline_world::update_event(double seconds) {
-    is_stale_ |= !is_at_rest();
-    world_.update_all(seconds);
+void l3d_pipeline_world::advance(double seconds) {
+    world_->update_all(seconds);
     seconds_ += seconds;
     if (++frames_ == frames_of_mean) {
         frame_rate_ = frames_ / std::max(seconds_, 1e-9);
@@ -176,28 +208,48 @@ void l3d_pipeline_world::update_event(double seconds) {
     }
 }
 
-void l3d_pipeline_world::draw(l3d_rasterizer_2d& rasterizer) {
-    is_stale_ = false;
+void l3d_pipeline_world::draw_lesson(l3d_rasterizer_2d& rasterizer) {
     l3d_world_target target{rasterizer, screen().pixels()};
-    if (world_.order == l3d_draw_order::by_depth) {
+    if (world_->order == l3d_draw_order::by_depth) {
         if (!surfaces_) {
-            workers_ = std::make_unique<l3d_workers>(world_.surfaces.threads);
+            workers_ = std::make_unique<l3d_workers>(world_->surfaces.threads);
             surfaces_ = rasterizers_->create_surface(*workers_);
         }
         target.surfaces = surfaces_.get();
         target.workers = workers_.get();
-    } else
-        rasterizer.clear_buffer();
-    const std::size_t drawn = world_.draw_all(target);
+    } else {
+        set_ground(world_->surfaces.background);
+        clear(rasterizer);
+    }
+    drawn_ = world_->draw_all(target);
     draw_overlay(rasterizer);
-    if (status_shown_)
-        draw_status(rasterizer, drawn);
+    if (status_shown_ && (is_classic() || !make_))
+        draw_status(rasterizer);
 }
 
-void l3d_pipeline_world::draw_status(l3d_rasterizer_2d& rasterizer, std::size_t drawn) {
+std::vector<std::string> l3d_pipeline_world::status() const {
     const auto whole = static_cast<long>(frame_rate_ + 0.5);
+    return {"FPS " + std::to_string(whole), std::to_string(drawn_) + " polys drawn"};
+}
+
+void l3d_pipeline_world::draw_status(l3d_rasterizer_2d& rasterizer) {
     const int scale = std::max(1, size().height / least_height);
-    l3d_draw_text(rasterizer, 0, 0, "FPS " + std::to_string(whole), text_color, scale);
-    l3d_draw_text(rasterizer, 0, scale * second_line, std::to_string(drawn) + " polys drawn",
-                  text_color, scale);
+    int y = 0;
+    for (const std::string& line : status()) {
+        l3d_draw_text(rasterizer, 0, y, line, text_color, scale);
+        y += scale * second_line;
+    }
+}
+
+std::string l3d_pipeline_world::message() const {
+    std::string lines;
+    const auto add = [&](const std::string& line) { lines += (lines.empty() ? "" : "\n") + line; };
+    if (status_shown_ && make_ && !is_classic())
+        for (const std::string& line : status())
+            add(line);
+    if (world_->frozen)
+        add("the world is stopped; space lets it go on");
+    if (drawn_ == 0 && make_)
+        add("nothing is seen from here; r starts again");
+    return lines;
 }

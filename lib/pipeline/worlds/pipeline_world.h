@@ -5,36 +5,46 @@
 
 #include "base/public.h"
 #include "pipeline/caption.h"
-#include "pipeline/pipeline_2d.h"
+#include "pipeline/lesson.h"
 #include "pipeline/worlds/world.h"
 #include "raster/parallel/workers.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
-/// The keys, for a program's caption.
+/// The keys, and the mouse, for a program's caption.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_world_keys();
 
 /// Keys, time and pictures of a world.
 ///
 /// A world whose order is `by_depth` is filled by a surface rasterizer of the canvas's factory,
 /// with as many threads as the world's `surfaces` ask for when the first such frame is drawn.
-/// Lives:   borrows the world.
-class L3D_PUBLIC l3d_pipeline_world : public l3d_pipeline_2d {
+/// Stopped, the world is frozen, and the camera can still fly.
+class L3D_PUBLIC l3d_pipeline_world : public l3d_lesson {
 public:
-    /// Shows this world on that canvas. Errors: as l3d_pipeline_2d.
+    /// Makes a world for pictures of a size.
+    using maker = std::function<std::unique_ptr<l3d_world>(l3d_size)>;
+
+    /// Shows this world on that canvas. It can't start again. Errors: as l3d_pipeline_2d.
+    /// Lives:   borrows the world.
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
-    void any_event(const l3d_event& event) override;
+    /// Shows a world that `make` makes, now and whenever the user starts again. If the canvas is
+    /// not classic, a world that paints far polygons first is drawn by depth instead, with smooth
+    /// edges, on the dark ground of lessons.
+    /// Errors:  as l3d_pipeline_2d; what `make` throws.
+    l3d_pipeline_world(l3d_canvas canvas, maker make);
+
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
-    void update_event(double seconds) override;
     bool skip_event() override { return true; }
     /// Whether the world is stopped and the camera stands still. A subclass in which more moves
     /// overrides it.
-    bool is_at_rest() const override { return world_.frozen && !world_.camera.moves(); }
-    bool needs_redraw() const override { return is_stale_; }
+    bool is_at_rest() const override { return world_->frozen && !world_->camera.moves(); }
+    std::string message() const override;
 
 protected:
     /// Draws what lies over the picture of the world, such as instruments. The status lines come
@@ -43,22 +53,30 @@ protected:
 
 private:
     l3d_pipeline_world(std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
-                       l3d_canvas&& canvas, l3d_world& world);
+                       l3d_canvas&& canvas, l3d_world* world, maker make);
 
     bool turn_key(int key);
     bool thrust_key(int key);
     bool look_key(int key);
-    void draw(l3d_rasterizer_2d& rasterizer) override;
-    void draw_status(l3d_rasterizer_2d& rasterizer, std::size_t drawn);
+    void draw_lesson(l3d_rasterizer_2d& rasterizer) override;
+    void advance(double seconds) override;
+    void restart() override;
+    void drag(int x, int y, int right, int down) override;
+    void roll(int notches) override;
+    void make_world();
+    void draw_status(l3d_rasterizer_2d& rasterizer);
+    std::vector<std::string> status() const;
 
-    l3d_world& world_;
+    maker make_;                     ///< none for a world that is borrowed
+    std::unique_ptr<l3d_world> own_; ///< that it made
+    l3d_world* world_;
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers_;
     std::unique_ptr<l3d_workers> workers_;
     std::unique_ptr<l3d_surface_rasterizer> surfaces_; // after workers_, which it borrows
     l3d_size seen_size_;
     bool status_shown_ = false;
-    bool is_stale_ = true; ///< the picture may be another one than that which was drawn
-    int frames_ = 0;       ///< since the frame rate was last computed
+    std::size_t drawn_ = 0; ///< polygons in the last picture
+    int frames_ = 0;        ///< since the frame rate was last computed
     double seconds_ = 0;
     double frame_rate_ = 0;
 };

@@ -16,7 +16,7 @@
 /// Writes pixel words into memory, whichever screen they belong to.
 ///
 /// Cost: allocates when the target is higher, or a polygon has more corners, than any before.
-class l3d_rasterizer_2d_sw_imp final : public l3d_rasterizer_2d_imp {
+class l3d_rasterizer_2d_sw_imp : public l3d_rasterizer_2d_imp {
 public:
     explicit l3d_rasterizer_2d_sw_imp(l3d_pixels target) { do_set_target(target); }
 

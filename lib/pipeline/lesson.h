@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// l3d_lesson: what the programs of the book have in common.
+#ifndef L3D_PIPELINE_LESSON_H
+#define L3D_PIPELINE_LESSON_H
+
+#include "base/public.h"
+#include "pipeline/caption.h"
+#include "pipeline/pipeline_2d.h"
+#include "raster/background.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The keys of every lesson, and what dragging with the mouse does, for a program's caption.
+L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragging);
+
+/// A pipeline of a world in which time passes. The user can stop it, begin again, and take hold of
+/// it with the mouse.
+///
+/// Pictures have a dark ground, or a black one if the canvas is classic. What a subclass draws lies
+/// on the picture before, unless it clears that.
+/// Lives: as l3d_pipeline_2d.
+class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
+public:
+    /// A lesson on this canvas. Errors: as l3d_pipeline_2d.
+    explicit l3d_lesson(l3d_canvas canvas);
+
+    void any_event(const l3d_event& event) override;
+    void key_event(int key) override;
+    void pointer_event(const l3d_event& event) override;
+    void resize_event(l3d_size size) override;
+    void update_event(double seconds) override;
+    bool is_at_rest() const override { return stopped_; }
+    bool needs_redraw() const override { return is_stale_; }
+    std::string message() const override;
+
+protected:
+    /// Whether pictures are those of the book: hard edges, letters of dots, a black ground.
+    bool is_classic() const { return is_classic_; }
+
+    /// What pictures show where nothing is drawn: dark, or black if they are classic.
+    const l3d_background& ground() const { return ground_; }
+    /// Changes it from the next picture on.
+    void set_ground(const l3d_background& ground) { ground_ = ground; }
+    /// Covers the whole picture with the ground.
+    void clear(l3d_rasterizer_2d& rasterizer);
+
+    /// Stops the lesson, or lets it go on.
+    void set_stopped(bool stopped) { stopped_ = stopped; }
+    /// Whether the user has stopped it.
+    bool is_stopped() const { return stopped_; }
+
+private:
+    /// Draws the next picture on top of the last one. The first one after a start and after a
+    /// resize lies on the ground.
+    virtual void draw_lesson(l3d_rasterizer_2d& rasterizer) = 0;
+    /// Lets time pass. Units: seconds.
+    virtual void advance(double seconds) = 0;
+    /// Begins as at first.
+    virtual void restart() = 0;
+    /// The pointer has moved with its first button held, or that was pressed at (x, y): then it has
+    /// moved by nothing. Units: pixels.
+    virtual void drag(int x, int y, int right, int down);
+    /// The wheel was turned away from the user by so many notches.
+    virtual void roll(int notches);
+
+    l3d_lesson(bool is_classic, l3d_canvas&& canvas);
+
+    void draw(l3d_rasterizer_2d& rasterizer) final;
+
+    bool is_classic_;
+    l3d_background ground_;
+    bool stopped_ = false;
+    bool is_stale_ = true; ///< the picture may be another one than that which was drawn
+    bool is_bare_ = true;  ///< there is no picture on which the next could lie
+    bool is_held_ = false; ///< the first button
+    int x_ = 0, y_ = 0;    ///< where the pointer was last
+};
+
+#endif
