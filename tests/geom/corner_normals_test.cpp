@@ -146,7 +146,9 @@ TEST(odd_normals, are_computed_with_one_note) {
            {0, 0, 3}, ":14");
 }
 
-TEST(odd_normals, of_all_vertices_are_as_none) {
+TEST(odd_normals, of_all_corners_are_as_none) {
+    EXPECT_TRUE(read("NOFF\n4 1 0\n0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n5 5 5 0 0 1\n3 0 1 2\n")
+                    .mesh.vertex_normals.empty());
     const l3d_model_file file = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//1\n");
     EXPECT_TRUE(file.mesh.vertex_normals.empty());
     EXPECT_EQ(file.notes, texts{std::string("name:5: ") + odd_note});

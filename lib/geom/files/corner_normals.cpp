@@ -56,7 +56,7 @@ void corner_normals::give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64
 }
 
 void corner_normals::finish(l3d_polygon_mesh& mesh) {
-    if (!any() && !mesh.corners.empty())
+    if (!any() && (normals_.empty() || !mesh.corners.empty()))
         return;
     of_corners_.resize(mesh.corners.size(), none);
     of_faces_.resize(mesh.faces(), unsaid);
@@ -119,9 +119,7 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
                                               : around.normal(at, of_faces_[f], of_faces_);
         }
     }
-    const auto is_named = [](std::uint32_t normal) { return normal != none; };
-    const bool are_named = mesh.corners.empty() || std::ranges::any_of(of_corners_, is_named);
-    for (std::size_t v = 0; are_named && v < std::min(vertices, normals_.size()); ++v)
+    for (std::size_t v = 0; v < std::min(vertices, normals_.size()); ++v)
         if (said[v] == free)
             mesh.vertex_normals[v] = normals_[v];
 }

@@ -209,15 +209,16 @@ inline bool has_direction(const l3d_polygon_mesh::vector& v) {
 inline constexpr const char* odd_normals_note =
     "normals that are zero or no numbers are computed from the faces";
 
-/// Normals without a direction become zero; if all are, there are none.
+/// Normals without a direction become zero; if those of all corners are, there are none.
 inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
-    std::size_t odd = 0;
+    const l3d_polygon_mesh::vector zero(0);
+    if (mesh.vertex_normals.empty())
+        return;
     for (l3d_polygon_mesh::vector& normal : mesh.vertex_normals)
-        if (!has_direction(normal)) {
-            normal = l3d_polygon_mesh::vector(0);
-            ++odd;
-        }
-    if (odd == mesh.vertex_normals.size())
+        if (!has_direction(normal))
+            normal = zero;
+    const auto is_zero = [&](std::uint32_t corner) { return mesh.vertex_normals[corner] == zero; };
+    if (!mesh.corners.empty() && std::ranges::all_of(mesh.corners, is_zero))
         mesh.vertex_normals.clear();
 }
 
