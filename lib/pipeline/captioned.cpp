@@ -145,11 +145,7 @@ void captioned::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_
 bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
     const int share = caption_.teaches.empty() ? largest_share : largest_share_of_lesson;
     for (const l3d_panel& hint : hints()) {
-<<<<<<< HEAD
         draw(rasterizer, hint, caption_.corner);
-=======
-        draw(rasterizer, hint, l3d_corner::bottom_left);
->>>>>>> origin/main
         if (share * covered_.area() <= l3d_whole(screen_.pixels().size()).area())
             return true;
         uncover();

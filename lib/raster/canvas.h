@@ -18,10 +18,7 @@
 struct L3D_PUBLIC l3d_canvas {
     std::unique_ptr<l3d_screen> screen; ///< where pictures are shown; its pixels are drawn into
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< makes what draws into them
-<<<<<<< HEAD
     l3d_font font{}; ///< the letters of panels and status lines
-=======
->>>>>>> origin/main
     /// Whether lessons draw as the book does: hard edges, letters of dots, a black ground.
     bool is_classic = false;
 };

@@ -4,10 +4,7 @@
 
 #include "raster/rasterizer_factory_sw.h"
 
-<<<<<<< HEAD
 #include <iostream>
-=======
->>>>>>> origin/main
 #include <memory>
 #include <string>
 #include <utility>
@@ -46,24 +43,17 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     if (!shows.empty() && shows != request.title && options_.common().title.empty())
         request.title = shows + " - " + request.title;
     l3d_canvas canvas{factories_.create_screen(request), factories_.chosen().rasterizer_factory,
-<<<<<<< HEAD
                       {}, is_classic_};
-=======
-                      is_classic_};
->>>>>>> origin/main
     // What is drawn by GL, or by a factory of the program's own, keeps the edges that it has.
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)
         canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);
-<<<<<<< HEAD
     // Pictures that are counted or written are the same on every machine.
     std::string why;
     if (canvas.screen->is_window() && options_.frame_settings().frames == 0)
         canvas.font = l3d_font::of_system(why);
     if (!why.empty())
         std::cerr << options_.command() << ": " << why << '\n';
-=======
->>>>>>> origin/main
     return canvas;
 }
 

@@ -213,12 +213,8 @@ void l3d_pipeline_polygons::draw_panels() {
     if (screen_->is_window())
         tell_empty();
     screen_->set_text({});
-<<<<<<< HEAD
     const l3d_standing_panel standing = standing_panel();
     if (!controls_.shows_text() && standing.panel.empty())
-=======
-    if (!controls_.shows_text())
->>>>>>> origin/main
         return;
     const auto some = [](std::int64_t count, const char* things) {
         return l3d_detail::counted(static_cast<std::size_t>(count), things);
