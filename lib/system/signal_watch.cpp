@@ -74,12 +74,14 @@ l3d_signal_watch::l3d_signal_watch() {
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     over_ = eventfd(0, EFD_CLOEXEC);
-    if (waker_ >= 0 && over_ >= 0)
+    if (waker_ >= 0 && over_ >= 0) {
         try {
             const signals_held held;
             guard_ = std::thread([this] { end_what_takes_too_long(); });
-        } catch (const std::system_error&) { // without it, a second signal is needed
+        } catch (const std::system_error&) {
+            // No further thread is to be had: it takes a second signal then.
         }
+    }
     for (std::size_t i = 0; i < watched.size(); ++i) {
         sigaction(watched[i], nullptr, &before_[i]);
         if (before_[i].sa_handler != SIG_IGN)

@@ -376,7 +376,7 @@ def says_what_is_wrong_before_where_the_picture_goes():
         for name, option, value, code, why in (
                 ("modelview", "--hide", "nosuch", 2, "--hide: 'nosuch' names no part; there are " + parts),
                 ("teapot_afd", "--color", "nosuch=1,2,3", 2, "--color: 'nosuch' names no part; there are " + parts),
-                *((name, "--model", "nosuch.bpt", 5, "nosuch.bpt: No such file or directory")
+                *((name, "--model", "./nosuch.bpt", 5, "./nosuch.bpt: No such file or directory")
                   for name in ("modelview", "teapot_afd", "gallery"))):
             said = run(Program(name, TEAPOT.size).command(option, value), environment(), cwd=path)
             expect_equal(said, (code, b"", "%s: %s\n" % (name, why)))
