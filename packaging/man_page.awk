@@ -60,17 +60,18 @@ function head(first) {
 }
 
 function close_list() {
-    if (part == "options" || part == "examples")
+    if (part == "options")
         print ".El"
 }
 
 /^Usage: / { head(); next }
-# A heading of options or of examples, which have lists of their own.
+# A heading of options, which have lists of their own.
 after_blank && /^[A-Z].*:$/ {
     close_list()
     part = /^Examples:$/ ? "examples" : "options"
     sub(/:$/, "")
-    print (part == "examples" ? ".Sh EXAMPLES" : ".Ss " $0) "\n.Bl -tag -width Ds"
+    if (part == "options")
+        print ".Ss " $0 "\n.Bl -tag -width Ds"
     after_blank = 0
     next
 }
@@ -109,18 +110,21 @@ part == "options" {
         text($0)
 }
 
-part == "examples" && /^  [^ ]/ {
+part == "notes" || part == "environment" { text($0) }
+
+# They come behind the exit status: each a line with the command, and one with its purpose.
+part == "examples" {
     gsub(/-/, "\\-")
-    print ".It Ic" substr($0, 2)
-}
-part == "examples" && /^   / || part == "notes" || part == "environment" {
+    is_purpose = /^   /
     sub(/^ +/, "")
-    text($0)
+    examples = examples (is_purpose ? "" : ".It Ic ") $0 "\n"
 }
 
 END {
     print ".Sh EXIT STATUS"
     text("0 well, 1 failure, 2 wrong usage, 3 no display, 4 no usable back-end, " \
          "5 bad input file, 6 display lost.")
+    if (examples != "")
+        print ".Sh EXAMPLES\n.Bl -tag -width Ds\n" examples ".El"
     print ".Sh SEE ALSO\n.Xr l3d 7"
 }

@@ -215,15 +215,15 @@ std::string l3d_options::end_of_help() const {
     std::string text;
     for (const std::string& note : notes_)
         text += wrapped(note, help_width) + "\n\n";
+    text += wrapped("Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
+                    "share no memory with the display; L3D_MESA=auto|egl|osmesa, where to look for "
+                    "software GL; L3D_FONT=FILE|built-in, for text on panels.",
+                    help_width);
     if (!examples_.empty())
-        text += "Examples:\n";
+        text += "\n\nExamples:";
     for (const example& each : examples_)
-        text += "  " + command_ + ' ' + each.arguments + "\n      " + each.purpose + '\n';
-    return text + (examples_.empty() ? "" : "\n") +
-           wrapped("Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
-                   "share no memory with the display; L3D_MESA=auto|egl|osmesa, where to look for "
-                   "software GL; L3D_FONT=FILE|built-in, for text on panels.",
-                   help_width);
+        text += "\n  " + command_ + ' ' + each.arguments + "\n      " + each.purpose;
+    return text;
 }
 
 /// Frames that one of many processes makes of a sequence, perhaps for the second time.

@@ -340,9 +340,9 @@ TEST(options, help_has_headings_examples_and_lines_that_fit) {
     tester.options.add_example("--more --net", "more, and a net");
     EXPECT_FALSE(tester.parse({"--help"}));
     const std::string text = tester.out.str();
-    for (const char* part : {"\nHelp:\n  -h,--help", "\n\nMore:\n  --more ",
-                             "\n\nFRUIT grows.\n\nExamples:\n  tester --more --net\n"
-                             "      more, and a net\n\nEnvironment: "})
+    for (const char* part :
+         {"\nHelp:\n  -h,--help", "\n\nMore:\n  --more ", "\n\nFRUIT grows.\n\nEnvironment: ",
+          "\n\nExamples:\n  tester --more --net\n      more, and a net\n"})
         EXPECT_NE(text.find(part), std::string::npos) << part << text;
     EXPECT_EQ(text.find("\n\n\n"), std::string::npos) << text;
     std::istringstream lines(text);

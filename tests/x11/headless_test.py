@@ -96,7 +96,7 @@ def refuses_wrong_usage(program):
         ("--fps", "nan"),
         ("--frames", "-1"),
         ("--output", "a.gif"),
-        ("--output", "a%s.png"),
+        ("--output", "a%-4d.png"),
         ("--backend", "slate"),
     ):
         status, out, messages = run(program.command(*arguments), environment())
