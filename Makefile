@@ -28,7 +28,7 @@ uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
-links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz
+links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
 
 include config.mk
 
@@ -333,9 +333,6 @@ $(OUT)/include/l3d/l3d.h: packaging/public_headers packaging/umbrella.awk
 	$(Q)mkdir -p $(@D); awk -f packaging/umbrella.awk $< > $@
 $(foreach a,$(apps),$(eval $(objects_apps/$(a)): | $(DOOR)))
 $(PLUGINS): | $(DOOR)
-
-# One source knows HarfBuzz.
-$(OUT)/lib/raster/shapes/text_shaper.o: private FLAGS_lib += -isystem $(HARFBUZZ)
 
 # A text file as a C++ string literal, to be included.
 $(OUT)/%.inc: %

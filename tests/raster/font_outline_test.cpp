@@ -6,7 +6,9 @@
 #include "raster/shapes/font.h"
 #include "raster/shapes/text.h"
 #include "raster/shapes/text_shaper_p.h"
+#include "raster/shapes/utf8_p.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -14,6 +16,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -105,13 +108,103 @@ TEST(font_outline, kerns_by_harfbuzz_as_by_the_fonts_table) {
     };
     EXPECT_LT(wide("AV"), wide("A") + wide("V") - 3);
     EXPECT_NEAR(wide("nn"), wide("n") + wide("n"), 1e-9);
-    const freetype ft;
-    l3d_detail::text_shaper by_table(ft.face, "");
-    for (const char* text : {"AV", "To", "LT", "nn", "P.", ""}) {
-        double units = 0;
-        by_table.shape(text, units);
-        EXPECT_NEAR(units * 100 / ft.face->units_per_EM, wide(text), 1e-9) << text;
+    std::string why;
+    const auto source = l3d_detail::font_source::open(dejavu, 0, why);
+    for (const std::u32string text : {U"AV", U"To", U"LT", U"nn", U"P.", U""}) {
+        std::vector<l3d_detail::shaped_glyph> glyphs;
+        const double units =
+            source->shape_by_table({.text = text, .begin = 0, .end = text.size()}, glyphs);
+        EXPECT_NEAR(units * 100 / source->face()->units_per_EM,
+                    wide(std::string(text.begin(), text.end())), 1e-9);
     }
+}
+
+/// The characters of a line from left to right; 0 for a glyph that stands for none alone.
+std::u32string from_left(const std::string& text) {
+    std::string why;
+    const auto source = l3d_detail::font_source::open(dejavu, 0, why);
+    l3d_detail::text_shaper shaper(*source);
+    std::u32string result;
+    double last = -1;
+    for (const auto& glyph : shaper.shape(text).glyphs) {
+        EXPECT_GE(glyph.x, last);
+        last = glyph.x;
+        char32_t found = 0;
+        for (std::string_view rest = text; !rest.empty();)
+            if (const char32_t code = l3d_detail::take_character(rest);
+                FT_Get_Char_Index(glyph.source->face(), code) == glyph.index)
+                found = code;
+        result += found;
+    }
+    return result;
+}
+
+TEST(text_shaper, puts_scripts_from_right_to_left_among_others_as_they_are_read) {
+    if (!a_file())
+        GTEST_SKIP() << dejavu << " is not on this machine";
+    EXPECT_EQ(from_left("abc"), U"abc");
+    EXPECT_EQ(from_left("אבג"), U"גבא");
+    EXPECT_EQ(from_left("abc אבג"), U"abc גבא");
+    EXPECT_EQ(from_left("אבג abc"), U"abc גבא");
+    EXPECT_EQ(from_left("אבג abc דה"), U"הד abc גבא");
+    EXPECT_EQ(from_left("a אב 12 ג z"), U"a ג 12 בא z");
+    EXPECT_EQ(from_left("אב: 12.5"), U"12.5 :בא");
+    // blanks at the end are at the end of the line, which is on the left here
+    EXPECT_EQ(from_left("אב  "), U"  בא");
+}
+
+TEST(text_shaper, joins_arabic_letters_and_mirrors_brackets) {
+    if (!a_file())
+        GTEST_SKIP() << dejavu << " is not on this machine";
+    // each letter has a form of its own between others, so none is that of the letter alone
+    EXPECT_EQ(from_left("ببب"), (std::u32string{0, 0, 0}));
+    EXPECT_EQ(from_left("(א) b"), U"b (א)");
+}
+
+TEST(text_shaper, takes_letters_that_a_font_lacks_from_another_one) {
+    std::string why;
+    const char* serif = "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf";
+    const auto source = l3d_detail::font_source::open(serif, 0, why);
+    if (!source || source->has(U'א') || !a_file())
+        GTEST_SKIP() << serif << " and " << dejavu << " are not on this machine";
+    l3d_detail::text_shaper shaper(*source);
+    int others = 0;
+    for (const auto& glyph : shaper.shape("ab א\xd6\xb7 c").glyphs) { // a letter with a vowel sign
+        others += glyph.source != source.get();
+        EXPECT_NE(glyph.index, 0U);
+    }
+    EXPECT_GE(others, 1);
+    EXPECT_LE(others, 2);
+    const auto font = l3d_font::load(serif, why);
+    EXPECT_GT(font->width("א", 40), 15);
+    l3d_path other, missing;
+    font->outline(other, {}, "א", 40);
+    font->outline(missing, {}, "\xf4\x8f\xbf\xbd", 40);
+    EXPECT_NE(pieces(other).lines + pieces(other).curves,
+              pieces(missing).lines + pieces(missing).curves);
+}
+
+TEST(font, drawn_letters_are_kerned_as_outlines_are) {
+    const auto font = a_file();
+    if (!font)
+        GTEST_SKIP() << dejavu << " is not on this machine";
+    constexpr int size = 40;
+    EXPECT_LT(font->width("AV", size), font->width("A", size) + font->width("V", size) - 1);
+    canvas drawn(120, 60), filled(120, 60);
+    font->draw(drawn.draw, 5, 5, "AVAToLT", 0x00ffffff, 24);
+    l3d_path path;
+    font->outline(path, {4.5, 30}, "AVAToLT", 24);
+    filled.draw.draw_path(path, {.color = 0x00ffffff});
+    // Hinting moves heights, but no columns: the last one is that of the outlines.
+    const auto last = [](canvas& c) {
+        int result = -1;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 120; ++x)
+                if ((c.at(x, y) & 255) > 100)
+                    result = std::max(result, x);
+        return result;
+    };
+    EXPECT_NEAR(last(drawn), last(filled), 1);
 }
 
 TEST(font_outline, grows_with_the_size_and_closes_its_outlines) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Fonts: the built-in face, UTF-8, and faces from files where the machine has one.
 #include "raster/canvas_2d.h"
+#include "raster/paths/path.h"
 #include "raster/shapes/font.h"
+#include "raster/shapes/panel_layout_p.h"
 #include "raster/shapes/text.h"
 #include "raster/shapes/utf8_p.h"
 
@@ -11,6 +13,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -67,9 +70,76 @@ TEST(font, built_in_draws_a_box_for_each_character_that_it_has_not) {
     const l3d_font font;
     canvas one(40, 20), other(40, 20);
     font.draw(one.draw, 2, 2, "é€", canvas::color, 10);
-    font.draw(other.draw, 2, 2, "\x01\x02", canvas::color, 10);
+    font.draw(other.draw, 2, 2, "\xff\xfe", canvas::color, 10);
     EXPECT_EQ(one.lit(), other.lit());
     EXPECT_EQ(font.width("é€", 10), 12);
+}
+
+/// Also of a face from a file, if there is one.
+std::vector<l3d_font> all_faces() {
+    std::string why;
+    return {l3d_font(), l3d_font::of_system(why)};
+}
+
+TEST(font, tabs_go_to_the_next_multiple_of_eight_blanks) {
+    for (const l3d_font& font : all_faces()) {
+        const int tab = font.width("        ", 20), letter = font.width("a", 20);
+        EXPECT_EQ(font.width("\t", 20), tab);
+        EXPECT_NEAR(font.width("a\t", 20), tab, 1);
+        EXPECT_NEAR(font.width("a\ta", 20), tab + letter, 1);
+        EXPECT_NEAR(font.width("\t\t", 20), 2 * tab, 1);
+        EXPECT_NEAR(font.width("        \t", 20), 2 * tab, 1);
+        canvas by_tab(120, 40), by_blanks(120, 40);
+        font.draw(by_tab.draw, 2, 2, "\ta", canvas::color, 10);
+        font.draw(by_blanks.draw, 2, 2, "        a", canvas::color, 10);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 120; ++x)
+                ASSERT_EQ(by_tab.at(x, y), by_blanks.at(x, y));
+        l3d_path path;
+        EXPECT_NEAR(font.outline(path, {}, "a\ta", 20), tab + letter, 1.5);
+    }
+}
+
+TEST(font, soft_hyphens_and_control_characters_are_not_seen) {
+    for (const l3d_font& font : all_faces()) {
+        EXPECT_EQ(font.width("\x01\r\n\x1b\x7f\xc2\x9b\xc2\xad\xe2\x80\xa9", 20), 0);
+        canvas plain(80, 40), with(80, 40);
+        font.draw(plain.draw, 2, 2, "Wagen", canvas::color, 14);
+        font.draw(with.draw, 2, 2,
+                  "Wa\xc2\xadg\x07"
+                  "en\n",
+                  canvas::color, 14);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 80; ++x)
+                ASSERT_EQ(with.at(x, y), plain.at(x, y));
+    }
+    canvas plain(80, 40), with(80, 40);
+    l3d_draw_text(plain.draw, 2, 2, "ab", canvas::color);
+    l3d_draw_text(with.draw, 2, 2,
+                  "\x02"
+                  "a\xc2\xad"
+                  "b",
+                  canvas::color);
+    EXPECT_EQ(with.lit(), plain.lit());
+}
+
+TEST(wrapped_text, shows_a_hyphen_where_a_word_is_broken_and_nowhere_else) {
+    const l3d_font font; // six pixels a character at size 10
+    const std::string text = "an un\xc2\xad"
+                             "break\xc2\xad"
+                             "able word";
+    const auto lines = [&](int characters) {
+        return l3d_detail::wrapped(font, text, 10, 6 * characters);
+    };
+    using words = std::vector<std::string>;
+    EXPECT_EQ(lines(40), words{text});
+    EXPECT_EQ(lines(9), (words{"an un-",
+                               "break\xc2\xad"
+                               "able",
+                               "word"}));
+    EXPECT_EQ(lines(7), (words{"an un-", "break-", "able", "word"}));
+    // no room for a hyphen: torn apart, as a word without one is
+    EXPECT_EQ(lines(5), (words{"an", "un-", "break\xc2\xad", "able", "word"}));
 }
 
 TEST(font, reasons_name_the_file) {

@@ -14,13 +14,21 @@
 
 /// Draws text in UTF-8 with smooth letters of a font file, in any size.
 ///
+/// Lines are laid out as Unicode says. HarfBuzz kerns and joins letters. Scripts from right to left
+/// stand among others as they are read. Letters that the font does not have come from another font
+/// of this machine, if it has one. What no font has is the font's sign for that,
+/// mostly a box, and so are bytes that are no UTF-8. A tab goes to the next multiple of eight
+/// blanks. Other control characters and soft hyphens are not seen.
+///
 /// A font without a file is the built-in face of l3d_draw_text: printable ASCII in whole multiples
-/// of 5 x 7 pixels, the same bits on every machine.
+/// of 5 x 7 pixels, from left to right, the same bits on every machine.
 ///
 /// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of it.
 /// Expects: sizes of at least 1 where they are whole numbers. Copies share what they have drawn, so
 ///          all of them belong to one thread.
-/// Cost:    a letter is made once for each size. Then it is one l3d_coverage_2d.
+/// Cost:    a letter is made once for each size and quarter of a pixel. Then it is one
+///          l3d_coverage_2d. The first letter that the font lacks has fontconfig read its lists,
+///          some 10 to 100 ms.
 class L3D_PUBLIC l3d_font {
 public:
     /// The built-in face.
@@ -43,11 +51,12 @@ public:
     /// The distance from one line of text to the next. Units: pixels.
     int line(int size) const;
 
-    /// The width of a line of text, up to where a next letter would begin. Units: pixels.
+    /// The width of a line of text, up to where a next letter would begin. Units: whole pixels,
+    /// rounded up.
     int width(std::string_view text, int size) const;
 
     /// Draws one line of text. (x, y) is the top left corner of its line, which is line(size) high.
-    /// Bytes that are no UTF-8 are drawn as the sign for what is unknown, a box.
+    /// Letters are hinted in height, and stand within 1/8 pixel of where outline() has them.
     void draw(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
               std::uint32_t color, int size) const;
 
@@ -55,13 +64,9 @@ public:
     /// and letters anywhere between pixels. Fill the path with l3d_winding::nonzero, stroke it, or
     /// place it anew by l3d_path::add.
     ///
-    /// The base line begins at `base` and goes to the right. Letters are kerned by HarfBuzz, which
-    /// joins them, too, where the script does; a build without it uses the font's kern table. What
-    /// the font does not have is drawn as its sign for that, mostly a box. Bytes that are no UTF-8
-    /// count as one such character each. The built-in face has its dots, a tenth of the size wide.
-    /// Returns: where a next letter would begin, in pixels to the right of `base`.
-    /// Expects: a finite size above 0, else nothing is added and the result is 0. Letters that
-    ///          belong together in one direction of writing.
+    /// The base line begins at `base` and goes to the right. The built-in face has its dots, a
+    /// tenth of the size wide. Returns: where a next letter would begin, in pixels to the right of
+    /// `base`. Expects: a finite size above 0, else nothing is added and the result is 0.
     double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) const;
 
 private:

@@ -7,26 +7,19 @@
 #include "raster/shapes/text_shaper_p.h"
 
 #include <array>
-#include <cerrno>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <type_traits>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
 namespace {
-
-struct library_closer {
-    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-};
-struct face_closer {
-    void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
-using unique_library = std::unique_ptr<std::remove_pointer_t<FT_Library>, library_closer>;
-using unique_face = std::unique_ptr<std::remove_pointer_t<FT_Face>, face_closer>;
 
 /// FreeType counts in 1/64 pixel.
 constexpr int units = 64;
@@ -90,105 +83,116 @@ int rounded_up(FT_Pos length) {
 
 } // namespace
 
-/// The letters of a file.
+/// The letters of a file, and of others for what it lacks.
 class l3d_font::file_face final : public face {
 public:
-    file_face(unique_library library, unique_face of, const std::string& file)
-        : library_(std::move(library)), face_(std::move(of)), shaper_(face_.get(), file) {}
+    explicit file_face(std::unique_ptr<l3d_detail::font_source> first)
+        : first_(std::move(first)), shaper_(*first_) {}
 
 private:
-    void set_size(int size) {
-        if (size == size_)
-            return;
-        size_ = size;
-        FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size));
+    /// A letter of one size, as it covers pixels around its place on the base line.
+    struct letter {
+        int left = 0, top = 0; ///< of its coverage, from the place; top is above, so negative
+        int width = 0, height = 0;
+        std::vector<std::uint8_t> coverage; ///< row by row
+    };
+    /// Font, glyph, size, and how many of `phases` its place is right of a pixel's.
+    using letter_key = std::tuple<const l3d_detail::font_source*, unsigned, int, int>;
+
+    /// So many places between two pixels: letters are at most 1/8 pixel off theirs.
+    static constexpr int phases = 4;
+
+    static FT_Face sized(const l3d_detail::font_source& source, int size) {
+        FT_Set_Pixel_Sizes(source.face(), 0, static_cast<FT_UInt>(size));
+        return source.face();
     }
 
     line_heights heights(int size) override {
-        set_size(size);
-        const FT_Size_Metrics& all = face_->size->metrics;
+        const FT_Size_Metrics& all = sized(*first_, size)->size->metrics;
         return {rounded_up(all.ascender), rounded_up(all.height)};
     }
 
+    double width(std::string_view text, int size) override {
+        return shaper_.shape(text).width * size / first_->face()->units_per_EM;
+    }
+
+    void draw(l3d_rasterizer_2d& rasterizer, int x, int base, std::string_view text,
+              std::uint32_t color, int size) override {
+        const double scale = static_cast<double>(size) / first_->face()->units_per_EM;
+        for (const l3d_detail::placed_glyph& glyph : shaper_.shape(text).glyphs) {
+            const auto steps = static_cast<int>(std::floor(phases * glyph.x * scale + 0.5));
+            const int column = steps >= 0 ? steps / phases : -((phases - 1 - steps) / phases);
+            const letter& next = at({glyph.source, glyph.index, size, steps - phases * column});
+            const auto up = static_cast<int>(std::lround(glyph.y * scale));
+            rasterizer.draw_coverage({.left = x + column + next.left,
+                                      .top = base - up + next.top,
+                                      .width = next.width,
+                                      .height = next.height,
+                                      .values = next.coverage.data(),
+                                      .pitch = next.width},
+                                     color);
+        }
+    }
+
+    const letter& at(const letter_key& key) {
+        const auto [found, is_new] = letters_.try_emplace(key);
+        if (is_new)
+            found->second = make(key);
+        return found->second;
+    }
+
     /// A letter that the file cannot draw is as empty as a space.
-    letter make(char32_t code, int size) override {
-        set_size(size);
+    static letter make(const letter_key& key) {
+        const auto [source, index, size, phase] = key;
+        const FT_Face face = sized(*source, size);
+        const FT_GlyphSlot slot = face->glyph;
         // Hinted in height alone: stems keep their widths, and lines their lengths.
-        if (FT_Load_Char(face_.get(), code, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0)
-            return {.coverage = {}, .advance = size / 2};
-        const FT_GlyphSlot slot = face_->glyph;
+        if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
+            return {};
+        FT_Outline_Translate(&slot->outline, phase * units / phases, 0);
+        if (FT_Render_Glyph(slot, FT_RENDER_MODE_LIGHT) != 0)
+            return {};
         const FT_Bitmap& bitmap = slot->bitmap;
         letter made{.left = slot->bitmap_left,
                     .top = -slot->bitmap_top,
                     .width = static_cast<int>(bitmap.width),
                     .height = static_cast<int>(bitmap.rows),
-                    .coverage = {},
-                    .advance = static_cast<int>((slot->advance.x + units / 2) / units)};
-        for (int y = 0; y < made.height; ++y)
-            for (int x = 0; x < made.width; ++x)
-                made.coverage.push_back(covered(bitmap, x, y));
+                    .coverage = {}};
+        for (int y = 0; y < made.height; ++y) {
+            const unsigned char* const row = bitmap.buffer + y * std::ptrdiff_t{bitmap.pitch};
+            made.coverage.insert(made.coverage.end(), row, row + made.width);
+        }
         return made;
     }
 
     /// At the size of its em square in pixels, FreeType's numbers are 64 times the font's own. So
     /// nothing is rounded: the middle of two points is a whole number, too.
     double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) override {
-        set_size(face_->units_per_EM);
-        const double scale = size / face_->units_per_EM;
-        double width = 0;
-        for (const l3d_detail::placed_glyph& glyph : shaper_.shape(text, width)) {
-            if (FT_Load_Glyph(face_.get(), glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) !=
-                0)
+        const double scale = size / first_->face()->units_per_EM;
+        const l3d_detail::shaped_line& line = shaper_.shape(text);
+        for (const l3d_detail::placed_glyph& glyph : line.glyphs) {
+            const int em = glyph.source->face()->units_per_EM;
+            const FT_Face face = sized(*glyph.source, em);
+            if (FT_Load_Glyph(face, glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0)
                 continue;
-            glyph_pen pen{to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, scale / units};
-            FT_Outline_Decompose(&face_->glyph->outline, &drawing, &pen);
+            glyph_pen pen{
+                to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, size / em / units};
+            FT_Outline_Decompose(&face->glyph->outline, &drawing, &pen);
             pen.close();
         }
-        return width * scale;
+        return line.width * scale;
     }
 
-    /// Fonts of dots give a bit for a pixel, all others a byte.
-    static std::uint8_t covered(const FT_Bitmap& bitmap, int x, int y) {
-        const unsigned char* const row = bitmap.buffer + y * std::ptrdiff_t{bitmap.pitch};
-        if (bitmap.pixel_mode == FT_PIXEL_MODE_MONO)
-            return (row[x / 8] >> (7 - x % 8) & 1) != 0 ? 255 : 0;
-        return bitmap.pixel_mode == FT_PIXEL_MODE_GRAY ? row[x] : 0;
-    }
-
-    unique_library library_;
-    unique_face face_; ///< closed before its library
+    std::unique_ptr<l3d_detail::font_source> first_;
     l3d_detail::text_shaper shaper_;
-    int size_ = 0;
+    std::map<letter_key, letter> letters_;
 };
 
 std::optional<l3d_font> l3d_font::load(const std::string& file, std::string& why) {
-    FT_Library opened = nullptr;
-    if (FT_Init_FreeType(&opened) != 0) {
-        why = file + ": FreeType does not start";
+    auto source = l3d_detail::font_source::open(file, 0, why);
+    if (!source)
         return std::nullopt;
-    }
-    unique_library library(opened);
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) {
-        why = file + ": " + std::strerror(error ? error.value() : ENOENT);
-        return std::nullopt;
-    }
-    if (!std::filesystem::is_regular_file(status)) { // to open a pipe would wait for its writer
-        why = file + ": is no regular file";
-        return std::nullopt;
-    }
-    FT_Face face = nullptr;
-    if (FT_New_Face(library.get(), file.c_str(), 0, &face) != 0) {
-        why = file + ": is no font that can be read";
-        return std::nullopt;
-    }
-    unique_face owned(face);
-    if (!FT_IS_SCALABLE(face)) {
-        why = file + ": has letters of one size alone";
-        return std::nullopt;
-    }
-    return l3d_font(std::make_shared<file_face>(std::move(library), std::move(owned), file), file);
+    return l3d_font(std::make_shared<file_face>(std::move(source)), file);
 }
 
 /// Faces with many scripts come first. Their folders are those of Debian, Fedora and Arch Linux.

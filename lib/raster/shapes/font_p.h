@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The characters of l3d_draw_text, drawn as they look.
+// The characters of l3d_draw_text, drawn as they look, and where those of a line stand.
 #ifndef L3D_RASTER_SHAPES_FONT_P_H
 #define L3D_RASTER_SHAPES_FONT_P_H
+
+#include "raster/shapes/text.h"
+#include "raster/shapes/utf8_p.h"
 
 #include <array>
 #include <cstddef>
@@ -122,6 +125,25 @@ constexpr bool font_ink(int character, int x, int y) {
     const int row = index / font_per_block * font_height + y;
     const int column = index % font_per_block * (font_width + 1) + x;
     return font_rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == '#';
+}
+
+/// Calls visit(character, x) for what is drawn of a text: x in font pixels from its beginning. A
+/// tab goes to the next multiple of eight characters. Returns: where a next character would begin.
+template <class Visit> int visit_characters(std::string_view text, const Visit& visit) {
+    constexpr int tab = 8 * l3d_text_advance;
+    int x = 0;
+    while (!text.empty()) {
+        const char32_t code = take_character(text);
+        const bool known =
+            code >= static_cast<char32_t>(font_first) && code < static_cast<char32_t>(font_box);
+        if (code == U'\t') {
+            x = (x / tab + 1) * tab;
+        } else if (!is_unseen(code)) {
+            visit(known ? static_cast<int>(code) : font_box, x);
+            x += l3d_text_advance;
+        }
+    }
+    return x;
 }
 
 } // namespace l3d_detail

@@ -5,24 +5,45 @@
 #include "raster/shapes/utf8_p.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace l3d_detail {
 
 namespace {
 
+constexpr std::string_view soft_hyphen_bytes = "\xc2\xad";
+
 /// How many bytes of a text fit into a width: at least one character, and none in part.
 std::size_t fitting(const l3d_font& font, std::string_view text, int size, int width) {
-    std::string_view rest = text;
-    std::size_t taken = 0;
-    for (int sum = 0; !rest.empty();) {
+    std::vector<std::size_t> ends; // of characters
+    for (std::string_view rest = text; !rest.empty();) {
         take_character(rest);
-        const std::size_t next = text.size() - rest.size();
-        sum += font.width(text.substr(taken, next - taken), size);
-        if (taken > 0 && sum > width)
-            break;
-        taken = next;
+        ends.push_back(text.size() - rest.size());
     }
-    return taken;
+    const auto fits = [&](std::size_t end) {
+        return font.width(text.substr(0, end), size) <= width;
+    };
+    const auto beyond = std::ranges::partition_point(ends, fits);
+    return beyond == ends.begin() ? ends.front() : *std::prev(beyond);
+}
+
+/// A place where a line may end, and what it shows there.
+struct line_end {
+    std::size_t end = 0; ///< 0 for none
+    bool has_hyphen = false;
+};
+
+/// The last one before a place: a blank, or a soft hyphen where a hyphen still fits.
+line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
+                  std::size_t before) {
+    const std::size_t space = text.rfind(' ', before);
+    line_end result{space == std::string_view::npos ? 0 : space};
+    for (std::size_t at = text.rfind(soft_hyphen_bytes, before);
+         at != std::string_view::npos && at > result.end;
+         at = at > 0 ? text.rfind(soft_hyphen_bytes, at - 1) : std::string_view::npos)
+        if (font.width(std::string(text.substr(0, at)) + '-', size) <= width)
+            return {at, true};
+    return result;
 }
 
 } // namespace
@@ -30,13 +51,14 @@ std::size_t fitting(const l3d_font& font, std::string_view text, int size, int w
 std::vector<std::string> wrapped(const l3d_font& font, std::string_view text, int size, int width) {
     std::vector<std::string> lines;
     while (!text.empty()) {
-        std::size_t end = fitting(font, text, size, width);
-        if (end < text.size() && text[end] != ' ')
-            if (const std::size_t space = text.rfind(' ', end);
-                space != std::string_view::npos && space > 0)
-                end = space;
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(end);
+        line_end last{fitting(font, text, size, width)};
+        if (last.end < text.size() && text[last.end] != ' ')
+            if (const line_end found = last_end(font, text, size, width, last.end); found.end > 0)
+                last = found;
+        lines.emplace_back(text.substr(0, last.end));
+        if (last.has_hyphen)
+            lines.back() += '-';
+        text.remove_prefix(last.end + (last.has_hyphen ? soft_hyphen_bytes.size() : 0));
         while (!text.empty() && text.front() == ' ')
             text.remove_prefix(1);
     }
@@ -99,14 +121,19 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
 }
 
-/// The widest word of rows, which is not to be torn apart.
+/// The widest word of rows, or part of one up to a soft hyphen: it is not to be torn apart.
 int panel_layout::word_width_of(std::span<const panel_row> rows) const {
     int most = 0;
     for (const panel_row& r : rows)
         for (std::string_view rest = r.text; !rest.empty();) {
-            const std::size_t end = std::min(rest.find(' '), rest.size());
-            most = std::max(most, font_.width(rest.substr(0, end), letter_size_));
-            rest.remove_prefix(std::min(end + 1, rest.size()));
+            const std::size_t space = std::min(rest.find(' '), rest.size());
+            const std::size_t hyphen = rest.find(soft_hyphen_bytes);
+            const bool is_hyphen = hyphen < space;
+            const std::size_t end = is_hyphen ? hyphen : space;
+            const std::string part = std::string(rest.substr(0, end)) + (is_hyphen ? "-" : "");
+            most = std::max(most, font_.width(part, letter_size_));
+            rest.remove_prefix(
+                std::min(end + (is_hyphen ? soft_hyphen_bytes.size() : 1), rest.size()));
         }
     return most;
 }

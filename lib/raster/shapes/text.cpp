@@ -11,11 +11,6 @@ namespace {
 
 using namespace l3d_detail;
 
-int font_character(char character) {
-    const int code = static_cast<unsigned char>(character);
-    return code >= font_first && code < font_box ? code : font_box;
-}
-
 /// Draws one row of the character whose top left corner is given.
 void draw_row(l3d_rasterizer_2d& rasterizer, int character, int row, l3d_point_2d corner,
               std::uint32_t color, double scale) {
@@ -39,10 +34,9 @@ void draw_row(l3d_rasterizer_2d& rasterizer, int character, int row, l3d_point_2
 void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
                    std::uint32_t color, int scale) {
     assert(scale >= 1);
-    l3d_point_2d corner{double(x), double(y)};
-    for (const char character : text) {
+    visit_characters(text, [&](int character, int from) {
+        const l3d_point_2d corner{x + double(from) * scale, double(y)};
         for (int row = 0; row < font_height; ++row)
-            draw_row(rasterizer, font_character(character), row, corner, color, scale);
-        corner.x += double(l3d_text_advance) * scale;
-    }
+            draw_row(rasterizer, character, row, corner, color, scale);
+    });
 }

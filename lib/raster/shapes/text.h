@@ -17,7 +17,8 @@ inline constexpr int l3d_text_line = 9;
 /// Draws one line of text with its top left corner at (x, y), each font pixel scale by scale
 /// pixels.
 ///
-/// Characters outside printable ASCII are drawn as a box. Clipped to the target.
+/// The text is UTF-8. Characters outside printable ASCII are drawn as a box each. Tabs, control
+/// characters and soft hyphens are as in l3d_font::draw. Clipped to the target.
 /// Expects: scale >= 1.
 /// Cost:    one small polygon for each horizontal run of font pixels.
 L3D_PUBLIC void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,

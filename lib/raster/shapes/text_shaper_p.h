@@ -1,45 +1,68 @@
 // SPDX-License-Identifier: MIT
-// text_shaper: which glyphs of a font file a text has, and where.
+// text_shaper: which glyphs a line of text has, of which fonts, and where.
 #ifndef L3D_RASTER_SHAPES_TEXT_SHAPER_P_H
 #define L3D_RASTER_SHAPES_TEXT_SHAPER_P_H
 
-#include <memory>
+#include "raster/shapes/font_fallbacks_p.h"
+#include "raster/shapes/font_source_p.h"
+
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <ft2build.h>
-#include FT_FREETYPE_H
-
-struct hb_font_t;
-
 namespace l3d_detail {
 
-/// A glyph and its place on the base line. Units: those of the font, y up.
-struct placed_glyph {
-    unsigned index = 0; ///< in the file; 0 is its sign for what it does not have
-    double x = 0, y = 0;
+/// A glyph of one of a line's fonts. Units: those of the line's first font.
+struct placed_glyph : shaped_glyph {
+    const font_source* source = nullptr;
 };
 
-/// Places glyphs one after another. HarfBuzz knows kerning, ligatures and scripts that join their
-/// letters; without it, the file's kern table moves pairs.
-/// Lives:   borrows the face.
+/// A line from left to right. Units: those of its first font.
+struct shaped_line {
+    std::vector<placed_glyph> glyphs;
+    double width = 0; ///< where a next letter would begin
+};
+
+/// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and other
+/// fonts for what the first one lacks.
+///
+/// A tab goes to the next multiple of eight blanks. Other control characters and soft hyphens are
+/// not there. A line that begins with a script from right to left is one of that direction.
+/// Lives:   borrows the first font.
+/// Cost:    a line is laid out once, as long as no more than `most_lines` others come between.
 class text_shaper {
 public:
-    /// Without the file's name, the kern table counts.
-    text_shaper(FT_Face face, const std::string& file);
+    explicit text_shaper(const font_source& first) : first_(first) {}
 
-    /// The glyphs of a text in UTF-8, and in `width` where a next letter would begin.
-    /// Lives:   until the next call.
-    const std::vector<placed_glyph>& shape(std::string_view text, double& width);
+    /// Lives: until the next call.
+    const shaped_line& shape(std::string_view text);
 
 private:
-    double shape_by_harfbuzz(std::string_view text);
-    double shape_by_table(std::string_view text);
+    /// Help has some dozens of lines, each of which is tried in some widths.
+    static constexpr std::size_t most_lines = 1024;
 
-    FT_Face face_;
-    std::unique_ptr<hb_font_t, void (*)(hb_font_t*)> harfbuzz_;
-    std::vector<placed_glyph> glyphs_;
+    /// A run, and the font that has its letters; null for a tab.
+    struct run : text_run {
+        const font_source* source = nullptr;
+        unsigned level = 0; ///< how deep directions are nested: odd from right to left
+    };
+
+    void find_levels();
+    void find_scripts();
+    void find_sources();
+    std::vector<run> runs_from_left() const;
+    void place(const std::vector<run>& runs, shaped_line& line) const;
+
+    const font_source& first_;
+    font_fallbacks others_;
+    std::map<std::string, shaped_line, std::less<>> lines_;
+    // Of the line that is laid out, for each character:
+    std::vector<char32_t> text_;
+    std::vector<unsigned> levels_;
+    std::vector<hb_script_t> scripts_;
+    std::vector<const font_source*> sources_;
 };
 
 } // namespace l3d_detail

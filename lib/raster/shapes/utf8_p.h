@@ -49,6 +49,16 @@ inline char32_t take_character(std::string_view& text) {
     return code;
 }
 
+/// The character that shows where a word may be broken.
+inline constexpr char32_t soft_hyphen = 0xad;
+
+/// Whether a character is nothing in a line: control characters other than the tab, ends of lines
+/// and paragraphs, and soft hyphens. Who breaks lines shows a hyphen there instead.
+constexpr bool is_unseen(char32_t code) {
+    const bool is_control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+    return (is_control && code != U'\t') || code == soft_hyphen || code == 0x2028 || code == 0x2029;
+}
+
 } // namespace l3d_detail
 
 #endif
