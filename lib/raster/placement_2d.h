@@ -57,6 +57,13 @@ struct L3D_PUBLIC l3d_placement_2d {
                 origin.y + (p.x * across.y + p.y * down.y)};
     }
 
+    /// What takes points back to where they were. Expects: a placement that leaves areas.
+    l3d_placement_2d inverted() const {
+        const double area = across.x * down.y - across.y * down.x;
+        const l3d_point_2d a{down.y / area, -across.y / area}, d{-down.x / area, across.x / area};
+        return {{-(origin.x * a.x + origin.y * d.x), -(origin.x * a.y + origin.y * d.y)}, a, d};
+    }
+
     /// This placement first, the next one after it.
     l3d_placement_2d then(const l3d_placement_2d& next) const {
         const auto turned_only = [&next](l3d_point_2d p) {

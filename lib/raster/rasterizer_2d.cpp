@@ -7,6 +7,7 @@
 #include "raster/paths/gradient.h"
 #include "raster/paths/mesh_dicer_p.h"
 #include "raster/paths/path_scan_p.h"
+#include "raster/shapes/blend_p.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,17 @@ namespace {
 constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
 
 } // namespace
+
+/// A pixel's sample on a left or top edge belongs to the polygon, on a right or bottom one it does
+/// not.
+void l3d_rasterizer_2d::draw_box(const l3d_pixel_box& box, std::uint32_t color) {
+    if (box.empty())
+        return;
+    const double left = box.left, top = box.top, right = box.right, bottom = box.bottom;
+    imp_.do_draw_polygon_flatshaded(
+        std::array<l3d_point_2d, 4>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}},
+        color);
+}
 
 void l3d_rasterizer_2d_imp::do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
     const l3d_line_2d line{x0, y0, x1, y1};
@@ -55,9 +67,11 @@ void l3d_rasterizer_2d_imp::do_draw_path(const l3d_path& path, const l3d_fill& f
             return do_draw_coverage({run.first, run.row, count, 1, values, 0}, fill.color);
         colors.resize(static_cast<std::size_t>(count));
         fill.gradient->colors(run.first, run.row, colors);
-        for (int i = 0; i < count; ++i)
-            do_draw_coverage({run.first + i, run.row, 1, 1, values + i, 0},
-                             colors[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t color = colors[static_cast<std::size_t>(i)];
+            const auto covered = static_cast<std::uint8_t>(l3d_detail::share_of(color, values[i]));
+            do_draw_coverage({run.first + i, run.row, 1, 1, &covered, 0}, color & 0x00ffffff);
+        }
     };
     for (const l3d_detail::covered_span& s : spans)
         s.visit_runs(draw);

@@ -15,7 +15,10 @@ class l3d_path;
 struct l3d_mesh_patch;
 struct l3d_placed_image;
 
-/// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y).
+/// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y), and is the
+/// square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). So the whole picture lies between (-1/2,
+/// -1/2) and (width - 1/2, height - 1/2): l3d_rasterizer_2d::draw_box and l3d_path::add_box take
+/// whole pixels.
 struct L3D_PUBLIC l3d_point_2d {
     /// From the left and from the top of the picture.
     double x = 0, y = 0;
@@ -105,7 +108,7 @@ private:
 
     virtual void do_set_target(l3d_pixels target) = 0;
     virtual void do_finish() {}
-    virtual void do_clear_buffer() = 0;
+    virtual void do_clear_buffer(std::uint32_t color) = 0;
     virtual void do_draw_point(int x, int y, std::uint32_t color) = 0;
     virtual void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) = 0;
     virtual void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
@@ -145,8 +148,11 @@ public:
     /// A rasterizer in front of this implementation. Lives: borrows it.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
-    /// Makes every pixel 0, black.
-    void clear_buffer() { imp_.do_clear_buffer(); }
+    /// Makes every pixel this word; without one, black.
+    void clear_buffer(std::uint32_t color = 0) { imp_.do_clear_buffer(color); }
+
+    /// Fills whole pixels: those of the box, and no part of others.
+    void draw_box(const l3d_pixel_box& box, std::uint32_t color);
 
     /// Sets one pixel, if it lies in the picture.
     void draw_point(int x, int y, std::uint32_t color) { imp_.do_draw_point(x, y, color); }

@@ -86,7 +86,7 @@ public:
 
 private:
     void do_set_target(l3d_pixels) override {}
-    void do_clear_buffer() override {}
+    void do_clear_buffer(std::uint32_t) override {}
     void do_draw_point(int x, int y, std::uint32_t color) override { to_.draw_point(x, y, color); }
     void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override {
         to_.draw_lines(lines, color);

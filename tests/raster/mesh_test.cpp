@@ -194,7 +194,7 @@ public:
 
 private:
     void do_set_target(l3d_pixels) override {}
-    void do_clear_buffer() override {}
+    void do_clear_buffer(std::uint32_t) override {}
     void do_draw_point(int, int, std::uint32_t) override {}
     void do_draw_lines(std::span<const l3d_line_2d>, std::uint32_t) override {}
     void do_draw_line_antialiased(l3d_point_2d, l3d_point_2d, std::uint32_t) override {}

@@ -5,6 +5,7 @@
 #include "raster/shapes/small_triangle_p.h"
 
 #include "raster/canvas_2d.h"
+#include "raster/paths/path.h"
 
 #include <gtest/gtest.h>
 
@@ -39,19 +40,48 @@ TEST(Points, AreLitInsideOnly) {
     EXPECT_TRUE(c.guards_intact());
 }
 
-pixel_set filled(const std::vector<l3d_point_2d>& corners, int width = 41, int height = 31) {
-    canvas c(width, height);
-    c.draw.draw_polygon_flatshaded(corners, color);
-    EXPECT_TRUE(c.guards_intact());
-    return c.lit();
-}
-
 pixel_set rectangle(int left, int top, int right, int bottom) {
     pixel_set result;
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x)
             result.insert({x, y});
     return result;
+}
+
+TEST(clearing, gives_every_pixel_the_colour) {
+    canvas c(11, 7);
+    c.draw.clear_buffer(color);
+    EXPECT_EQ(c.lit(), rectangle(0, 0, 11, 7));
+    EXPECT_TRUE(c.guards_intact());
+    c.draw.clear_buffer();
+    EXPECT_TRUE(c.lit().empty());
+}
+
+TEST(boxes, are_whole_pixels_as_polygons_and_as_paths) {
+    for (const l3d_pixel_box& box : {l3d_pixel_box{0, 0, 11, 7}, {2, 3, 5, 4}, {-9, -9, 4, 99}}) {
+        const l3d_pixel_box seen = box.intersected({0, 0, 11, 7});
+        canvas by_box(11, 7), by_path(11, 7);
+        by_box.draw.draw_box(box, color);
+        EXPECT_EQ(by_box.lit(), rectangle(seen.left, seen.top, seen.right, seen.bottom));
+        EXPECT_TRUE(by_box.guards_intact());
+        l3d_path path;
+        path.add_box(box);
+        by_path.draw.draw_path(path, {.color = color}); // a fringe would be another colour
+        EXPECT_EQ(by_path.lit(), by_box.lit());
+    }
+    canvas none(11, 7);
+    none.draw.draw_box({4, 4, 4, 9}, color);
+    none.draw.draw_box({9, 4, 2, 5}, color);
+    l3d_path empty;
+    empty.add_box({9, 4, 2, 5});
+    EXPECT_TRUE(none.lit().empty() && empty.empty());
+}
+
+pixel_set filled(const std::vector<l3d_point_2d>& corners, int width = 41, int height = 31) {
+    canvas c(width, height);
+    c.draw.draw_polygon_flatshaded(corners, color);
+    EXPECT_TRUE(c.guards_intact());
+    return c.lit();
 }
 
 TEST(Polygons, BookSquares) {

@@ -4,6 +4,7 @@
 #define L3D_RASTER_PATHS_GRADIENT_H
 
 #include "base/public.h"
+#include "raster/placement_2d.h"
 #include "raster/rasterizer_2d.h"
 
 #include <array>
@@ -15,36 +16,94 @@
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;           ///< from 0, the beginning, to 1, the end
     std::uint32_t color = 0; ///< 0x00RRGGBB
+    double alpha = 1;        ///< from 0, nothing, to 1, opaque
 };
 
-/// Colours along a line, or around a place. Before the first and behind the last stop they go on
-/// as they are there.
+/// What a gradient shows before its beginning and behind its end.
+enum class L3D_PUBLIC l3d_spread {
+    pad,    ///< the first and the last stop's colour
+    repeat, ///< the same again, from 0 to 1
+    reflect ///< the same, forwards and backwards by turns
+};
+
+/// Colours along a line, or around a place.
 ///
-/// Red, green and blue are linear between two stops, in the coded values of pixel words. What is
-/// stored is the nearest whole number, of a sum in double.
+/// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
+/// words. A pixel gets the mean over its square, in which colours count by their alpha: also where
+/// stops jump or a gradient repeats within a pixel. Of a linear gradient it is exact. A radial one
+/// counts as linear in each of up to 32 x 32 parts of the square. That moves a place where stops
+/// jump by less than 1/512 pixel, beyond 1/8 pixel of the focus. What is stored is the nearest
+/// whole number.
 /// Units:   pixels, as in l3d_rasterizer_2d.
+/// Cost:    with stops that are not within a pixel, a square root and some products; else some
+///          products more for each of them and each part.
 class L3D_PUBLIC l3d_gradient {
 public:
     /// From one place to another, constant across.
     /// Expects: stops in order, one at least; two different places.
     static l3d_gradient linear(l3d_point_2d from, l3d_point_2d to,
-                               std::span<const l3d_color_stop> stops);
-    /// From a place outwards.
+                               std::span<const l3d_color_stop> stops,
+                               l3d_spread spread = l3d_spread::pad);
+    /// From a place outwards to the circle around it.
     /// Expects: stops in order, one at least; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius,
-                               std::span<const l3d_color_stop> stops);
+                               std::span<const l3d_color_stop> stops,
+                               l3d_spread spread = l3d_spread::pad) {
+        return radial(center, radius, center, stops, spread);
+    }
+    /// From a focus to a circle: along each ray from the focus, colours go from 0 there to 1 on the
+    /// circle. A focus that is not inside is moved there, to 1 - 2^-10 of the radius.
+    /// Expects: stops in order, one at least; a radius above 0.
+    static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
+                               std::span<const l3d_color_stop> stops,
+                               l3d_spread spread = l3d_spread::pad);
 
-    /// The colours of pixels in a row, from (x, y) on.
+    /// The gradient as it is after its plane was turned, stretched or moved like this.
+    /// Expects: a placement that leaves areas.
+    l3d_gradient placed(const l3d_placement_2d& place) const;
+
+    /// The words of pixels in a row, from (x, y) on. The highest byte says how transparent the
+    /// pixel is, 0 for not at all, as in l3d_pixels.
     void colors(int x, int y, std::span<std::uint32_t> result) const;
 
 private:
-    l3d_gradient() = default;
-    std::uint32_t color_at(double place) const;
+    /// Red, green, blue and alpha.
+    using numbers = std::array<double, 4>;
+
+    /// Between two stops: linear from one end to the other.
+    struct piece {
+        double from, to; ///< where along the gradient; infinite at the ends of a padded one
+        numbers begin, end;
+
+        numbers at(double place) const;
+    };
+
+    /// How a place in the gradient changes over a square of the picture.
+    struct slope {
+        double place;
+        double right, down; ///< what the square's width and height add
+    };
+
+    l3d_gradient(std::span<const l3d_color_stop> stops, l3d_spread spread);
+
+    const piece& piece_at(double place, double& in_period) const;
+    void add(double from, double to, double weight_from, double weight_to, numbers& sum) const;
+    void add_in_period(double from, double to, double weight_from, double weight_to,
+                       numbers& sum) const;
+    bool is_one_piece(double from, double to) const;
+    numbers mean(const slope& of) const;
+    slope slope_at(l3d_point_2d at) const;
+    double parts_at(l3d_point_2d at) const;
+    std::uint32_t word_at(l3d_point_2d at) const;
 
     bool radial_ = false;
-    l3d_point_2d begin_{};
-    double across_ = 0, down_ = 0; ///< what a pixel to the right, or downwards, adds
-    std::vector<l3d_color_stop> stops_;
+    bool is_opaque_ = true;
+    double steepest_ = 0;        ///< levels per place between two stops
+    l3d_placement_2d to_unit_{}; ///< a linear gradient goes along x to 1, a circle has radius 1
+    double narrowest_ = 1, widest_ = 1; ///< the least and the most that to_unit_ makes of a pixel
+    l3d_point_2d focus_{};              ///< in these coordinates
+    double period_ = 0;                 ///< 0 for one that is padded
+    std::vector<piece> pieces_;         ///< of a period, without gaps
 };
 
 /// A tensor product patch with a colour at each corner, as in PDF shadings of type 7.

@@ -114,6 +114,15 @@ void l3d_path::close() {
     open_ = false;
 }
 
+void l3d_path::add_box(const l3d_pixel_box& box) {
+    if (box.empty())
+        return;
+    const double left = box.left - 0.5, top = box.top - 0.5;
+    const double right = box.right - 0.5, bottom = box.bottom - 0.5;
+    add_polygon(
+        std::array<l3d_point_2d, 4>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}});
+}
+
 void l3d_path::add_polygon(l3d_outline_2d corners) {
     if (corners.empty())
         return;

@@ -71,6 +71,9 @@ public:
 
     /// A full circle, an outline of its own.
     void add_circle(l3d_point_2d center, double radius);
+    /// The squares of whole pixels, an outline of its own: filled, it leaves no fringe. Nothing if
+    /// the box is empty.
+    void add_box(const l3d_pixel_box& box);
     /// A polygon, an outline of its own. Nothing if it has no corner.
     void add_polygon(l3d_outline_2d corners);
 

@@ -54,11 +54,12 @@ void l3d_rasterizer_2d_mesa_imp::do_set_target(l3d_pixels target) {
                                   static_cast<float>(gl_target_.middle_y()));
 }
 
-/// Black in memory costs less than black in GL and the way back.
-void l3d_rasterizer_2d_mesa_imp::do_clear_buffer() {
+/// Black in memory costs less than black in GL and the way back. Other colours are uploaded once
+/// something is drawn on them.
+void l3d_rasterizer_2d_mesa_imp::do_clear_buffer(std::uint32_t color) {
     batch_.clear();
-    cpu_.clear_buffer();
-    held_ = held::as_black;
+    cpu_.clear_buffer(color);
+    held_ = color == 0 ? held::as_black : held::not_at_all;
 }
 
 void l3d_rasterizer_2d_mesa_imp::do_finish() {

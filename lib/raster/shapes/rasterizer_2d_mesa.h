@@ -29,7 +29,7 @@ public:
 private:
     void do_set_target(l3d_pixels target) override;
     void do_finish() override;
-    void do_clear_buffer() override;
+    void do_clear_buffer(std::uint32_t color) override;
     void do_draw_point(int x, int y, std::uint32_t color) override;
     void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override;
     void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) override;

@@ -37,9 +37,9 @@ void l3d_rasterizer_2d_sw_imp::do_set_target(l3d_pixels target) {
     scan_.set_rows({0, target.height});
 }
 
-void l3d_rasterizer_2d_sw_imp::do_clear_buffer() {
+void l3d_rasterizer_2d_sw_imp::do_clear_buffer(std::uint32_t color) {
     for (int y = 0; y < target_.height; ++y)
-        std::ranges::fill(target_.row(y), 0u);
+        std::ranges::fill(target_.row(y), color);
 }
 
 void l3d_rasterizer_2d_sw_imp::do_draw_point(int x, int y, std::uint32_t color) {
@@ -131,7 +131,7 @@ void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill
     if (is_coded && fill.gradient == nullptr)
         return cover_spans(target_, spans, paths_.values(), fill.color & 0x00ffffff);
     const color_mixer mixer(fill.blending);
-    mixed_color color = mixer.color(fill.color);
+    const mixed_color color = mixer.color(fill.color);
     const auto paint = [&](const covered_run& run) {
         if (fill.gradient != nullptr) {
             colors_.resize(static_cast<std::size_t>(run.last - run.first));
@@ -139,11 +139,15 @@ void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill
         }
         paint_run(run, [&](std::int32_t x, std::int32_t, std::uint32_t word, int share) {
             const auto i = static_cast<std::size_t>(x - run.first);
+            if (fill.gradient == nullptr)
+                return mixer.over(word, color, share / 255.0);
+            const std::uint32_t here = colors_[i];
+            const int covered = share_of(here, share);
+            if (covered == 0)
+                return word;
             if (is_coded)
-                return blended_over_gap(word, colors_[i], share);
-            if (fill.gradient != nullptr)
-                color = mixer.color(colors_[i]);
-            return mixer.over(word, color, share / 255.0);
+                return blended_over_gap(word, here, covered);
+            return mixer.over(word, mixer.color(here), covered / 255.0);
         });
     };
     for (const covered_span& s : spans)

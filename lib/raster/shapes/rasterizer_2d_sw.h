@@ -22,7 +22,7 @@ public:
 
 private:
     void do_set_target(l3d_pixels target) override;
-    void do_clear_buffer() override;
+    void do_clear_buffer(std::uint32_t color) override;
     void do_draw_point(int x, int y, std::uint32_t color) override;
     void do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) override;
     void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) override;
