@@ -21,8 +21,8 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 l3d_canvas half_of(const std::shared_ptr<l3d_screen>& whole,
                    const std::shared_ptr<const l3d_rasterizer_factory>& rasterizers,
-                   half_screen::side side) {
-    return {std::make_unique<half_screen>(whole, side), rasterizers};
+                   const l3d_font& font, half_screen::side side) {
+    return {std::make_unique<half_screen>(whole, side), rasterizers, false, font};
 }
 
 /// Errors are measured by depths. Only AFD has smooth edges, and times are told of equal work.
@@ -100,15 +100,16 @@ void other_half::draw_overlay() {
 comparison::comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
                        const l3d_afd_settings& settings, const l3d_method_choice& other)
     : comparison(std::shared_ptr<l3d_screen>(std::move(canvas.screen)),
-                 std::move(canvas.rasterizers), model, camera, comparable(settings), other) {}
+                 std::move(canvas.rasterizers), canvas.font, model, camera, comparable(settings),
+                 other) {}
 
 comparison::comparison(std::shared_ptr<l3d_screen> whole,
                        std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
-                       const l3d_patch_model& model, const l3d_camera& camera,
+                       const l3d_font& font, const l3d_patch_model& model, const l3d_camera& camera,
                        const l3d_afd_settings& settings, const l3d_method_choice& other)
-    : l3d_pipeline_afd_viewer(half_of(whole, rasterizers, half_screen::side::left), model, camera,
-                              settings),
-      whole_(std::move(whole)), other_(half_of(whole_, rasterizers, half_screen::side::right),
+    : l3d_pipeline_afd_viewer(half_of(whole, rasterizers, font, half_screen::side::left), model,
+                              camera, settings),
+      whole_(std::move(whole)), other_(half_of(whole_, rasterizers, font, half_screen::side::right),
                                        model, camera, with_method(settings, other)),
       other_method_(other), other_tolerance_(settings.tolerance), live_(screen().is_window()) {
     controls().add({"m", "another method on the right", {{'m', [this] { take_next_method(); }}}});

@@ -101,7 +101,7 @@ private:
     };
 
     comparison(std::shared_ptr<l3d_screen> whole,
-               std::shared_ptr<const l3d_rasterizer_factory> rasterizers,
+               std::shared_ptr<const l3d_rasterizer_factory> rasterizers, const l3d_font& font,
                const l3d_patch_model& model, const l3d_camera& camera,
                const l3d_afd_settings& settings, const l3d_method_choice& other);
     l3d_standing_panel standing_panel() override;

@@ -155,8 +155,8 @@ void summarize(const reference::error_map& errors, frame_result& result) {
 
 measured_frames measure_patches(const measured_view& view, const measured_setting& setting,
                                 double seconds, int most_distances) {
-    l3d_afd_settings settings;
-    settings.tolerance = setting.tolerance;
+    l3d_afd_settings settings{
+        .tolerance = setting.tolerance, .antialias = false, .background = {}, .threads = 1};
     settings.method = setting.method.factory();
     settings.depth = true;
     settings.lateral_only = setting.places_only;
@@ -176,8 +176,7 @@ measured_frames measure_patches(const measured_view& view, const measured_settin
 template <class Pipeline, class... More>
 measured_frames measure_polygons(const measured_view& view, int n, double seconds,
                                  int most_distances, const More&... more) {
-    l3d_polygon_settings settings;
-    settings.shade = l3d_shade::lambert;
+    l3d_polygon_settings settings{.background = {}, .antialias = false, .threads = 1};
     settings.cull = false; // as patches are drawn, from both sides
     polygon_pipeline<Pipeline> pipeline(l3d_memory_canvas(view.size()),
                                         l3d_polygon_model(l3d_tessellated(view.model(), n).mesh),

@@ -81,7 +81,7 @@ public:
 
 private:
     l3d_afd_settings settings(int side) {
-        l3d_afd_settings result;
+        l3d_afd_settings result{.antialias = false, .background = {}, .threads = 1};
         result.method = {"voxels", [this, side](const l3d_rasterizer_factory&, l3d_workers& all) {
                              auto method = std::make_unique<l3d_method_voxels>(side, all);
                              made_ = method.get();

@@ -164,7 +164,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     outcome& result = outcomes_[i];
     l3d_dice_budget budget{share, false};
     slot(i).clear();
-    const bool inspects = l3d_is_inspection(view_.shading.mode);
+    const bool inspects = l3d_sees_patches(view_.shading.mode);
     slot(i).keep_parameters(keep_parameters_ || inspects);
     space.counts = {};
     dice_placed(i, of, budget, space);

@@ -54,7 +54,9 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                " has none";
     if (const std::string why = fog_complaint(settings); !why.empty())
         return why;
-    if (!l3d_is_inspection(settings.shade))
+    if (settings.shade == l3d_shade::own && !settings.own.colors)
+        return "own: shade 'own' needs a function that gives colours";
+    if (!l3d_sees_patches(settings.shade))
         return camera.complaint();
     if (!settings.method.is_default())
         return "shade: " + settings.method.name() + " has no exact derivatives to inspect";

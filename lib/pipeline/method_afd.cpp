@@ -20,7 +20,7 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
 /// Processors inspect and have fog in any case: where GL does not, its frames are drawn without it.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
-    const bool is_special = l3d_is_inspection(shading.mode) || shading.fog.is_on();
+    const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();
     if (!is_special || surface_->inspects())
         return *surface_;
     if (!inspector_)
@@ -45,7 +45,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     used_ = &surface;
     const bool with_levels = surface.takes_levels() && !frame.shading.is_lit(frame.materials);
     l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
-    const bool inspects = l3d_is_inspection(shading.mode);
+    const bool inspects = l3d_sees_patches(shading.mode);
     if (inspects) {
         inspected_.begin(frame.camera, view.size, shading);
         shading.inspected = &inspected_.patches();

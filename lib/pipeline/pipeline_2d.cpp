@@ -5,8 +5,8 @@
 #include <utility>
 
 l3d_pipeline_2d::l3d_pipeline_2d(l3d_canvas canvas)
-    : screen_(std::move(canvas.screen)), imp_(canvas.rasterizers->create_2d(screen_->pixels())),
-      rasterizer_(*imp_) {}
+    : screen_(std::move(canvas.screen)), font_(std::move(canvas.font)),
+      imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_) {}
 
 void l3d_pipeline_2d::key_event(int key) {
     done |= key == 'q' || key == l3d_key_escape;

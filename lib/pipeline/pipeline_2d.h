@@ -21,6 +21,8 @@ public:
 
     /// Where the pictures are shown.
     l3d_screen& screen() { return *screen_; }
+    /// The canvas's letters. Lives: copies share what they have drawn, so all belong to one thread.
+    const l3d_font& font() const { return font_; }
     /// The picture's width and height, in pixels.
     l3d_size size() { return screen_->pixels().size(); }
 
@@ -31,11 +33,16 @@ public:
 
     void draw_event() final;
 
+protected:
+    /// What `draw` gets.
+    l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
+
 private:
     /// Draws on top of the last picture: only `clear_buffer` and a resize clear it.
     virtual void draw(l3d_rasterizer_2d& rasterizer) = 0;
 
     std::unique_ptr<l3d_screen> screen_;
+    l3d_font font_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;
 };

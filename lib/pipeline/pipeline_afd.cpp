@@ -45,7 +45,8 @@ std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& r
 
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
-    : screen_(std::move(canvas.screen)), rasterizers_(std::move(canvas.rasterizers)),
+    : screen_(std::move(canvas.screen)), font_(std::move(canvas.font)),
+      rasterizers_(std::move(canvas.rasterizers)),
       imp_(create_2d(*rasterizers_, *screen_, camera, settings)), rasterizer_(*imp_),
       scene_(std::move(scene)), camera_(camera), settings_(settings),
       stages_(std::make_unique<stages>(settings_, *rasterizers_)) {
@@ -150,6 +151,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
+    if (settings_.shade == l3d_shade::own)
+        shading.own = &settings_.own;
     return {.target = target,
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
@@ -170,7 +173,8 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!stale_ && !scene_.is_changed())
         return {};
-    if (!untouched_)
+    const bool may_differ = settings_.shade == l3d_shade::own && stale_;
+    if (!untouched_ || may_differ)
         return whole;
     if (!scene_.is_changed())
         return {};
@@ -248,7 +252,9 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         if (scene_.transparent_count() > 0)
             report_.dice.shade_bound = shade_bound_of_mix(report_.dice.shade_bound);
     } else {
-        report_.dice.shade_bound = std::numeric_limits<double>::infinity();
+        report_.dice.shade_bound = settings_.shade == l3d_shade::own
+                                       ? settings_.own.error + shade_bound_of_fog()
+                                       : std::numeric_limits<double>::infinity();
     }
     keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
@@ -330,6 +336,7 @@ void l3d_pipeline_afd::draw_on_top() {
     if (settings_.net && !changed_.empty())
         draw_nets();
     draw_overlay();
+    draw_panels();
     rasterizer_.finish();
     if (!untouched_)
         changed_ = l3d_whole(stages_->view.size);

@@ -52,7 +52,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// What the shades that inspect a surface show. Only the library's own method draws them.
     l3d_inspection inspection{};
 
-    /// Viewers draw the scale of such a shade into the picture.
+    /// Viewers draw the scale of a shade that inspects into the picture.
     bool legend = true;
 
     /// The direction towards the light. Units: world space, any length.
@@ -64,7 +64,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_lighting lighting{};
 
     /// Edges are means over pixels, not stairs; see l3d_shading.
-    bool antialias = false;
+    bool antialias = true;
 
     /// What far surfaces fade into. Only the library's own method has it, for shades of light and
     /// normals. The certificate of shades then counts what the bound of depth makes of it
@@ -72,7 +72,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_fog fog{};
 
     /// What is seen where nothing is drawn.
-    l3d_background background{};
+    l3d_background background = l3d_background::gradient();
 
     /// The lines of the adaptive grid are drawn instead of the filled surface.
     bool wireframe = false;
@@ -106,10 +106,14 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool error_map = false;
 
     /// The number of drawing threads. It is constant from the first frame on.
-    int threads = 1;
+    int threads = l3d_usual_threads();
 
     /// What fills surfaces. From the first frame on only l3d_pipeline_afd::take_method changes it.
     l3d_method_factory method{};
+
+    /// What l3d_shade::own shows. Only the library's own method draws it. After a change of what
+    /// the function does, call redraw().
+    l3d_own_shade own{};
 };
 
 /// Why nothing can be drawn like this, naming the value at fault; "" if it can.
@@ -140,6 +144,8 @@ public:
     /// Expects: nobody writes to its pixels. To draw on top, use pixels() or rasterizer() in
     ///          draw_overlay: they note that the picture is changed, so the next frame clears it.
     l3d_screen& screen() { return *screen_; }
+    /// The canvas's letters, for text in draw_overlay.
+    const l3d_font& font() const { return font_; }
 
     /// What is drawn; a reference to change it. The next draw_event draws what scene, camera and
     /// settings say then. A program with a dispatcher calls redraw() after a change of camera or
@@ -232,10 +238,13 @@ protected:
     virtual void paint_surfaces() {}
 
     /// Draws on top of the finished surface; timed as `overlay`. Called in frames that draw
-    /// anything or that redraw() asked for.
+    /// anything or that redraw() asked for. A viewer's panels come on top of it.
     virtual void draw_overlay() {}
 
 private:
+    /// The panels of a viewer.
+    virtual void draw_panels() {}
+
     struct basis;
     struct drawing;
     struct stages;
@@ -262,6 +271,7 @@ private:
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;
+    l3d_font font_;
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;

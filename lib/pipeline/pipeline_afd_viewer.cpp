@@ -119,7 +119,7 @@ void l3d_pipeline_afd_viewer::rest_event(double seconds) {
         redraw();
 }
 
-void l3d_pipeline_afd_viewer::draw_overlay() {
+void l3d_pipeline_afd_viewer::draw_panels() {
     if (screen().is_window())
         controls_.set_empty(
             last_report().dice.drawn == 0 && last_report().pixels_kept == 0 ? why_empty() : "");

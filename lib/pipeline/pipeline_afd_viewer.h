@@ -33,8 +33,6 @@ public:
     void rest_event(double seconds) override;
 
 protected:
-    void draw_overlay() override;
-
     /// The title of the scale of mode `error`. A subclass that knows more than bounds says so.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
@@ -42,6 +40,7 @@ protected:
     virtual l3d_standing_panel standing_panel() { return {}; }
 
 private:
+    void draw_panels() override;
     std::vector<l3d_viewer_row> own_rows();
     l3d_viewed viewed();
     void scale_tolerance(double factor);
@@ -54,7 +53,7 @@ private:
 
     l3d_part_switch parts_{scene()};
     l3d_viewer_controls controls_{
-        *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed()};
+        *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed(), font()};
 };
 
 #endif

@@ -35,9 +35,10 @@ constexpr double usual_turntable = 60;
 
 l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen,
                                          l3d_camera& camera, std::vector<l3d_viewer_row> rows,
-                                         std::function<void()> reset, l3d_viewed viewed)
-    : screen_(screen), viewed_(viewed), steering_(screen, camera, std::move(viewed)),
-      rows_(first_rows()) {
+                                         std::function<void()> reset, l3d_viewed viewed,
+                                         l3d_font font)
+    : screen_(screen), font_(std::move(font)), viewed_(viewed),
+      steering_(screen, camera, std::move(viewed)), rows_(first_rows()) {
     std::ranges::move(side_rows(), std::back_inserter(rows_));
     std::ranges::move(rows, std::back_inserter(rows_));
     own_end_ = std::ssize(rows_);

@@ -44,11 +44,12 @@ struct L3D_PUBLIC l3d_standing_panel {
 class L3D_PUBLIC l3d_viewer_controls {
 public:
     /// `rows` are the viewer's own; `reset` takes back what it changed of the view beside the
-    /// camera, and may be empty; `viewed` tells what is in the picture.
+    /// camera, and may be empty; `viewed` tells what is in the picture; `font` has the letters of
+    /// all panels.
     /// Expects: no key is in two rows, ours included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
-                        l3d_viewed viewed = {});
+                        l3d_viewed viewed = {}, l3d_font font = {});
 
     /// The eye circles the target by this angle from frame to frame (per 1 / fps of a second
     /// where time is measured); the first frame is not turned. Units: degrees; frames a second.
@@ -97,7 +98,7 @@ public:
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
 
-    /// The letters of all panels; at first the built-in ones.
+    /// Other letters for all panels.
     void set_font(l3d_font font) { font_ = std::move(font); }
 
     /// The looks of the panels, with letters as large as the window and its display ask for.

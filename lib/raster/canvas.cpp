@@ -3,9 +3,29 @@
 #include "raster/canvas.h"
 
 #include "raster/rasterizer_factory_sw.h"
-#include "tool_2d/screen_memory.h"
+
+#include <string>
+#include <utility>
+
+namespace {
+
+/// A font that cannot be read is passed over: who wants to know asks l3d_font::of_system.
+template <class Memory> l3d_canvas around(const Memory& memory) {
+    std::string why;
+    return {std::make_unique<l3d_screen_memory>(memory),
+            std::make_shared<l3d_rasterizer_factory_sw>(), false, l3d_font::of_system(why)};
+}
+
+} // namespace
 
 l3d_canvas l3d_memory_canvas(l3d_size size) {
-    return {std::make_unique<l3d_screen_memory>(size),
-            std::make_shared<l3d_rasterizer_factory_sw>()};
+    return around(size);
+}
+
+l3d_canvas l3d_memory_canvas(const l3d_pixels& words) {
+    return around(words);
+}
+
+l3d_canvas l3d_memory_canvas(const l3d_packed_pixels& packed) {
+    return around(packed);
 }

@@ -4,6 +4,7 @@
 #define L3D_RASTER_INSPECTED_PATCHES_H
 
 #include "geom/bezier_patch.h"
+#include "geom/material.h"
 
 #include <array>
 #include <vector>
@@ -27,6 +28,16 @@ struct l3d_inspected_patches {
     vector direction{0.0, 1.0, 0.0};
     /// The patches, by the material of their parts.
     std::vector<l3d_bezier_patch<double, 3>> nets;
+    /// What they are made of, for a program's own shade; none for the others.
+    std::vector<l3d_material> materials;
+    /// The eye, and the axes to the right, down and forward, in the world.
+    vector eye{0.0, 0.0, 0.0};
+    std::array<vector, 3> axes{};
+
+    /// A direction along the axes, in the world.
+    vector in_world(const vector& along) const {
+        return axes[0] * along[0] + axes[1] * along[1] + axes[2] * along[2];
+    }
 
     /// What the eye sees at a place of the picture lies along this, 1 deep. Units: pixels.
     vector ray(double x, double y) const {

@@ -36,6 +36,10 @@ enum class L3D_PUBLIC l3d_shade {
     /// The angle between the surface and a direction.
     draft,
 
+    /// What a function of the program says, l3d_own_shade, of each pixel's exact place on its
+    /// patch. It has no name: users cannot choose it.
+    own,
+
     /// Lambert's grey from levels that were made with the surface: vertices have their level and
     /// what their sides bend by (l3d_micro_vertex) in place of normals. Users cannot choose it.
     levels,
@@ -62,9 +66,14 @@ constexpr bool l3d_is_inspection(l3d_shade shade) {
     return shade >= l3d_shade::zebra && shade <= l3d_shade::draft;
 }
 
+/// Whether it looks at the exact patches.
+constexpr bool l3d_sees_patches(l3d_shade shade) {
+    return l3d_is_inspection(shade) || shade == l3d_shade::own;
+}
+
 /// Whether it shows the light of lamps.
 constexpr bool l3d_is_light(l3d_shade shade) {
-    return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_is_inspection(shade);
+    return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_sees_patches(shade);
 }
 
 /// Whether its colours are those of a scale, which fog would make others of.

@@ -10,6 +10,7 @@
 #include "raster/fog.h"
 #include "raster/inspection.h"
 #include "raster/lighting.h"
+#include "raster/own_shade.h"
 #include "raster/shade.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
@@ -57,6 +58,7 @@ struct L3D_PUBLIC l3d_shading {
     /// normals, and parts whose material is the index of their patch.
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
+    const l3d_own_shade* own = nullptr;               ///< of such a shade; borrowed likewise
 
     /// Whether surfaces of these materials take more than one level in each pixel: unless the
     /// lights are the usual ones and nothing has highlights. Modes that are not light never do.

@@ -65,6 +65,10 @@ void l3d_inspected_scene::begin(const l3d_camera& camera, l3d_size size,
     patches_.light = along(axes, {double{light[0]}, double{light[1]}, double{light[2]}});
     patches_.direction = along(axes, {direction[0], direction[1], direction[2]});
     patches_.nets.clear();
+    patches_.materials.clear();
+    patches_.eye = camera.eye;
+    patches_.axes = axes;
+    with_materials_ = shading.mode == l3d_shade::own;
 }
 
 void l3d_inspected_scene::add(const l3d_patch_scene& scene,
@@ -73,6 +77,11 @@ void l3d_inspected_scene::add(const l3d_patch_scene& scene,
         const l3d_patch_instance& instance = scene.instances()[p.instance];
         patches_.nets.push_back(
             l3d_placed_net(to_eye_ * instance.placement(), instance.model().patches()[p.patch]));
+        if (with_materials_) {
+            const auto all = scene.materials();
+            patches_.materials.push_back(all.empty() ? l3d_material()
+                                                     : all[scene.material_of(p.instance, p.patch)]);
+        }
     }
 }
 

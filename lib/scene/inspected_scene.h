@@ -27,6 +27,7 @@ public:
 private:
     l3d_matrix<double> to_eye_;
     l3d_inspected_patches patches_;
+    bool with_materials_ = false;
 };
 
 /// The number at the end of a curvature's scale that suits a scene: nine tenths of

@@ -14,18 +14,12 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <thread>
 #include <utility>
 
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least_positive = std::numeric_limits<double>::min();
-
-/// A picture of 1024x768 is filled in 12 bands and the teapot is 28 patches to dice: 8 threads have
-/// two bands and four patches each at the most. If one thread takes 1 ms for a frame, the next 8
-/// could save 0.06 ms. Waking them costs about as much.
-constexpr int most_threads_unasked = 8;
 
 std::string text_of(const l3d_camera::vector& v) {
     return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
@@ -105,7 +99,6 @@ void check_shown(const l3d_afd_settings& asked) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) {
-    settings_.antialias = true;
     options.begin_group("Model");
     options.add(
         "FILE,--model", model_file_,
@@ -190,8 +183,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                      "NEAR,FAR[,COLOR]", "", [this](const std::string& text) { read_fog(text); });
     options.begin_group("Work and its results");
     options.add("--threads", threads_,
-                "threads to draw with; without it, as many as processors, at most " +
-                    std::to_string(most_threads_unasked) + "; the picture is the same for any",
+                "threads to draw with; without it, as many as processors, at most 8; the picture "
+                "is the same for any",
                 1, 1024);
     options.add("--keep-all", keep_all_,
                 "do all work, also what rules leave out; the picture is as good");
@@ -338,8 +331,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();
     result.outlines = !report_.empty() || explain_;
-    const int processors = static_cast<int>(std::thread::hardware_concurrency());
-    result.threads = threads_.value_or(std::clamp(processors, 1, most_threads_unasked));
+    result.threads = threads_.value_or(settings_.threads);
     l3d_detail::check_pfm("--depth-output", depth_output_);
     l3d_detail::check_pfm("--error-output", error_output_);
     result.depth = !depth_output_.empty();
@@ -349,7 +341,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (shade_direction_ == l3d_camera::vector{0.0, 0.0, 0.0})
         throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
     check_place("--shade-direction", shade_direction_);
-    result.background = background_.value_or(l3d_background::gradient());
+    result.background = background_.value_or(settings_.background);
     check_shown(result);
     if (keep_all_)
         result.keep = l3d_kept_work::all();

@@ -5,7 +5,7 @@
 #include "pipeline/captioned_p.h"
 
 #include <cassert>
-#include <iostream>
+#include <string>
 
 void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
     pipeline_ = &pipeline;
@@ -20,10 +20,8 @@ l3d_exit l3d_dispatcher::start() {
 }
 
 l3d_exit l3d_dispatcher::start_with_caption() {
-    std::string why;
+    std::string why; // who made the canvas said it
     const l3d_font font = l3d_font::of_system(why);
-    if (!why.empty())
-        std::cerr << command_ << ": " << why << '\n';
     const double hint_seconds = caption_.teaches.empty() ? 8 : 15; // two lines are read in four
     l3d_detail::captioned shown(*pipeline_, *screen_, caption_, font, hint_seconds);
     const l3d_exit result = do_start(shown, *screen_);

@@ -30,11 +30,8 @@ public:
     void plug(l3d_pipeline& pipeline, l3d_screen& screen);
 
     /// Has windows show this caption on their pictures, for some seconds and when help is asked
-    /// for. `command` begins a line on stderr if L3D_FONT names no font.
-    void set_caption(l3d_caption caption, std::string command) {
-        caption_ = std::move(caption);
-        command_ = std::move(command);
-    }
+    /// for.
+    void set_caption(l3d_caption caption) { caption_ = std::move(caption); }
 
     /// Runs until the pipeline is done, the frames are made, or the display is lost.
     ///
@@ -56,7 +53,6 @@ private:
     l3d_pipeline* pipeline_ = nullptr;
     l3d_screen* screen_ = nullptr;
     l3d_caption caption_;
-    std::string command_;
 };
 
 /// Makes dispatchers of one kind.

@@ -4,6 +4,7 @@
 
 #include "raster/rasterizer_factory_sw.h"
 
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -33,7 +34,7 @@ std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
     auto dispatcher = factories_.create_dispatcher(settings);
     // Pictures that are counted or written are the same in windows and files.
     if (settings.frames == 0 && settings.output.empty())
-        dispatcher->set_caption(caption_, options_.command());
+        dispatcher->set_caption(caption_);
     return dispatcher;
 }
 
@@ -47,6 +48,12 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)
         canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);
+    // Pictures that are counted or written are the same on every machine.
+    std::string why;
+    if (canvas.screen->is_window() && options_.frame_settings().frames == 0)
+        canvas.font = l3d_font::of_system(why);
+    if (!why.empty())
+        std::cerr << options_.command() << ": " << why << '\n';
     return canvas;
 }
 

@@ -10,7 +10,6 @@
 #include "system/report_writer.h"
 #include "system/screenshot.h"
 #include "raster/error_map.h"
-#include "raster/shapes/font.h"
 #include "scene/framing.h"
 #include "tool_2d/image_file.h"
 
@@ -99,8 +98,8 @@ public:
     }
 
 private:
-    /// What a person who looks at a window likes better: letters of this machine, and a word about
-    /// the help. Pictures that are counted are the same in windows and files.
+    /// What a person who looks at a window likes better: a word about the help. Pictures that are
+    /// counted are the same in windows and files.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -110,10 +109,6 @@ private:
             program.check_transparency(in_window_);
         if (!in_window_ || frames.frames != 0)
             return;
-        std::string why;
-        this->controls().set_font(l3d_font::of_system(why));
-        if (!why.empty())
-            std::cerr << program.options().command() << ": " << why << '\n';
         constexpr double seconds = 5; // one line is read in two
         if (frames.output.empty())
             this->controls().show_hint(seconds);

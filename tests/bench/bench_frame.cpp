@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bench_frame: a memory screen, and an eye that trembles.
+#include "hard_edged.h"
 #include "bench/bench_frame.h"
 
 #include "raster/rasterizer_factory_sw.h"
@@ -10,7 +11,7 @@
 namespace {
 
 l3d_afd_settings settings(double tolerance, int threads, l3d_shade shade) {
-    l3d_afd_settings result;
+    l3d_afd_settings result = hard_edged();
     result.tolerance = tolerance;
     result.threads = threads;
     result.shade = shade;

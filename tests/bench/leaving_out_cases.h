@@ -4,6 +4,7 @@
 #ifndef L3D_TESTS_BENCH_LEAVING_OUT_CASES_H
 #define L3D_TESTS_BENCH_LEAVING_OUT_CASES_H
 
+#include "hard_edged.h"
 #include "pipeline/pipeline_afd.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct leaving_out_case {
     const char* unit = "";          ///< of what is left out
     std::int64_t (*left_out)(const l3d_frame_report&) = nullptr;
     l3d_patch_scene world{};
-    l3d_afd_settings settings{};
+    l3d_afd_settings settings = hard_edged();
     frame_change change = frame_change::eye;
 };
 

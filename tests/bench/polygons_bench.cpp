@@ -5,6 +5,7 @@
 // takes all processors) or as many of both as one says. All three must show the same picture. The
 // sort alone, without comparing and cutting, is the naive twin of zsort: its picture may be wrong.
 // Then the exponent of the time in the number of faces, by least squares over the logarithms.
+#include "hard_edged.h"
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/painter_order.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
@@ -149,7 +150,7 @@ bool bench(bool cull, int threads) {
         const l3d_polygon_model model(l3d_torus_mesh(s.around, s.across));
         const auto faces = static_cast<double>(model.mesh().faces());
         const int frames = std::clamp(static_cast<int>(3e5 / faces), 3, 25);
-        l3d_polygon_settings settings;
+        l3d_polygon_settings settings = hard_edged_polygons();
         settings.shade = l3d_shade::lambert;
         settings.cull = cull;
         settings.threads = threads;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // measured_duels: ways tried, then turns taken, in children.
+#include "hard_edged.h"
 #include "bench/smooth_curves.h"
 
 #include "bench/embree_smooth_peer.h"
@@ -160,7 +161,7 @@ std::vector<double> fight(const l3d_patch_model& model, const smooth_duel& duel,
     const l3d_patch_scene scene(model);
     std::vector<std::unique_ptr<bench_frame>> frames;
     for (const smooth_point& p : duel.ours) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = p.tolerance;
         settings.threads = threads;
         settings.antialias = true;

@@ -3,6 +3,7 @@
 // moves.
 //
 // The baseline is the same frame drawn whole; the pictures must be the same bits.
+#include "hard_edged.h"
 #include "bench/bench_frame.h"
 #include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
@@ -108,7 +109,7 @@ double milliseconds_of_moves(program& all, const l3d_camera& camera,
 
 void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int threads) {
     constexpr int still = 1000;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = 0.5;
     settings.threads = threads;
     l3d_patch_scene scene = crowd(model, camera, still);
@@ -139,7 +140,7 @@ void print_moving(const l3d_patch_model& model, const l3d_camera& camera, int th
 /// Two before the crowd move, in opposite corners: what is between them is the crowd's.
 void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
     constexpr int still = 1000;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = 0.5;
     l3d_patch_scene scene = crowd(model, camera, still);
     const l3d_camera::frame axes = camera.axes();
@@ -170,7 +171,7 @@ void print_corners(const l3d_patch_model& model, const l3d_camera& camera) {
 /// The cost of finding out that everything moves. A frame whose camera moved, too, does not ask.
 void print_all_moving(const l3d_patch_model& model, const l3d_camera& camera) {
     constexpr int count = 1000;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = 0.5;
     program all(crowd(model, camera, count), camera, settings);
     std::vector<l3d_matrix<double>> first;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture of mode `error`, with every method that has something to show.
+#include "hard_edged.h"
 #include "pipeline/still_studio.h"
 
 #include "compare/method_choice.h"
@@ -16,7 +17,7 @@ constexpr const char* bounded[] = {
     "afd", "fd", "fd:2", "fd:9", "subdivision", "tessellation", "tessellation:3", "micropolygons"};
 
 l3d_afd_settings settings_of(const std::string& method, l3d_shade shade) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     std::string why;
     settings.method = l3d_method_choice::from_name(method, why).value().factory();
     settings.shade = shade;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Micropolygons that are kept: what later frames dice again, and whether quads keep their size.
+#include "hard_edged.h"
 #include "dice/scene.h"
 
 #include "compare/method_kept.h"
@@ -43,7 +44,7 @@ private:
 
     static l3d_afd_settings settings(int quads_a_pixel,
                                      const std::shared_ptr<const l3d_method_kept*>& to) {
-        l3d_afd_settings result;
+        l3d_afd_settings result = hard_edged();
         result.depth = true;
         result.method = {"kept", [=](const l3d_rasterizer_factory& rasterizers, l3d_workers& all) {
                              auto made =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole pictures of every method against the exact one.
+#include "hard_edged.h"
 #include "dice/scene.h"
 
 #include "compare/method_choice.h"
@@ -57,7 +58,7 @@ constexpr expectation expectations[] = {
 };
 
 l3d_afd_settings settings_of(const std::string& method, int threads) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     std::string why;
     settings.method = l3d_method_choice::from_name(method, why).value().factory();
     settings.depth = true;

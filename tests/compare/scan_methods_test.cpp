@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The three scan line methods apart: on plain patches they agree with the exact picture, on folded
 // ones iterations fail, and those are counted.
+#include "hard_edged.h"
 #include "dice/scene.h"
 
 #include "compare/plotters/blinn_plotter.h"
@@ -53,7 +54,7 @@ struct drawn {
 };
 
 drawn draw(const scene& s, const std::string& method, double tolerance = 0.25) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     std::string why;
     settings.method = l3d_method_choice::from_name(method, why).value().factory();
     settings.depth = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Anti-aliased pictures against the exact ones: every pixel within its bound, from all sides.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "shown_models.h"
 #include "words_of.h"
@@ -39,7 +40,7 @@ void expect_within_bounds(const std::string& name, const scene& s,
     world.add(s.model, s.placement);
     for (const double tolerance : tolerances_px)
         for (const bool antialias : {false, true}) {
-            l3d_afd_settings settings;
+            l3d_afd_settings settings = hard_edged();
             settings.tolerance = tolerance;
             settings.antialias = antialias;
             settings.error_map = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Backgrounds: what empty pixels show, what edges mix with, and what transparency means.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "level_difference.h"
 #include "scene/teapot_studio.h"
@@ -41,7 +42,7 @@ l3d_camera camera() {
 }
 
 l3d_afd_settings settings_with(const l3d_background& background, bool antialias) {
-    l3d_afd_settings result;
+    l3d_afd_settings result = hard_edged();
     result.background = background;
     result.antialias = antialias;
     return result;
@@ -317,7 +318,7 @@ TEST(background, is_behind_polygons_of_every_pipeline_and_style) {
     for (const l3d_polygon_style style :
          {l3d_polygon_style::solid, l3d_polygon_style::wireframe, l3d_polygon_style::hidden_lines})
         for (const bool antialias : {false, true}) {
-            l3d_polygon_settings settings;
+            l3d_polygon_settings settings = hard_edged_polygons();
             settings.style = style;
             settings.antialias = antialias;
             expect_behind<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());

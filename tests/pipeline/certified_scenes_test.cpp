@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Thousands of random scenes, made to break things: no pixel is farther off than its bound.
+#include "hard_edged.h"
 #include "../scene/bodies.h"
 #include "certified_picture.h"
 
@@ -107,7 +108,7 @@ certified_sum judged(random_numbers& random, const scene& s) {
     const reference::vec3 light{random.between(-1, 1), random.between(-1, 1),
                                 random.between(0.1, 1)};
     const int ground = static_cast<int>(random.below(4)) * 85;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.antialias = true;
     settings.tolerance = random.of_any_size(0.02, 1);
     settings.light = {light.x, light.y, light.z};

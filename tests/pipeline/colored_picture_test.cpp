@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole frames in colour: the greys of before times the colours of materials, by every pipeline.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "geom/files/model_file.h"
@@ -108,7 +109,7 @@ std::set<std::uint32_t> colors_over(const std::vector<std::uint32_t>& colored,
 
 TEST(colored_picture, of_a_cube_shows_the_colors_of_its_file) {
     for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert}) {
-        l3d_polygon_settings settings;
+        l3d_polygon_settings settings = hard_edged_polygons();
         settings.shade = shade;
         for (const picture_of_polygons draw : {by_zbuffer, by_zsort}) {
             const auto colors =
@@ -131,7 +132,7 @@ TEST(colored_picture, of_a_cube_shows_the_colors_of_its_file) {
 
 TEST(colored_picture, of_a_cube_by_gl_is_that_of_the_depth_buffer) {
     const l3d_rasterizer_factory_mesa mesa;
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     const auto by_gl = [&](bool has_colors) -> std::optional<std::vector<std::uint32_t>> {
         try {
             return polygons<l3d_pipeline_zbuffer>(cube(has_colors), settings, mesa);
@@ -166,7 +167,7 @@ std::vector<std::uint32_t> patches(const l3d_patch_scene& scene, const l3d_afd_s
 TEST(colored_picture, of_patches_shows_a_material_for_each) {
     for (const l3d_shade shade : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
         for (const double tolerance : {0.1, 0.5, 30.0}) {
-            l3d_afd_settings settings;
+            l3d_afd_settings settings = hard_edged();
             settings.shade = shade;
             settings.tolerance = tolerance;
             const auto colors = colors_over(patches(striped(teapot_model()), settings),
@@ -177,7 +178,7 @@ TEST(colored_picture, of_patches_shows_a_material_for_each) {
 
 TEST(colored_picture, of_an_instance_shows_its_own_material) {
     l3d_patch_scene scene(striped(teapot_model()));
-    const l3d_afd_settings settings;
+    const l3d_afd_settings settings = hard_edged();
     const auto of_model = patches(scene, settings);
     scene.paint(0, l3d_material{.color = 0x0000ff});
     EXPECT_EQ(colors_over(patches(scene, settings), patches(teapot_model(), settings)),
@@ -194,7 +195,7 @@ TEST(colored_picture, that_is_white_is_that_of_before) {
     scene.paint(1, l3d_material{.color = 0x123456});
     ASSERT_FALSE(scene.materials().empty());
     for (const bool antialias : {false, true}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.antialias = antialias;
         EXPECT_EQ(patches(scene, settings), patches(teapot_model(), settings)) << antialias;
     }
@@ -204,7 +205,7 @@ TEST(colored_picture, that_is_white_is_that_of_before) {
 TEST(colored_picture, with_smooth_edges_is_the_grey_one_in_a_single_color) {
     l3d_patch_scene scene(teapot_model());
     scene.paint(0, l3d_material{.color = 0x00ff00});
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.antialias = true;
     const auto green = patches(scene, settings), grey = patches(teapot_model(), settings);
     std::size_t off = 0, far_off = 0;
@@ -250,7 +251,7 @@ TEST(colored_picture, that_changes_is_the_same_bits_as_drawn_whole) {
 }
 
 l3d_error_map doubts_of(const l3d_patch_scene& scene) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.error_map = true;
     l3d_camera camera;
     camera.eye = {3.2, 3.6, 7.4};
@@ -281,7 +282,7 @@ TEST(colored_picture, doubts_all_that_two_colors_differ_by_where_they_meet) {
     const l3d_patch_model model(both);
     const l3d_material colors[] = {{.color = 0xff0000}, {.color = 0x0000ff}};
     for (const bool antialias : {false, true}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.error_map = true;
         settings.antialias = antialias;
         l3d_camera camera;

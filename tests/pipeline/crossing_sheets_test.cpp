@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two sheets that cross: the one in front is drawn in front, wherever both bounds of depth leave no
 // doubt which that is.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
 
@@ -121,7 +122,7 @@ void expect_right_ones_in_front(int scenes, std::uint64_t seed) {
     verdict sum;
     for (int i = 0; i < scenes; ++i) {
         const dice_tests::scene s = random_scene(random);
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = random.of_any_size(0.05, 1);
         settings.depth = true;
         const std::int64_t before = sum.wrong;

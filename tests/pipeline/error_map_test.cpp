@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The map of errors against the exact picture through a box filter: no pixel is farther off.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "../sanitized.h"
 #include "../scene/bodies.h"
@@ -45,7 +46,7 @@ l3d_patch_scene world_of(const scene& s) {
 }
 
 doubted drawn(const scene& s, double tolerance, bool antialias = false, int threads = 1) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = tolerance;
     settings.error_map = true;
     settings.antialias = antialias;
@@ -213,7 +214,7 @@ TEST(error_map, tells_the_part_of_a_pixel_that_may_show_another_surface) {
     for (const char* const name : {"full", "top", "inside"}) {
         const scene s = dice_tests::teapot(reference::project_view(name), small);
         const l3d_patch_scene world = world_of(s);
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.depth = true;
         l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world, s.camera, settings);
         pipeline.draw_event();
@@ -262,7 +263,7 @@ TEST(error_map, is_the_same_for_any_number_of_threads) {
 
 TEST(error_map, changes_no_bit_of_the_picture_and_is_null_unasked) {
     const scene s = dice_tests::teapot(reference::project_view("full"), small);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     l3d_pipeline_afd pipeline(l3d_memory_canvas(s.size), world_of(s), s.camera, settings);
     pipeline.draw_event();
     EXPECT_EQ(pipeline.error_map(), nullptr);

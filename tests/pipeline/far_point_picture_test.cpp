@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames of scenes with points at the end of the world: their near plane, picture and bound.
+#include "hard_edged.h"
 #include "drawn_picture.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ picture teapot_beside(const std::vector<reference::patch>& more) {
     std::vector<reference::patch> patches = s.patches;
     patches.insert(patches.end(), more.begin(), more.end());
     const dice_tests::scene both(patches, s.eye, size);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = 0.25;
     settings.outlines = true;
     return drawn(both, both.model, settings);

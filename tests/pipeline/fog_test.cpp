@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fog: each pixel by its own depth, edges by what is seen in them, and what a frame says of it.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "geom/transform.h"
@@ -21,7 +22,7 @@ using namespace still_tests;
 using picture = std::vector<std::uint32_t>;
 
 l3d_afd_settings with_fog(std::optional<std::uint32_t> color = 0x4060a0) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.background = l3d_background::gradient();
     settings.fog = {.near = 6.5F, .far = 10, .color = color};
     return settings;

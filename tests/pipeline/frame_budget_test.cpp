@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The budget of a frame: spikes through the near plane, each of which would take as much as it
 // gets.
+#include "hard_edged.h"
 #include "drawn_picture.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ dice_tests::scene spikes(int count, l3d_size size) {
 }
 
 l3d_afd_settings settings_of(double tolerance) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = tolerance;
     return settings;
 }

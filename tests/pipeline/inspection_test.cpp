@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shades that inspect a surface, pixel by pixel: against closed forms, and against picks.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "scene/bodies.h"
@@ -28,7 +29,7 @@ constexpr l3d_shade shades[] = {l3d_shade::zebra, l3d_shade::isophotes, l3d_shad
                                 l3d_shade::mean, l3d_shade::draft};
 
 l3d_afd_settings settings_for(l3d_shade shade) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.shade = shade;
     settings.inspection.direction = {0.2, 1.0, 0.1};
     return settings;

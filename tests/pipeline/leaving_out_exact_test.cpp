@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Things left out, judged by exact pictures of random bodies and of tiny things.
+#include "hard_edged.h"
 #include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
@@ -185,7 +186,7 @@ TEST(leaving_out, of_random_bodies_backs_loses_nothing_of_the_exact_picture) {
         const auto where = static_cast<eye_place>(i / 4 % 3);
         const scene s = random_scene(random, kind, where);
         const judge by(s);
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = random.of_any_size(0.05, 2);
         settings.depth = true;
         settings.one_sided = random.below(3) == 0;
@@ -258,7 +259,7 @@ TEST(leaving_out,
             SCOPED_TRACE(testing::Message() << i << ", tolerance " << tolerance);
             const seen_count seen = seen_of(s, by.exact, tolerance, false);
             EXPECT_EQ(seen.fronts_lost + seen.backs_lost, 0);
-            l3d_afd_settings settings;
+            l3d_afd_settings settings = hard_edged();
             settings.tolerance = tolerance;
             settings.depth = true;
             const picture less = pipeline_tests::drawn(s, s.model, settings);

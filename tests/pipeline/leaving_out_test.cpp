@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures with and without all that can be left out: the same, or within what the frame reports.
+#include "hard_edged.h"
 #include "../scene/bodies.h"
 #include "drawn_picture.h"
 
@@ -92,7 +93,7 @@ TEST(leaving_out, changes_no_bit_of_a_thousand_scenes_where_it_is_exact_and_else
         l3d_patch_scene world(s.model);
         for (int more = bodies ? 8 : 0; more > 0; --more)
             world.add(s.model, placed_at_random(random));
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = 0.1 + 0.4 * std::abs(unit(random));
         settings.shade = i % 2 == 0 ? l3d_shade::lambert : l3d_shade::gouraud;
         const comparison c(s, world, settings);
@@ -125,7 +126,7 @@ TEST(leaving_out, changes_the_gallery_by_a_level_at_most) {
         const scene s = dice_tests::teapot(view, {320, 240});
         const l3d_patch_scene world(s.model);
         for (const double tolerance : {1.0, 0.25, 0.05}) {
-            l3d_afd_settings settings;
+            l3d_afd_settings settings = hard_edged();
             settings.tolerance = tolerance;
             const comparison lambert(s, world, settings);
             std::printf("%.*s, %.2f px: %ld of %ld polygons by planes, %d pixels differ\n",
@@ -154,7 +155,7 @@ TEST(leaving_out, of_dicing_draws_what_is_far_as_points_within_the_tolerance) {
         world.add(s.model, l3d_translation<double>(p[0], p[1], p[2]));
     }
     for (const double tolerance : {0.25, 0.5, 1.0}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = tolerance;
         const comparison c(s, world, settings);
         const l3d_dice_counts& counts = c.less.report.dice;
@@ -181,7 +182,7 @@ TEST(leaving_out, of_dicing_draws_what_is_far_as_points_within_the_tolerance) {
 TEST(leaving_out, of_backs_on_request_leaves_out_what_turns_away) {
     const scene s(dice_tests::ring(2, 0.7), reference::project_view("full").eye, {320, 240});
     const l3d_patch_scene world(s.model);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     EXPECT_EQ(drawn(s, world, settings).report.dice.back_blocks, 0);
     const picture two_sided = drawn(s, world, settings);
     settings.one_sided = true;

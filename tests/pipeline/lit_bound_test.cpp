@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a frame promises of its lit colours, against Blinn's rule at the exact points of each pixel.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "words_of.h"
 
@@ -33,7 +34,7 @@ l3d_material shining(int sharpness) {
 
 /// The first light is beside the camera, the second one on the other side.
 l3d_afd_settings two_lights() {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.light = {0.4, 0.8, 0.45};
     settings.lighting.color = {0.8F, 0.9F, 0.6F};
     settings.lighting.add(-1, 0.3, 0.6, {0.3F, 0.1F, 0.9F});

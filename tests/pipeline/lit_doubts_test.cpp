@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The map of errors of lit, fogged and transparent pictures against exact ones: no pixel is farther
 // off.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "../scene/bodies.h"
 #include "words_of.h"
@@ -155,7 +156,7 @@ found beside_exact(const std::vector<named_scene>& scenes, int sharpness,
                                              reference::project_light,
                                              {.lamps = lamps_of(lighting, material, shift)});
             for (const bool antialias : {false, true}) {
-                l3d_afd_settings settings;
+                l3d_afd_settings settings = hard_edged();
                 settings.lighting = lighting;
                 settings.antialias = antialias;
                 const drawn picture = draw(each.of, material, settings);
@@ -237,7 +238,7 @@ TEST(lit_doubts, hold_for_fog) {
     const scene s = dice_tests::teapot(reference::project_view("full"), {32, 24});
     const double eye = std::hypot(s.eye.eye.x - s.eye.target.x, s.eye.eye.y - s.eye.target.y,
                                   s.eye.eye.z - s.eye.target.z);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.fog = {.near = static_cast<float>(eye - 1.5),
                     .far = static_cast<float>(eye + 2),
                     .color = 0x90c0ff};
@@ -286,7 +287,7 @@ TEST(lit_doubts, hold_for_transparent_instances) {
     world.add(of_other.model, of_other.placement);
     world.set_opacity(0, first);
     world.set_opacity(1, second);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.error_map = true;
     settings.light = {reference::project_light.x, reference::project_light.y,
                       reference::project_light.z};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole frames with several lights and highlights, by every pipeline, and what is said of them.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "geom/polygon_shapes.h"
@@ -34,7 +35,7 @@ std::uint32_t channel(std::uint32_t word, int shift) {
 
 TEST(lit_picture, shows_highlights_and_the_second_light) {
     l3d_patch_scene scene(teapot_model());
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     tester plain(scene, before_the_teapot(), settings);
     plain.draw_event();
     scene.paint(0, shining);
@@ -61,7 +62,7 @@ TEST(lit_picture, shows_highlights_and_the_second_light) {
 
 TEST(lit_picture, promises_places_depth_and_shades) {
     l3d_patch_scene scene(teapot_model());
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.error_map = true;
     tester plain(scene, before_the_teapot(), settings);
     plain.draw_event();
@@ -119,7 +120,7 @@ void expect_near(const std::vector<std::uint32_t>& a, const std::vector<std::uin
 TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
     for (const l3d_projection projection : {l3d_projection::perspective, l3d_projection::parallel})
         for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert}) {
-            l3d_polygon_settings settings;
+            l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
             settings.projection = projection;
             settings.material = shining;

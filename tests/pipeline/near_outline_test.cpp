@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outlines of surfaces that pass by the eye: smooth and without sparks.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "../scene/bodies.h"
 #include "beside_larger.h"
@@ -20,7 +21,7 @@ int far_off(const std::vector<reference::patch>& patches, const reference::camer
     const auto greys = [&](l3d_size size, bool smooth) {
         dice_tests::scene scene(patches, view, size);
         scene.camera.far = far;
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.threads = 1;
         settings.tolerance = tolerance;
         settings.antialias = smooth;

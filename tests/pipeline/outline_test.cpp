@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pixels that outlines reach, against an exact judge; and that holes are nowhere else.
+#include "hard_edged.h"
 #include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "words_of.h"
@@ -46,7 +47,7 @@ std::unique_ptr<l3d_pipeline_afd> pipeline_of(const scene& s, const l3d_afd_sett
 }
 
 frame drawn(const scene& s, double tolerance, int threads = 1) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = tolerance;
     settings.depth = settings.outlines = true;
     settings.threads = threads;
@@ -264,7 +265,7 @@ TEST(outlines, are_the_same_bits_for_any_number_of_threads) {
 
 TEST(outlines, change_no_bit_of_the_picture_and_are_null_unasked) {
     const scene s = dice_tests::teapot(reference::project_view("full"), {320, 240});
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     const auto without = pipeline_of(s, settings);
     without->draw_event();
     EXPECT_EQ(without->outlines(), nullptr);

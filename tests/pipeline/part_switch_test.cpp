@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts that come and go while a scene is looked at.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "pipeline/part_switch.h"
@@ -82,7 +83,7 @@ TEST(part_switch, says_that_there_are_no_parts) {
 TEST(part_switch, has_keys_in_the_viewer) {
     l3d_pipeline_afd_viewer viewer(l3d_memory_canvas({203, 151}),
                                    l3d_patch_scene(l3d_patch_model::teapot()), before_the_teapot(),
-                                   l3d_afd_settings());
+                                   hard_edged());
     viewer.draw_event();
     const std::int64_t whole = viewer.report().patches;
     viewer.key_event('e');

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole frames: the same bits however they are made, like the slow twins', and nothing allocated.
+#include "hard_edged.h"
 #include "pipeline/pipeline_afd.h"
 
 #include "allocations.h"
@@ -68,7 +69,7 @@ private:
 };
 
 l3d_afd_settings settings_of(double tolerance, int threads) {
-    l3d_afd_settings result;
+    l3d_afd_settings result = hard_edged();
     result.tolerance = tolerance;
     result.threads = threads;
     return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole frames of polygons: zsort against zbuffer against Mesa, in every style and projection.
+#include "hard_edged.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/polygons/pipeline_zsort.h"
 
@@ -93,7 +94,7 @@ l3d_polygon_mesh linked_tori() {
 }
 
 TEST(pipeline_polygons, keep_a_model_that_the_program_forgets) {
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     const l3d_polygon_model model(linked_tori());
     l3d_pipeline_zsort zsort(canvas(), l3d_polygon_model(linked_tori()), camera(), settings);
     l3d_pipeline_zbuffer zbuffer(canvas(), l3d_polygon_model(linked_tori()), camera(), settings,
@@ -158,7 +159,7 @@ TEST(pipeline_polygons, show_normals_of_corners_and_smoothing_groups) {
 }
 
 TEST(pipeline_polygons, are_steered_without_a_subclass) {
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     const l3d_polygon_model model(linked_tori());
     l3d_pipeline_zsort pipeline(canvas(), model, camera(), settings);
     drawn(pipeline);
@@ -176,7 +177,7 @@ TEST(pipeline_polygons, zsort_and_zbuffer_show_the_same) {
         for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel})
             for (const auto shade :
                  {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
-                l3d_polygon_settings settings;
+                l3d_polygon_settings settings = hard_edged_polygons();
                 settings.shade = shade;
                 settings.projection = projection;
                 settings.cull = cull;
@@ -200,7 +201,7 @@ TEST(pipeline_polygons, zsort_and_zbuffer_smooth_the_same_edges) {
         for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel})
             for (const auto shade :
                  {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
-                l3d_polygon_settings settings;
+                l3d_polygon_settings settings = hard_edged_polygons();
                 settings.shade = shade;
                 settings.projection = projection;
                 settings.cull = cull;
@@ -225,7 +226,7 @@ TEST(pipeline_polygons, clipped_at_the_near_plane_both_show_the_same) {
     l3d_camera inside = camera(2.1, 0.1, 0.3);
     inside.target = {1.7, 1.4, -0.2};
     inside.near = 0.05;
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.cull = false;
     const picture a = by_zsort(model, inside, settings);
     EXPECT_EQ(differing(a, by_zbuffer(model, inside, settings), 0), 0);
@@ -234,7 +235,7 @@ TEST(pipeline_polygons, clipped_at_the_near_plane_both_show_the_same) {
 
 TEST(pipeline_polygons, mesa_agrees) {
     const l3d_polygon_model model(linked_tori());
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     const l3d_rasterizer_factory_mesa gl;
     l3d_pipeline_zbuffer pipeline(canvas(), model, camera(), settings, gl, "mesa");
     const picture a = by_zsort(model, camera(), settings), b = drawn(pipeline);
@@ -246,7 +247,7 @@ TEST(pipeline_polygons, mesa_agrees) {
 TEST(pipeline_polygons, closed_bodies_are_shown_without_their_backs) {
     const l3d_polygon_mesh torus = l3d_torus_mesh(24, 16, 1.7, 0.7);
     for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
-        l3d_polygon_settings settings;
+        l3d_polygon_settings settings = hard_edged_polygons();
         settings.projection = projection;
         settings.rotation = {-31, 12, 5};
         l3d_polygon_report report, open_report;
@@ -273,7 +274,7 @@ TEST(pipeline_polygons, closed_bodies_are_shown_without_their_backs) {
 }
 
 std::int64_t backs_left_out(const l3d_polygon_mesh& mesh, const l3d_camera& from,
-                            const l3d_polygon_settings& settings = {}) {
+                            const l3d_polygon_settings& settings = hard_edged_polygons()) {
     l3d_pipeline_zbuffer pipeline(canvas(), l3d_polygon_model(mesh), from, settings, sw);
     pipeline.draw_event();
     return pipeline.report().polygons.back;
@@ -322,7 +323,7 @@ TEST(pipeline_polygons, backs_that_may_be_seen_are_drawn) {
     within = camera(0, -3, 0);
     within.near = 2.5; // it cuts the sphere open
     EXPECT_EQ(backs_left_out(sphere, within), 0);
-    l3d_polygon_settings parallel; // without a near plane
+    l3d_polygon_settings parallel = hard_edged_polygons(); // without a near plane
     parallel.projection = l3d_projection::parallel;
     EXPECT_GT(backs_left_out(sphere, within, parallel), 0);
 }
@@ -331,7 +332,7 @@ TEST(pipeline_polygons, backs_that_may_be_seen_are_drawn) {
 TEST(pipeline_polygons, the_side_that_is_seen_is_lit) {
     const l3d_polygon_mesh sheet =
         l3d_grid_mesh(4, [](double x, double y) { return 0.3 * x * x - 0.2 * x * y * y; });
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.shade = l3d_shade::lambert;
     settings.light = {0.3, -0.4, 1};
     const auto seen = [&](l3d_polygon_mesh mesh, double normal) {
@@ -352,7 +353,7 @@ TEST(pipeline_polygons, the_side_that_is_seen_is_lit) {
 
 void expect_hidden_lines_among_all(bool smooth) {
     const l3d_polygon_model model(l3d_torus_mesh(12, 8, 1.7, 0.7));
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.antialias = smooth;
     settings.style = l3d_polygon_style::wireframe;
     settings.cull = false;
@@ -489,7 +490,7 @@ TEST(pipeline_polygons, euler_angles_turn_in_the_order_that_is_asked_for) {
 
 TEST(pipeline_polygons, threads_do_not_change_the_picture) {
     const l3d_polygon_model model(l3d_torus_mesh(90, 60, 1.7, 0.7));
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.shade = l3d_shade::lambert;
     const picture one = by_zbuffer(model, camera(), settings);
     const picture one_sorted = by_zsort(model, camera(), settings);

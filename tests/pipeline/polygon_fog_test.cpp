@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fog before polygons: each pixel by the exact distance of what a pick meets there.
+#include "hard_edged.h"
 #include "words_of.h"
 
 #include "geom/polygon_shapes.h"
@@ -65,7 +66,7 @@ void expect_each_pixel_faded(const l3d_polygon_settings& settings, const More&..
 TEST(polygon_fog, fades_each_pixel_by_its_exact_distance) {
     for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert, l3d_shade::gouraud})
         for (const std::uint32_t highlight : {0x000000U, 0xffffffU}) {
-            l3d_polygon_settings settings;
+            l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
             settings.background = l3d_background::gradient();
             settings.material = l3d_material{.color = 0xc06020, .highlight = highlight};
@@ -75,7 +76,7 @@ TEST(polygon_fog, fades_each_pixel_by_its_exact_distance) {
 }
 
 TEST(polygon_fog, is_drawn_by_processors_where_gl_has_none) {
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.fog = fog;
     const auto words = [&](const l3d_rasterizer_factory& factory) {
         l3d_camera camera;
@@ -96,7 +97,7 @@ TEST(polygon_fog, changes_no_bit_before_it_begins) {
     l3d_camera camera;
     camera.eye = {3.1, 2.3, 4.2};
     const auto words = [&](const l3d_fog& of) {
-        l3d_polygon_settings settings;
+        l3d_polygon_settings settings = hard_edged_polygons();
         settings.shade = l3d_shade::lambert;
         settings.fog = of;
         l3d_pipeline_zsort pipeline(l3d_memory_canvas(size),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of scenes: nothing that would be seen is left out, and placed models look placed.
+#include "hard_edged.h"
 #include "pipeline/pipeline_afd.h"
 #include "scene/teapot_studio.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -87,7 +88,7 @@ l3d_patch_scene crowd(const l3d_patch_model& model, int count) {
 TEST(scene_picture, is_the_same_with_and_without_what_is_left_out) {
     const l3d_patch_model model = teapot_model();
     const l3d_patch_scene scene = crowd(model, 600);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = 0.1;
     settings.shade = l3d_shade::gouraud; // of which nothing is left out that changes a level
     const picture quick = drawn(scene, settings);
@@ -110,7 +111,7 @@ TEST(scene_picture, is_the_same_with_and_without_what_is_left_out) {
 TEST(scene_picture, has_the_same_bits_from_any_number_of_threads) {
     const l3d_patch_model model = teapot_model();
     const l3d_patch_scene scene = crowd(model, 300);
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     const picture one = drawn(scene, settings);
     for (const int threads : {2, 5}) {
         settings.threads = threads;
@@ -139,7 +140,7 @@ TEST(scene_picture, of_a_placed_model_is_that_of_a_model_made_there) {
         l3d_patch_scene scene;
         scene.add(model, placement);
         for (const l3d_shade shade : {l3d_shade::lambert, l3d_shade::normals}) {
-            l3d_afd_settings settings;
+            l3d_afd_settings settings = hard_edged();
             settings.shade = shade;
             const difference d = between(drawn(made_there, settings), drawn(scene, settings));
             EXPECT_GT(d.filled, 1000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The visible result: grey levels of whole pictures against the exact ones, sparks and holes.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "drawn_picture.h"
 #include "shown_models.h"
@@ -44,7 +45,7 @@ void expect_seen(const shown_model& shown, std::size_t view, l3d_size size, cons
     const reference::exact_image exact(s.patches, s.eye, s.picture());
     const reference::second_judge outlines(s.patches, s.eye, s.picture());
     for (const double tolerance : tolerances) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.tolerance = tolerance;
         settings.depth = true;
         settings.outlines = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Anti-aliased polygons: both pipelines against pictures of 16 x 16 times the pixels.
+#include "hard_edged.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/polygons/pipeline_zsort.h"
 
@@ -79,7 +80,7 @@ TEST(smooth_polygons, show_the_mean_of_what_their_pixels_show) {
     const l3d_polygon_model model(l3d_torus_mesh(24, 24, 1.6, 0.55));
     for (const l3d_shade shade : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
         for (int turn = 0; turn < 4; ++turn) {
-            l3d_polygon_settings settings;
+            l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
             settings.cull = turn % 2 == 0;
             const words samples = drawn<l3d_pipeline_zbuffer>(
@@ -118,7 +119,7 @@ l3d_polygon_mesh needles(int times = 1) {
 TEST(smooth_polygons, show_what_is_thinner_than_a_pixel) {
     const l3d_rasterizer_factory_sw sw;
     const l3d_polygon_model model(needles());
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.cull = false;
     const words samples = drawn<l3d_pipeline_zbuffer>({window.width * fine, window.height * fine},
                                                       model, 0, settings, sw);
@@ -138,7 +139,7 @@ TEST(smooth_polygons, show_what_is_thinner_than_a_pixel) {
 TEST(smooth_polygons, that_coincide_are_as_one) {
     const l3d_rasterizer_factory_sw sw;
     const l3d_polygon_model once(needles()), thrice(needles(3));
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.cull = false;
     settings.antialias = true;
     // One light for each place, whichever faces share a vertex.

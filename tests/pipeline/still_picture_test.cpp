@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that draw only what changed: the same bits as frames drawn whole, and no more work.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "raster/surfaces/surface_rasterizer_scalar.h"
@@ -128,7 +129,7 @@ struct pair_of_teapots {
     l3d_patch_model teapot = teapot_model();
     l3d_patch_scene scene;
     l3d_camera camera;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
 };
 
 std::vector<std::uint32_t> drawn_whole(tester& program, l3d_size size = odd) {

@@ -3,6 +3,7 @@
 #ifndef L3D_TESTS_PIPELINE_STILL_STUDIO_H
 #define L3D_TESTS_PIPELINE_STILL_STUDIO_H
 
+#include "hard_edged.h"
 #include "scene/teapot_studio.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -122,7 +123,7 @@ struct studio {
     std::vector<l3d_patch_model> models;
     l3d_patch_scene scene;
     l3d_camera camera;
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
 };
 
 } // namespace still_tests

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Smooth edges of what is thinner than a pixel, and of light that changes within one.
+#include "hard_edged.h"
 #include "beside_larger.h"
 
 #include "pipeline/pipeline_afd.h"
@@ -16,7 +17,7 @@ struct teapot_view {
     l3d_fog fog = {};
 
     std::vector<int> greys(l3d_size size, bool smooth) const {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.threads = 1;
         settings.antialias = smooth;
         settings.fog = fog;

@@ -2,6 +2,7 @@
 // Patches and faces that tile a plane: anti-aliased pictures show no seam between them. Of tiles
 // that are coloured alike, no pixel differs from their colour. Of tiles of two greys, none shows
 // anything but a mixture of these.
+#include "hard_edged.h"
 #include "../dice/scene.h"
 #include "words_of.h"
 
@@ -132,7 +133,7 @@ int differing_in_tiling_of_patches(int n, bool are_alike) {
             world.add(dice_tests::scene({patches[i]}, eye, size).model.painted(materials[i]),
                       s.placement);
     constexpr std::array shades{l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert};
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.antialias = true;
     settings.background = colors.ground;
     settings.shade = shades[random.below(shades.size())];
@@ -194,7 +195,7 @@ int differing_in_tiling_of_faces(int n, bool are_alike) {
     const greys colors(random, are_alike);
     for (std::size_t i = 0; i < mesh.faces() && !are_alike; ++i)
         mesh.face_colors.push_back(colors.any(random).color);
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.antialias = true;
     settings.cull = false;
     settings.background = colors.ground;

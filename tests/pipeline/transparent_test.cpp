@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Instances that are seen through: pictures against means of the pictures with and without them.
+#include "hard_edged.h"
 #include "still_studio.h"
 
 #include "raster/background.h"
@@ -66,7 +67,7 @@ std::vector<double> mean_light(const l3d_patch_scene& scene, const l3d_afd_setti
 
 TEST(transparent, pictures_are_means_of_those_with_and_without_an_instance) {
     for (const bool antialias : {false, true}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.antialias = antialias;
         settings.background = l3d_background::color(0x203040);
         l3d_patch_scene scene = three_models();
@@ -86,7 +87,7 @@ TEST(transparent, pictures_are_means_of_those_with_and_without_an_instance) {
 }
 
 TEST(transparent, instances_of_opacity_0_and_1_are_not_there_or_opaque) {
-    const l3d_afd_settings settings;
+    const l3d_afd_settings settings = hard_edged();
     l3d_patch_scene scene = three_models();
     scene.set_opacity(1, 0);
     EXPECT_EQ(drawn(scene, settings), drawn(scene.only(std::vector<std::size_t>{0, 2}), settings));
@@ -96,7 +97,7 @@ TEST(transparent, instances_of_opacity_0_and_1_are_not_there_or_opaque) {
 }
 
 TEST(transparent, pictures_without_background_are_transparent_where_instances_are) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.background = l3d_background::none();
     l3d_patch_scene scene(teapot_model());
     const picture opaque = drawn(scene, settings);
@@ -112,7 +113,7 @@ TEST(transparent, pictures_without_background_are_transparent_where_instances_ar
 
 TEST(transparent, changes_and_threads_leave_the_bits_of_a_fresh_picture) {
     for (const bool antialias : {false, true}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.antialias = antialias;
         l3d_patch_scene scene = three_models();
         tester program(scene, before_them(), settings);
@@ -135,7 +136,7 @@ TEST(transparent, changes_and_threads_leave_the_bits_of_a_fresh_picture) {
 }
 
 TEST(transparent, frames_keep_depth_and_have_bounds_of_places_and_colors) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.depth = true;
     l3d_patch_scene scene = three_models();
     scene.paint(2, red);
@@ -155,7 +156,7 @@ TEST(transparent, frames_keep_depth_and_have_bounds_of_places_and_colors) {
 
 /// At last there is nothing at all.
 TEST(transparent, what_has_no_opacity_has_no_depth) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.depth = true;
     l3d_patch_scene scene = three_models();
     const auto distances = [&](const l3d_patch_scene& of) {
@@ -179,7 +180,7 @@ TEST(transparent, what_has_no_opacity_has_no_lines) {
     scene.set_opacity(2, 0);
     const l3d_patch_scene others = scene.only(std::vector<std::size_t>{0, 1});
     for (const bool is_wire : {false, true}) {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.wireframe = is_wire;
         settings.net = !is_wire;
         EXPECT_EQ(drawn(scene, settings), drawn(others, settings)) << is_wire;

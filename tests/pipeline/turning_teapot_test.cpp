@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A teapot that turns slowly: no pixel flickers by more than the bounds of both frames allow.
+#include "hard_edged.h"
 #include "certified_picture.h"
 #include "words_of.h"
 
@@ -45,7 +46,7 @@ dice_tests::scene turned(int number, l3d_size size) {
 }
 
 l3d_afd_settings smooth() {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.antialias = true;
     settings.light = {reference::project_light.x, reference::project_light.y,
                       reference::project_light.z};

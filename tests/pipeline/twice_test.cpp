@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A model that is given twice looks as if it were given once.
+#include "hard_edged.h"
 #include "../scene/bodies.h"
 #include "drawn_picture.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 /// Pixels that differ by more than a level.
 int different_pixels(const dice_tests::scene& scene, double tolerance) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.threads = 1;
     settings.tolerance = tolerance;
     settings.antialias = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wires: a line that neighbours share is one line.
+#include "hard_edged.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/wire_p.h"
 #include "words_of.h"
@@ -49,14 +50,14 @@ constexpr int width = 320, height = 240;
 
 /// Nets seen from behind, where one-sided surfaces are not drawn, so that nothing but lines is.
 l3d_afd_settings as_nets() {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.one_sided = true;
     settings.net = true;
     return settings;
 }
 
 l3d_afd_settings as_steps() {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.wireframe = true;
     return settings;
 }

@@ -3,6 +3,7 @@
 // models of polygons show by themselves.
 #include "pipeline/worlds/pipeline_world.h"
 
+#include "hard_edged.h"
 #include "geom/mesh_cut.h"
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
@@ -213,7 +214,7 @@ TEST(world_depth, shows_what_rays_meet_first) {
 TEST(world_depth, an_object_looks_as_its_model_does) {
     for (const bool smooth : {false, true}) {
         l3d_world world(window);
-        l3d_polygon_settings settings;
+        l3d_polygon_settings settings = hard_edged_polygons();
         settings.shade = l3d_shade::lambert;
         settings.antialias = smooth;
         settings.light = {0.3, 0.5, 0.8};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames in every number type.
+#include "hard_edged.h"
 #include "arithmetics.h"
 
 #include "scene/camera_shading.h"
@@ -24,7 +25,7 @@ using fixed = l3d_fixed<std::int64_t, 32>;
 const l3d_vector<double, 3> light{0.4, 0.8, 0.45};
 
 l3d_afd_settings settings_of(double tolerance) {
-    l3d_afd_settings settings;
+    l3d_afd_settings settings = hard_edged();
     settings.tolerance = tolerance;
     settings.light = light;
     settings.depth = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames of polygons.
+#include "hard_edged.h"
 #include "polygon_ways.h"
 
 #include "compare/method_choice.h"
@@ -38,7 +39,7 @@ public:
     }
 
     frame draw(const library_case& c, const piece_sink&) override {
-        l3d_afd_settings settings;
+        l3d_afd_settings settings = hard_edged();
         settings.depth = true;
         settings.method = l3d_method_choice{l3d_method::tessellation, quads}.factory();
         l3d_pipeline_afd pipeline(l3d_memory_canvas(c.size), c.model, c.camera, settings);
@@ -55,7 +56,7 @@ public:
 
 template <class Pipeline, class... More>
 std::vector<std::uint32_t> drawn(const library_case& c, const More&... more) {
-    l3d_polygon_settings settings;
+    l3d_polygon_settings settings = hard_edged_polygons();
     settings.shade = l3d_shade::lambert;
     settings.cull = false;
     Pipeline pipeline(l3d_memory_canvas(c.size),

@@ -56,7 +56,7 @@ TEST(dispatcher_window, shows_a_caption_in_windows_alone) {
     for (const bool in_window : {true, false}) {
         window_run run(frames(1));
         run.screen.window = in_window;
-        run.dispatcher.set_caption({.what = "A test."}, "test");
+        run.dispatcher.set_caption({.what = "A test."});
         for (const char key : {'h', 'a', 'q'})
             run.screen.pending.push_back(make_key(key));
         run.dispatcher.start();

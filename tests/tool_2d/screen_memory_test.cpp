@@ -5,6 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -35,6 +40,39 @@ TEST(screen_memory, starts_black_and_keeps_what_is_drawn) {
     EXPECT_EQ(screen->pixels().row(4)[36], 0x123456U);
     EXPECT_EQ(screen->info().to_display(0x123456), 0x123456U);
     EXPECT_FALSE(screen->describe().empty());
+}
+
+TEST(screen_memory, draws_right_into_given_words) {
+    std::vector<std::uint32_t> words(std::size_t{5} * 4, 7);
+    l3d_screen_memory screen(l3d_pixels{words.data(), 3, 4, 5});
+    EXPECT_EQ(screen.pixels().row(3).data(), words.data() + 15);
+    screen.pixels().row(1)[2] = 0x123456;
+    screen.show();
+    EXPECT_EQ(words[7], 0x123456U);
+    EXPECT_EQ(std::ranges::count(words, 7U), 19);
+}
+
+TEST(screen_memory, shows_packed_pixels_and_writes_nothing_beside_them) {
+    const l3d_pixel_layout layout{.depth = 16,
+                                  .bits_per_pixel = 16,
+                                  .red_mask = 0xf800,
+                                  .green_mask = 0x07e0,
+                                  .blue_mask = 0x001f,
+                                  .byte_order = std::endian::big};
+    constexpr std::ptrdiff_t pitch = 2 * 9 + 3; // rows need not be aligned
+    std::vector<std::uint8_t> bytes(pitch * 2, 0x55);
+    l3d_screen_memory screen(l3d_packed_pixels{bytes.data(), {9, 2}, pitch, layout});
+    for (int y = 0; y < 2; ++y)
+        std::ranges::fill(screen.pixels().row(y), y == 0 ? 0xff0000U : 0x00ff00U);
+    EXPECT_EQ(bytes[0], 0x55);
+    screen.show();
+    for (std::size_t x = 0; x < 9; ++x) {
+        EXPECT_EQ(bytes[2 * x] << 8 | bytes[2 * x + 1], 0xf800);
+        EXPECT_EQ(bytes[pitch + 2 * x] << 8 | bytes[pitch + 2 * x + 1], 0x07e0);
+    }
+    for (std::size_t i = 18; i < 21; ++i)
+        EXPECT_TRUE(bytes[i] == 0x55 && bytes[pitch + i] == 0x55);
+    EXPECT_NE(screen.describe().find("16 bits per pixel"), std::string::npos);
 }
 
 TEST(screen_memory, nothing_ever_happens) {

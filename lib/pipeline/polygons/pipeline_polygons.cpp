@@ -38,12 +38,12 @@ template <class Enum> constexpr std::size_t after(Enum value, std::size_t count)
 l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model,
                                              const l3d_camera& camera,
                                              const l3d_polygon_settings& settings)
-    : screen_(std::move(canvas.screen)), workers_(settings.threads),
+    : screen_(std::move(canvas.screen)), font_(std::move(canvas.font)), workers_(settings.threads),
       imp_(canvas.rasterizers->create_2d(screen_->pixels())), rasterizer_(*imp_),
       model_(std::move(model)), camera_(camera), settings_(settings), first_settings_(settings),
       frame_(std::make_unique<l3d_polygon_frame>()), wires_(std::make_unique<l3d_polygon_wires>()),
       controls_(
-          *this, *screen_, camera_, own_rows(), [this] { reset_view(); }, viewed()) {
+          *this, *screen_, camera_, own_rows(), [this] { reset_view(); }, viewed(), font_) {
     report_.frame = -1;
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
@@ -71,6 +71,7 @@ void l3d_pipeline_polygons::draw_event() {
     draw_model(report_);
     const stopwatch overlaying;
     draw_overlay();
+    draw_panels();
     rasterizer_.finish();
     report_.time_ms.overlay = overlaying.milliseconds();
     report_.time_ms.total = whole.milliseconds();
@@ -201,11 +202,12 @@ void l3d_pipeline_polygons::tell_empty() {
                                                            : 'f');
 }
 
-void l3d_pipeline_polygons::draw_overlay() {
+void l3d_pipeline_polygons::draw_panels() {
     if (screen_->is_window())
         tell_empty();
     screen_->set_text({});
-    if (!controls_.shows_text())
+    const l3d_standing_panel standing = standing_panel();
+    if (!controls_.shows_text() && standing.panel.empty())
         return;
     std::vector lines{formatted("%lld of %lld polygons drawn by %s",
                                 static_cast<long long>(report_.polygons.drawn),
@@ -216,7 +218,7 @@ void l3d_pipeline_polygons::draw_overlay() {
                                   static_cast<long long>(report_.order.cuts)));
     const auto milliseconds =
         report_.time_ms.place + report_.time_ms.order + report_.time_ms.raster;
-    controls_.draw(rasterizer_, milliseconds, lines);
+    controls_.draw(rasterizer_, milliseconds, lines, {}, standing);
 }
 
 void l3d_pipeline_polygons::frame_event(const l3d_frame_times& times) {

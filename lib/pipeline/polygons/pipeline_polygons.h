@@ -42,7 +42,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     l3d_polygon_style style = l3d_polygon_style::solid;
 
     /// How surfaces get their colours.
-    l3d_shade shade = l3d_shade::flat;
+    l3d_shade shade = l3d_shade::lambert;
 
     /// Whether far things look smaller.
     l3d_projection projection = l3d_projection::perspective;
@@ -67,19 +67,19 @@ struct L3D_PUBLIC l3d_polygon_settings {
     bool cull = false;
 
     /// What is seen where nothing is drawn.
-    l3d_background background{};
+    l3d_background background = l3d_background::gradient();
 
     /// What far surfaces fade into, in perspective. Hidden lines and wireframes have none.
     l3d_fog fog{};
 
     /// Edges are means over pixels, not stairs, and lines are smooth.
-    bool antialias = false;
+    bool antialias = true;
 
     /// The number of covered pixels is reported.
     bool count_pixels = false;
 
     /// The number of drawing threads. It is constant from the first frame on.
-    int threads = 1;
+    int threads = l3d_usual_threads();
 };
 
 /// Draws a model of polygons; a subclass finds which polygon is in front.
@@ -94,6 +94,8 @@ public:
 
     /// Where the pictures are shown.
     l3d_screen& screen() { return *screen_; }
+    /// The canvas's letters, for text in draw_overlay.
+    const l3d_font& font() const { return font_; }
 
     /// The last frame drawn; the hash is counted when asked for.
     l3d_polygon_report report() const;
@@ -158,6 +160,16 @@ protected:
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 
+    /// For draw_overlay: draws points, lines and polygons on the picture.
+    l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
+
+    /// Draws on top of the finished model; timed as `overlay`. The viewer's panels come on top of
+    /// it, but for standing_panel, of which they keep clear.
+    virtual void draw_overlay() {}
+
+    /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
+    virtual l3d_standing_panel standing_panel() { return {}; }
+
     /// The threads that draw.
     l3d_workers& workers() { return workers_; }
 
@@ -172,7 +184,7 @@ private:
     virtual bool draws_parts(bool /*antialias*/) const { return true; }
 
     void draw_model(l3d_polygon_report& report);
-    void draw_overlay();
+    void draw_panels();
     void tell_empty();
     l3d_polygon_view view() const;
     l3d_camera framed(const l3d_camera& camera) const;
@@ -181,6 +193,7 @@ private:
     void reset_view();
 
     std::unique_ptr<l3d_screen> screen_;
+    l3d_font font_;
     l3d_workers workers_;
     std::unique_ptr<l3d_rasterizer_2d_imp> imp_;
     l3d_rasterizer_2d rasterizer_;

@@ -4,7 +4,6 @@
 
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
-#include "raster/rasterizer_factory_sw.h"
 #include "raster/shapes/hidden_lines.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "raster/depth_buffer.h"
+#include "raster/rasterizer_factory_sw.h"
 #include "raster/surface_rasterizer.h"
 
 #include <memory>
@@ -18,11 +19,13 @@ struct l3d_painter_triangle;
 class L3D_PUBLIC l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
     /// A pipeline that draws this model on this canvas. `surfaces` makes the rasterizer that fills,
-    /// and may be of another kind than the canvas has. `method` is its name in reports.
+    /// and may be of another kind than the canvas has; without it, processors fill. `method` is its
+    /// name in reports.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,
-                         const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
+                         const l3d_rasterizer_factory& surfaces = l3d_rasterizer_factory_sw(),
+                         const char* method = "zbuffer");
     ~l3d_pipeline_zbuffer() override;
 
 private:

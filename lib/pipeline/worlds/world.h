@@ -48,8 +48,10 @@ public:
     /// In which order polygons are drawn.
     l3d_draw_order order = l3d_draw_order::by_depth;
     /// How surfaces look that are drawn by depth: style, shade, lights, material, background, fog,
-    /// anti-aliasing and culling count. Lights are given in the left-handed world.
-    l3d_polygon_settings surfaces;
+    /// anti-aliasing and culling count. Lights are given in the left-handed world. At first they
+    /// are as in the book: one grey for each face, hard edges, on black, by one thread.
+    l3d_polygon_settings surfaces{
+        .shade = l3d_shade::flat, .background = {}, .antialias = false, .threads = 1};
     /// Only the camera moves.
     bool frozen = false;
 

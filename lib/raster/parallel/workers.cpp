@@ -8,11 +8,13 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -69,6 +71,11 @@ struct l3d_workers::threads {
     tbb::task_arena arena;
     std::vector<item_range> ranges; ///< one for each worker
 };
+
+int l3d_usual_threads() {
+    constexpr int most = 8;
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);
+}
 
 l3d_workers::l3d_workers(int threads_wanted) : count_(threads_wanted) {
     assert(threads_wanted >= 1);

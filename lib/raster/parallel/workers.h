@@ -10,6 +10,12 @@
 #include <type_traits>
 #include <utility>
 
+/// How many threads draw unless somebody says otherwise: as many as processors, at most 8.
+/// Source:  a picture of 1024x768 is filled in 12 bands, and the teapot is 28 patches to dice. So 8
+///          threads have two bands and four patches each at the most. If one thread takes 1 ms for
+///          a frame, the next 8 could save 0.06 ms. Waking them costs about as much.
+L3D_PUBLIC int l3d_usual_threads();
+
 /// A number of threads that do independent items of work.
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that

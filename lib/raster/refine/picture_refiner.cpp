@@ -220,7 +220,7 @@ void picture_refiner::resolve(const drawn_frame& frame, int band, worker_space& 
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
     const bool by_material =
-        l3d_is_inspection(frame.shading.mode) || frame.shading.is_lit(frame.materials);
+        l3d_sees_patches(frame.shading.mode) || frame.shading.is_lit(frame.materials);
     space.fragments.use_colors(frame.colors, by_material);
     for (const std::uint32_t index : frame.list.items(band)) {
         const band_item& item = frame.list.item(index);

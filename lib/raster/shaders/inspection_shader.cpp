@@ -150,7 +150,7 @@ std::uint32_t inspection_shader::stripe(const sight& of) const {
                             shading_.inspection.stripe);
 }
 
-patch_parameters inspection_shader::solved(const float* guess, double x, double y) const {
+patch_parameters patch_shader::solved(const float* guess, double x, double y) const {
     const auto held = [&](std::size_t i) {
         return double{std::clamp(guess[i], least_[i], most_[i])};
     };

@@ -29,19 +29,18 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// Shows a number, or stripes, of the exact patch in each pixel: only the pixel's place and a
-/// guess of its parameters come from the vertices.
-class inspection_shader {
+/// What shaders that look at exact patches have in common. Only the pixel's place and a guess of
+/// its parameters come from the vertices.
+class patch_shader {
 public:
     /// The parameters u and v.
     static constexpr std::size_t components = 2;
 
-    /// Lives: borrows the shading and what it has of patches.
-    explicit inspection_shader(const l3d_shading& shading)
-        : shading_(shading), patches_(*shading.inspected) {}
-
     /// The patch that polygons are parts of from now on.
-    void use_material(std::uint32_t index) { net_ = &patches_.nets[index]; }
+    void use_material(std::uint32_t index) {
+        index_ = index;
+        net_ = &patches_.nets[index];
+    }
 
     void begin_polygon(std::span<const l3d_micro_vertex> corners) {
         for (std::size_t i = 0; i < components; ++i) {
@@ -56,7 +55,32 @@ public:
         std::copy_n(vertex.normal, components, out);
     }
 
+    /// The pixels since the last call for which no exact place was found.
+    std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
+
+protected:
+    /// Lives: borrows the shading and what it has of patches.
+    explicit patch_shader(const l3d_shading& shading)
+        : shading_(shading), patches_(*shading.inspected) {}
+
     /// Parameters from a plane through a polygon's corners are only a guess, above all in slivers.
+    patch_parameters solved(const float* guess, double x, double y) const;
+
+    const l3d_shading& shading_;
+    const l3d_inspected_patches& patches_;
+    const l3d_bezier_patch<double, 3>* net_ = nullptr;
+    std::uint32_t index_ = 0;
+    std::int64_t unsolved_ = 0;
+
+private:
+    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
+};
+
+/// Shows a number, or stripes, of the exact patch in each pixel.
+class inspection_shader : public patch_shader {
+public:
+    explicit inspection_shader(const l3d_shading& shading) : patch_shader(shading) {}
+
     /// Units: pixels from the picture's top left corner.
     std::uint32_t word_at(const float* guess, double x, double y);
 
@@ -65,21 +89,11 @@ public:
     /// eye misses the patch at the pixel's middle.
     std::uint32_t word_around(const float* guess, double x, double y);
 
-    /// The pixels since the last call for which no exact place was found.
-    std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
-
 private:
     struct sight;
-    patch_parameters solved(const float* guess, double x, double y) const;
     std::uint32_t word_of(patch_parameters place, double x, double y);
     std::optional<sight> look_at(patch_parameters at, double x, double y) const;
     std::uint32_t stripe(const sight& of) const;
-
-    const l3d_shading& shading_;
-    const l3d_inspected_patches& patches_;
-    const l3d_bezier_patch<double, 3>* net_ = nullptr;
-    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
-    std::int64_t unsolved_ = 0;
 };
 
 } // namespace l3d_detail

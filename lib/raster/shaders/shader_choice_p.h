@@ -6,6 +6,7 @@
 #include "raster/shaders/inspection_shader_p.h"
 #include "raster/shaders/levels_shader_p.h"
 #include "raster/shaders/lit_shader_p.h"
+#include "raster/shaders/own_shader_p.h"
 #include "raster/shaders/surface_shader_p.h"
 
 namespace l3d_detail {
@@ -26,6 +27,13 @@ concept has_materials = requires(Shader shader) {
 template <class Shader>
 concept has_places = requires(Shader shader, const float* values) {
     shader.word_at(values, 0.0, 0.0);
+};
+
+/// Whether a shader wants runs of pixels, and gives their words at the end of each.
+template <class Shader>
+concept shades_runs = requires(Shader shader, const float* values, std::uint32_t& word) {
+    shader.note(values, 0.0, 0.0, word);
+    shader.end_run();
 };
 
 /// Whether a shader leaves normals to be shaded later.
@@ -58,6 +66,8 @@ void with_shader(const l3d_shading& shading, std::span<const l3d_material> mater
         return action(lit_shader(shading, materials));
     if (l3d_is_inspection(shading.mode))
         return action(inspection_shader(shading));
+    if (shading.mode == l3d_shade::own)
+        return action(own_shader(shading));
     switch (shading.mode) {
     case l3d_shade::lambert:
         return action(lambert_shader(shading));

@@ -144,10 +144,10 @@ private:
     /// A letter that the file cannot draw is as empty as a space.
     static letter make(const letter_key& key) {
         const auto [source, index, size, phase] = key;
-        const FT_Face face = sized(*source, size);
-        const FT_GlyphSlot slot = face->glyph;
+        const FT_Face of_size = sized(*source, size);
+        const FT_GlyphSlot slot = of_size->glyph;
         // Hinted in height alone: stems keep their widths, and lines their lengths.
-        if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
+        if (FT_Load_Glyph(of_size, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
             return {};
         FT_Outline_Translate(&slot->outline, phase * units / phases, 0);
         if (FT_Render_Glyph(slot, FT_RENDER_MODE_LIGHT) != 0)
@@ -172,12 +172,12 @@ private:
         const l3d_detail::shaped_line& line = shaper_.shape(text);
         for (const l3d_detail::placed_glyph& glyph : line.glyphs) {
             const int em = glyph.source->face()->units_per_EM;
-            const FT_Face face = sized(*glyph.source, em);
-            if (FT_Load_Glyph(face, glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0)
+            const FT_Face drawn = sized(*glyph.source, em);
+            if (FT_Load_Glyph(drawn, glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0)
                 continue;
             glyph_pen pen{
                 to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, size / em / units};
-            FT_Outline_Decompose(&face->glyph->outline, &drawing, &pen);
+            FT_Outline_Decompose(&drawn->glyph->outline, &drawing, &pen);
             pen.close();
         }
         return line.width * scale;

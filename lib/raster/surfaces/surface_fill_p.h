@@ -127,6 +127,8 @@ private:
             put(here.data() + 1, x, row, words[x]);
             ++written;
         }
+        if constexpr (shades_runs<Shader>)
+            shader_.end_run();
         target_.counts.samples += end - begin;
         target_.counts.written += written;
     }
@@ -163,6 +165,9 @@ private:
             const normal_code code = shader_.code(values);
             word = code.z | target_.material;
             target_.normals(row)[x] = code.xy;
+        } else if constexpr (shades_runs<Shader>) {
+            constexpr double half = 0.5;
+            shader_.note(values, x + half, row + half, word);
         } else {
             word = target_.word_of(word_at(values, x, row));
         }

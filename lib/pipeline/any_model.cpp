@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// l3d_load_any_model: one look at the file, and the choice.
+#include "pipeline/any_model.h"
+
+#include "pipeline/polygons/patch_tessellation.h"
+#include "scene/model_loader.h"
+#include "tool_2d/error.h"
+
+l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::string>* notes) {
+    const l3d_model_file read = l3d_load_model(file, file);
+    if (notes)
+        notes->insert(notes->end(), read.notes.begin(), read.notes.end());
+    if (read.patches.empty() || read.mesh.faces() > 0)
+        return l3d_polygon_model(l3d_mesh_of(read, file, l3d_usual_facets));
+    std::string why;
+    const auto patches = l3d_patch_model::from_file(read, file, why);
+    if (!patches)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *patches;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_load_any_model: what a model file holds, and which pipeline draws it.
+#ifndef L3D_PIPELINE_ANY_MODEL_H
+#define L3D_PIPELINE_ANY_MODEL_H
+
+#include "base/public.h"
+#include "pipeline/pipeline_afd_viewer.h"
+#include "pipeline/polygons/pipeline_zbuffer.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "scene/patch_model.h"
+
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+/// What a model file holds: patches, or polygons.
+using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
+
+/// The model of a file in any format of l3d_read_model: its patches if it holds nothing else, or
+/// its polygons. Patches among polygons become quads, as by l3d_polygon_model::load, so that
+/// nothing is missing. What was skipped of the file is added to `notes`. Errors: throws
+/// l3d_error(bad_input) with file, line and reason, also for a file that holds
+///         neither, and for patches that l3d_patch_model::from_patches refuses.
+L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
+                                            std::vector<std::string>* notes = nullptr);
+
+/// The viewer of such a model: exact patches, or polygons through a depth buffer. Its constructor
+/// takes a canvas, the model, a camera and settings, which `{}` leaves as usual.
+///
+///     std::visit([&]<class Model>(const Model& model) {
+///         l3d_pipeline_for<Model> pipeline(l3d_memory_canvas({640, 480}), model,
+///                                          {.eye = {1, 1, 3}}, {});
+///         pipeline.frame_all();
+///         pipeline.draw_event();
+///     }, l3d_load_any_model(file));
+template <class Model>
+using l3d_pipeline_for = std::conditional_t<std::is_same_v<Model, l3d_patch_model>,
+                                            l3d_pipeline_afd_viewer, l3d_pipeline_zbuffer>;
+
+#endif

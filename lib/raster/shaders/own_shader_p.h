@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// own_shader: colours by a function of the program.
+#ifndef L3D_RASTER_SHADERS_OWN_SHADER_P_H
+#define L3D_RASTER_SHADERS_OWN_SHADER_P_H
+
+#include "raster/own_shade.h"
+#include "raster/shaders/inspection_shader_p.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Finds what is seen in each pixel of a run, and has the program colour them with one call.
+class own_shader : public patch_shader {
+public:
+    explicit own_shader(const l3d_shading& shading) : patch_shader(shading) {}
+
+    /// A pixel whose word comes with end_run(). Units: pixels from the picture's top left corner.
+    void note(const float* guess, double x, double y, std::uint32_t& word) {
+        places_.push_back(seen(guess, x, y));
+        targets_.push_back(&word);
+    }
+    void end_run();
+
+    /// The word of a single place.
+    std::uint32_t word_at(const float* guess, double x, double y);
+    std::uint32_t word_around(const float* guess, double x, double y) {
+        return word_at(guess, x, y);
+    }
+
+private:
+    l3d_seen_place seen(const float* guess, double x, double y);
+
+    std::vector<l3d_seen_place> places_;
+    std::vector<std::uint32_t*> targets_;
+    std::vector<std::uint32_t> words_;
+};
+
+} // namespace l3d_detail
+
+#endif
