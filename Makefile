@@ -28,7 +28,7 @@ uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside.
 links_tool_2d := -lpng -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau
-links_raster  := -ltbb -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
+links_raster  := -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
 
 include config.mk
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <exception>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 namespace {
@@ -34,6 +35,13 @@ live_result unknown(std::size_t pixels) {
     return result;
 }
 
+std::vector<live_result> all_unknown(const live_task& task) {
+    std::vector<live_result> results;
+    for (const auto& distances : task.distances)
+        results.push_back(unknown(distances.size()));
+    return results;
+}
+
 } // namespace
 
 bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
@@ -46,8 +54,13 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
     return !settings.one_sided && farthest < camera.far;
 }
 
-live_error::live_error(bool is_modest)
-    : thread_([this, is_modest](const std::stop_token& stop) { run(stop, is_modest); }) {}
+live_error::live_error(bool is_modest) {
+    try {
+        thread_ = std::jthread([this, is_modest](const std::stop_token& s) { run(s, is_modest); });
+    } catch (const std::system_error&) {
+        // begin() knows that nobody will measure.
+    }
+}
 
 bool live_error::is_idle() const {
     const std::lock_guard lock(mutex_);
@@ -57,6 +70,10 @@ bool live_error::is_idle() const {
 void live_error::begin(live_task task) {
     {
         const std::lock_guard lock(mutex_);
+        if (!thread_.joinable()) {
+            results_ = all_unknown(task);
+            return;
+        }
         task_ = std::move(task);
     }
     changed_.notify_all();
@@ -88,7 +105,12 @@ void live_error::run(const std::stop_token& stop, bool is_modest) {
             return;
         const live_task task = *task_;
         lock.unlock();
-        std::vector<live_result> results = results_of(task, stop);
+        std::vector<live_result> results;
+        try {
+            results = results_of(task, stop);
+        } catch (const std::exception&) {
+            // No memory is left for maps of nothing. Whoever asks again may have them then.
+        }
         lock.lock();
         results_ = std::move(results);
         task_.reset();
@@ -102,10 +124,7 @@ std::vector<live_result> live_error::results_of(const live_task& task,
     try {
         return measured(task, stop);
     } catch (const std::exception&) {
-        std::vector<live_result> results;
-        for (const auto& distances : task.distances)
-            results.push_back(unknown(distances.size()));
-        return results;
+        return all_unknown(task);
     }
 }
 

@@ -58,7 +58,8 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
 class live_error {
 public:
     /// A modest one leaves most of a busy processor to others, so frames take as long as without
-    /// it. One that is not has its results soon, for those who wait for them.
+    /// it. One that is not has its results soon, for those who wait for them. Where the system
+    /// makes no thread, or memory runs out, errors stay unknown.
     explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;

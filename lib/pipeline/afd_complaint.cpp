@@ -3,6 +3,7 @@
 #include "pipeline/pipeline_afd.h"
 
 #include "base/formatted_p.h"
+#include "raster/parallel/workers.h"
 
 #include <cmath>
 #include <limits>
@@ -47,8 +48,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return "light: no direction";
     if (settings.most_samples < 0)
         return "most samples: " + std::to_string(settings.most_samples) + " is negative";
-    if (settings.threads < 1)
-        return "threads: " + std::to_string(settings.threads) + " is not positive";
+    if (const std::string why = l3d_threads_complaint(settings.threads); !why.empty())
+        return why;
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
         return "shade: error shows a bound of the error, and " + settings.method.name() +
                " has none";

@@ -43,6 +43,7 @@ public:
     double rest_left() const override;
     void rest_event(double seconds) override;
     bool needs_redraw() const override { return is_old_ || shown_.needs_redraw(); }
+    std::string take_remark() override { return shown_.take_remark(); }
 
 private:
     bool hint_is_shown() const { return hint_seconds_ > 0; }

@@ -83,6 +83,10 @@ public:
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
     virtual bool needs_redraw() const { return true; }
+
+    /// One line, once, on what the user should know, such as fewer threads than were asked for; ""
+    /// if there is nothing. The dispatcher asks after each frame.
+    virtual std::string take_remark() { return {}; }
 };
 
 #endif

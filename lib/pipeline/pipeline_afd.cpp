@@ -53,10 +53,14 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
     report_.frame = -1;
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
-    report_.threads = settings.threads;
+    report_.threads = stages_->workers.count();
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;
+
+std::string l3d_pipeline_afd::take_remark() {
+    return stages_->workers.take_shortage();
+}
 
 void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
     stages_->method = method.create(*rasterizers_, stages_->workers);

@@ -105,7 +105,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The error of each pixel is bounded, for error_map().
     bool error_map = false;
 
-    /// The number of drawing threads. It is constant from the first frame on.
+    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// on.
     int threads = l3d_usual_threads();
 
     /// What fills surfaces. From the first frame on only l3d_pipeline_afd::take_method changes it.
@@ -211,6 +212,7 @@ public:
     bool needs_redraw() const override {
         return stale_ || scene_.is_changed() || settings_.keep.drawing;
     }
+    std::string take_remark() override;
 
 protected:
     /// For draw_overlay: draws points, lines and polygons on the picture. After it was

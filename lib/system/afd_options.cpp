@@ -4,6 +4,7 @@
 
 #include "base/counted_p.h"
 #include "base/printable_p.h"
+#include "raster/parallel/workers.h"
 #include "system/color_text_p.h"
 #include "system/model_names_p.h"
 #include "system/number_text.h"
@@ -185,7 +186,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--threads", threads_,
                 "threads to draw with; without it, as many as processors, at most 8; the picture "
                 "is the same for any",
-                1, 1024);
+                1, l3d_most_threads);
     options.add("--keep-all", keep_all_,
                 "do all work, also what rules leave out; the picture is as good");
     options.add("--report", report_,

@@ -45,7 +45,7 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
             continue;
         }
         l3d_detail::present(pipeline, screen, writer_, stale);
-        l3d_detail::pass_on_remark(screen, settings_.program);
+        l3d_detail::pass_on_remarks(pipeline, screen, settings_.program);
         stale = false;
     }
     if (signals.caught())

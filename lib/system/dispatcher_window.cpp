@@ -156,7 +156,7 @@ void l3d_dispatcher_window::loop::make_frame(steady_clock::time_point now) {
 l3d_exit l3d_dispatcher_window::loop::run() {
     while (!signals_.caught() && !frames_are_made()) {
         handle_events();
-        l3d_detail::pass_on_remark(screen_, settings_.program);
+        l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
         if (pipeline_.done || display_lost_)
             break;
         show_again();
@@ -166,7 +166,7 @@ l3d_exit l3d_dispatcher_window::loop::run() {
         else
             make_frame(now);
     }
-    l3d_detail::pass_on_remark(screen_, settings_.program);
+    l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
     if (stale_ && !settings_.output.empty())
         pipeline_.draw_event();
     writer_.finish(screen_.pixels());

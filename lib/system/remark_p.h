@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-// pass_on_remark: what a screen has to say reaches the user.
+// pass_on_remarks: what a pipeline and its screen have to say reaches the user.
 #ifndef L3D_SYSTEM_REMARK_P_H
 #define L3D_SYSTEM_REMARK_P_H
 
+#include "pipeline/pipeline.h"
 #include "tool_2d/screen.h"
 
 #include <iostream>
+#include <string>
 #include <string_view>
 
 namespace l3d_detail {
 
-/// One line on stderr, "program: remark", if the screen has one.
-inline void pass_on_remark(l3d_screen& screen, std::string_view program) {
-    if (const auto remark = screen.take_remark(); !remark.empty())
-        std::cerr << program << ": " << remark << '\n';
+/// One line on stderr, "program: remark", for each of the two that has a remark.
+inline void pass_on_remarks(l3d_pipeline& pipeline, l3d_screen& screen, std::string_view program) {
+    for (const std::string& remark : {pipeline.take_remark(), screen.take_remark()})
+        if (!remark.empty())
+            std::cerr << program << ": " << remark << '\n';
 }
 
 } // namespace l3d_detail

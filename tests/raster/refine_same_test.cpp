@@ -4,7 +4,6 @@
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <utility>
 
@@ -58,8 +57,6 @@ void draw(surface_picture& picture, const surface_parts& scene, l3d_shade mode, 
 }
 
 TEST(RefineSame, WhateverTheThreadsAndBands) {
-    // Else oneTBB has no more threads than the machine has cores.
-    const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
     for (const l3d_shade mode : modes)
         for (unsigned n = 0; n < 4; ++n) {
             const surface_parts scene = scene_of(n, scene_size, 20);

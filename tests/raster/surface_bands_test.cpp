@@ -5,7 +5,6 @@
 #include "surface_scene.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <limits>
 
@@ -48,8 +47,6 @@ TEST(SurfaceBands, DrawWhatTheSlowTwinDraws) {
 }
 
 TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {
-    // Else oneTBB has no more threads than the machine has cores.
-    const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
     for (const l3d_shade mode :
          {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::normals, l3d_shade::levels})
         for (unsigned n = 0; n < 4; ++n) {

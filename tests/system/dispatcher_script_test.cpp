@@ -112,14 +112,16 @@ TEST(dispatcher_script, done_ends_it_before_the_frame) {
     EXPECT_EQ(count_of(by_loss.log, "draw"), 4);
 }
 
-TEST(dispatcher_script, passes_on_what_the_screen_has_to_say) {
+TEST(dispatcher_script, passes_on_what_screen_and_pipeline_have_to_say) {
     l3d_frame_settings settings = frames(1);
     settings.program = "tester";
     script_run run(settings);
     run.screen.remark = "another way";
+    run.pipeline.remark = "fewer threads";
     testing::internal::CaptureStderr();
     run.dispatcher.start();
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "tester: another way\n");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "tester: fewer threads\ntester: another way\n");
 }
 
 TEST(dispatcher_script, done_in_update_ends_it_after_the_frame) {

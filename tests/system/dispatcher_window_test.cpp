@@ -294,18 +294,19 @@ TEST(dispatcher_window, as_fast_as_the_screen_is_good_for) {
     }
 }
 
-TEST(dispatcher_window, passes_on_what_the_screen_has_to_say) {
+TEST(dispatcher_window, passes_on_what_screen_and_pipeline_have_to_say) {
     l3d_frame_settings settings = frames(2);
     settings.program = "tester";
     window_run run(settings);
     run.screen.remark = "slower from now on";
+    run.pipeline.remark = "fewer threads";
     testing::internal::CaptureStderr();
     run.pipeline.on_update = [&](int update) {
         run.screen.remark = update == 2 ? "still slower" : run.screen.remark;
     };
     run.dispatcher.start();
     EXPECT_EQ(testing::internal::GetCapturedStderr(),
-              "tester: slower from now on\ntester: still slower\n");
+              "tester: fewer threads\ntester: slower from now on\ntester: still slower\n");
 }
 
 TEST(dispatcher_window, fixed_steps) {

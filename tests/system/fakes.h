@@ -107,6 +107,7 @@ public:
     double rest = std::numeric_limits<double>::infinity(); ///< but for the end of so many seconds
     double rested = 0;                                     ///< seconds that it was told of
     bool skips = false;                   ///< its pictures do not depend on each other
+    std::string remark;                   ///< told once
     std::optional<l3d_pixel_box> changes; ///< in every frame; else all
     std::vector<double> steps;
     std::vector<l3d_frame_times> times;
@@ -137,6 +138,7 @@ public:
         return skips;
     }
     bool needs_redraw() const override { return !lazy; }
+    std::string take_remark() override { return std::exchange(remark, {}); }
     bool is_at_rest() const override { return rests; }
     double rest_left() const override { return rest - rested; }
     void rest_event(double seconds) override {

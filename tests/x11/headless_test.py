@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Every program without a display, and with one that is not there."""
 
+import contextlib
 import os
+import resource
+import shutil
+import subprocess
 
 import harness
 from harness import Checks, environment, expect, expect_equal, folder, run
@@ -243,6 +247,65 @@ def models_come_through_pipes():
             expect(pipe == whole, model, pipeline, pipe[0], pipe[2])
 
 
+@contextlib.contextmanager
+def programs_for_everybody():
+    """Copies of both viewers, and a cube of polygons, that every user may read and run."""
+    with folder() as path:
+        os.chmod(path, 0o755)
+        for name in ("teapot_afd", "modelview"):
+            shutil.copy(os.path.join(harness.BIN, name), path)
+        with open(os.path.join(path, "tent.obj"), "w") as tent:
+            tent.write("v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv .5 1 .5\n"
+                       "f 1 5 2\nf 2 5 3\nf 3 5 4\nf 4 5 1\n")
+        arguments = ("--size", "157x119", "--backend", "memory", "--threads", "8", "--output", "-")
+        polygons = [os.path.join(path, "modelview"), os.path.join(path, "tent.obj"), *arguments]
+        yield ([os.path.join(path, "teapot_afd"), *arguments],
+               [*polygons, "--pipeline", "zbuffer"], [*polygons, "--pipeline", "zsort"])
+
+
+def limited(command, limits, user=None):
+    def limit():
+        for which, value in limits:
+            resource.setrlimit(which, (value, value))
+        if user and os.getuid() == 0:
+            os.setgid(user)
+            os.setuid(user)
+
+    result = subprocess.run(command, env=environment(), capture_output=True, preexec_fn=limit,
+                            stdin=subprocess.DEVNULL, timeout=harness.PATIENCE)
+    return result.returncode, result.stdout, result.stderr.decode()
+
+
+def fewer_threads_draw_the_same():
+    """As an ordinary user who may have three: no limit holds the superuser."""
+    nobody_else = 54321
+    with programs_for_everybody() as commands:
+        for command in commands:
+            whole = limited(command, ())
+            expect_equal((whole[0], whole[2]), (0, ""), command)
+            status, out, messages = limited(command, [(resource.RLIMIT_NPROC, 3)], nobody_else)
+            expect_equal(status, 0, messages)
+            expect(out == whole[1], "another picture", command)
+            expect(" 8 were asked for: " in messages and messages.count("\n") == 1, messages)
+
+
+def little_memory_ends_in_a_picture_or_a_line():
+    """Whatever may be had, from the first picture that can be drawn down."""
+    with programs_for_everybody() as commands:
+        for command in commands:
+            whole = limited(command, ())
+            for megabytes in range(34, 80, 3):
+                status, out, messages = limited(command, [(resource.RLIMIT_AS, megabytes << 20),
+                                                          (resource.RLIMIT_CORE, 0)])
+                fewer = " 8 were asked for: " in messages
+                expect(messages.count("\n") <= 1, megabytes, messages)
+                if status == 0:
+                    expect(out == whole[1] and (fewer or messages == ""), megabytes, messages)
+                else:
+                    expect(status == 1 and "not enough memory" in messages, megabytes, status,
+                           messages)
+
+
 if __name__ == "__main__":
     checks = Checks()
     for program in harness.PROGRAMS:
@@ -250,6 +313,7 @@ if __name__ == "__main__":
             checks.run("headless.%s.%s" % (program.name, check.__name__), check, program)
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
                   one_file_is_not_written_twice, a_frame_is_not_overwritten,
-                  what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes):
+                  what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes,
+                  fewer_threads_draw_the_same, little_memory_ends_in_a_picture_or_a_line):
         checks.run("headless." + check.__name__, check)
     checks.finish()

@@ -47,7 +47,7 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
     report_.frame = -1;
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
-    report_.threads = settings.threads;
+    report_.threads = workers_.count();
     report_.faces = static_cast<std::int64_t>(model_.mesh().faces());
     report_.triangles = static_cast<std::int64_t>(model_.triangles().size());
 }

@@ -78,15 +78,16 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The number of covered pixels is reported.
     bool count_pixels = false;
 
-    /// The number of drawing threads. It is constant from the first frame on.
+    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// on.
     int threads = l3d_usual_threads();
 };
 
 /// Draws a model of polygons; a subclass finds which polygon is in front.
 ///
 /// It has the controls that its help overlay lists.
-/// Expects: a valid camera; light not zero; threads >= 1; a shade of normals
-///          (l3d_shades_of_normals), as polygons have neither bounds nor exact derivatives.
+/// Expects: a valid camera; light not zero; a shade of normals (l3d_shades_of_normals), as polygons
+///          have neither bounds nor exact derivatives.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
 class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
@@ -144,6 +145,7 @@ public:
         return true;
     }
     bool needs_redraw() const override { return stale_; }
+    std::string take_remark() override { return workers_.take_shortage(); }
 
 protected:
     /// The inputs of a frame.
@@ -156,7 +158,7 @@ protected:
         bool smooth_lines;                       ///< whether sides are drawn as smooth lines
     };
 
-    /// Errors:  as l3d_rasterizer_factory::create_2d.
+    /// Errors:  as l3d_workers and l3d_rasterizer_factory::create_2d.
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-// l3d_workers: a task arena of oneTBB, and counters that hand out items.
+// l3d_workers: sleeping threads, and counters that hand out items.
 #include "raster/parallel/workers.h"
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
+#include "tool_2d/error.h"
+
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -50,26 +53,112 @@ private:
 
 } // namespace
 
+/// Threads that sleep until there is work. The caller's is worker 0, and the others follow.
+///
+/// They are made by pthread_create, since std::thread has stacks as large as the user's limit says.
 struct l3d_workers::threads {
-    explicit threads(int count) : arena(count), ranges(static_cast<std::size_t>(count)) {}
-
-    /// Calls work(worker) by each thread that comes.
-    template <class Work> void run(int count, const Work& work) {
-        // By default the whole process has no more threads than processors. Of all limits that
-        // exist at a time, TBB obeys the smallest. So this one lives no longer than the work.
-        std::optional<tbb::global_control> more;
-        if (count > tbb::info::default_concurrency())
-            more.emplace(tbb::global_control::max_allowed_parallelism,
-                         static_cast<std::size_t>(count));
-        arena.execute([&] {
-            tbb::parallel_for(
-                0, count, [&](int) { work(tbb::this_task_arena::current_thread_index()); },
-                tbb::simple_partitioner{});
-        });
+    /// Makes so many threads but one, or as many as the system makes.
+    explicit threads(int wanted) : members(static_cast<std::size_t>(wanted)) {
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        pthread_attr_setstacksize(&attributes, stack_bytes);
+        for (; made < wanted; ++made) {
+            member& next = members[static_cast<std::size_t>(made)];
+            next.owner = this;
+            next.worker = made;
+            why_no_more = pthread_create(&next.thread, &attributes, begin, &next);
+            if (why_no_more != 0)
+                break;
+        }
+        pthread_attr_destroy(&attributes);
     }
 
-    tbb::task_arena arena;
-    std::vector<item_range> ranges; ///< one for each worker
+    threads(const threads&) = delete;
+    threads& operator=(const threads&) = delete;
+
+    ~threads() {
+        {
+            const std::lock_guard lock(mutex);
+            is_over = true;
+        }
+        begun.notify_all();
+        for (int worker = 1; worker < made; ++worker)
+            pthread_join(members[static_cast<std::size_t>(worker)].thread, nullptr);
+    }
+
+    /// Calls work(worker) by this thread, and by each other one that comes before it has returned.
+    void run(const std::function<void(int)>& work) {
+        {
+            const std::lock_guard lock(mutex);
+            has_failed = false;
+            present = &work;
+            ++rounds;
+        }
+        begun.notify_all();
+        attempt(work, 0);
+        std::unique_lock lock(mutex);
+        present = nullptr;
+        ended.wait(lock, [this] { return busy == 0; });
+        if (has_failed)
+            std::rethrow_exception(std::exchange(failure, nullptr));
+    }
+
+    /// Eight times what drawing takes (docs/ARCHITECTURE.md), as sanitizers have larger frames.
+    static constexpr std::size_t stack_bytes = std::size_t{1} << 20;
+
+    struct member {
+        threads* owner = nullptr;
+        int worker = 0;
+        pthread_t thread{};
+        item_range range; ///< of items that this worker begins with
+    };
+
+    std::vector<member> members;
+    int made = 1; ///< the threads that there are, the caller's included
+    int why_no_more = 0;
+    std::atomic<bool> has_failed{false}; ///< work has thrown: nothing more is begun
+
+private:
+    static void* begin(void* context) noexcept {
+        const member& self = *static_cast<const member*>(context);
+        self.owner->serve(self.worker);
+        return nullptr;
+    }
+
+    void serve(int worker) {
+        std::uint64_t seen = 0;
+        for (std::unique_lock lock(mutex);;) {
+            begun.wait(lock, [&] { return is_over || (present && rounds != seen); });
+            if (is_over)
+                return;
+            seen = rounds;
+            const std::function<void(int)>& work = *present;
+            ++busy;
+            lock.unlock();
+            attempt(work, worker);
+            lock.lock();
+            if (--busy == 0)
+                ended.notify_one();
+        }
+    }
+
+    void attempt(const std::function<void(int)>& work, int worker) noexcept {
+        try {
+            work(worker);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!has_failed.exchange(true))
+                failure = std::current_exception();
+        }
+    }
+
+    std::mutex mutex; ///< of all below
+    std::condition_variable begun, ended;
+    const std::function<void(int)>* present = nullptr; ///< work that others may join
+    std::uint64_t rounds = 0;                          ///< of work, so that nobody joins one twice
+    int busy = 0;                                      ///< others that work
+    bool is_over = false;
+    std::exception_ptr failure; ///< what work has thrown first
 };
 
 int l3d_usual_threads() {
@@ -77,10 +166,27 @@ int l3d_usual_threads() {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);
 }
 
-l3d_workers::l3d_workers(int threads_wanted) : count_(threads_wanted) {
-    assert(threads_wanted >= 1);
-    if (count_ > 1)
-        threads_ = std::make_unique<threads>(count_);
+std::string l3d_threads_complaint(int threads) {
+    if (threads < 1)
+        return "threads: " + std::to_string(threads) + " is not positive";
+    if (threads > l3d_most_threads)
+        return "threads: " + std::to_string(threads) + " is more than " +
+               std::to_string(l3d_most_threads) +
+               "; each takes memory, and more than there are processors draw no faster";
+    return "";
+}
+
+l3d_workers::l3d_workers(int wanted) {
+    if (const std::string why = l3d_threads_complaint(wanted); !why.empty())
+        throw l3d_error(l3d_exit::failure, why);
+    if (wanted == 1)
+        return;
+    threads_ = std::make_unique<threads>(wanted);
+    count_ = threads_->made;
+    if (count_ < wanted)
+        shortage_ = std::to_string(count_) + (count_ == 1 ? " thread draws, " : " threads draw, ") +
+                    std::to_string(wanted) +
+                    " were asked for: " + std::generic_category().message(threads_->why_no_more);
 }
 
 l3d_workers::~l3d_workers() = default;
@@ -92,8 +198,8 @@ void l3d_workers::run(int items, item_call call, void* context) {
         return;
     }
     std::atomic<int> next{0};
-    threads_->run(count_, [&](int worker) {
-        for (int item = next++; item < items; item = next++)
+    threads_->run([&](int worker) {
+        for (int item = next++; item < items && !threads_->has_failed; item = next++)
             call(context, item, worker);
     });
 }
@@ -103,17 +209,18 @@ void l3d_workers::run(int items, item_call call, void* context) {
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);
-    std::vector<item_range>& ranges = threads_->ranges;
+    std::vector<threads::member>& members = threads_->members;
     for (int i = 0; i < count_; ++i)
-        ranges[static_cast<std::size_t>(i)].set(
+        members[static_cast<std::size_t>(i)].range.set(
             static_cast<int>(std::int64_t{items} * i / count_),
             static_cast<int>(std::int64_t{items} * (i + 1) / count_));
-    threads_->run(count_, [&](int worker) {
+    threads_->run([&](int worker) {
         for (int away = 0; away < count_; ++away) {
             const int owner = (worker + away) % count_;
-            item_range& range = ranges[static_cast<std::size_t>(owner)];
+            item_range& range = members[static_cast<std::size_t>(owner)].range;
             const bool first = (2 * owner < count_) == (away == 0);
-            while (const auto item = range.take(first))
+            for (auto item = range.take(first); item && !threads_->has_failed;
+                 item = range.take(first))
                 call(context, *item, worker);
         }
     });

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -16,14 +17,22 @@
 ///          a frame, the next 8 could save 0.06 ms. Waking them costs about as much.
 L3D_PUBLIC int l3d_usual_threads();
 
+/// The most threads that draw together. No machine has more processors to share, and each thread
+/// takes memory of its own.
+inline constexpr int l3d_most_threads = 1024;
+
+/// Why so many threads cannot draw together, with the number; "" if they can.
+L3D_PUBLIC std::string l3d_threads_complaint(int threads);
+
 /// A number of threads that do independent items of work.
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that
-/// the system does not let run delays only the item that it has begun.
+/// the system does not let run delays only the item that it has begun. Workers sleep between calls.
 class L3D_PUBLIC l3d_workers {
 public:
-    /// So many threads, the caller's included. With 1, the caller does all work, in order.
-    /// Expects: threads >= 1.
+    /// So many threads, the caller's included. With 1, the caller does all work, in order. Where
+    /// the system makes no more threads, there are fewer: count() and take_shortage() tell.
+    /// Errors:  l3d_error with l3d_threads_complaint, if there is one; std::bad_alloc.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
     l3d_workers& operator=(const l3d_workers&) = delete;
@@ -32,10 +41,15 @@ public:
     /// The number of threads, the caller's included.
     int count() const { return count_; }
 
+    /// One line, once: how many threads there are, how many were asked for, and the system's
+    /// reason; "" if there are as many.
+    std::string take_shortage() { return std::exchange(shortage_, {}); }
+
     /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),
     /// and returns when all are done. Lower items are begun first. No two calls at a time have the
     /// same worker.
-    /// Expects: work does not throw. Not called from within work.
+    /// Expects: one call at a time, and none from within work.
+    /// Errors:  the first exception of work. Items that were not begun before it are left out.
     template <std::invocable<int, int> Work> void for_each(int items, Work&& work) {
         run(items, call_of<Work>, context_of(work));
     }
@@ -61,7 +75,8 @@ private:
     void run_beside(int items, item_call call, void* context);
 
     struct threads;
-    int count_;
+    int count_ = 1;
+    std::string shortage_;
     std::unique_ptr<threads> threads_;
 };
 
