@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -87,6 +88,7 @@ struct l3d_workers::threads {
     }
 
     /// Calls work(worker) by this thread, and by each other one that comes before it has returned.
+    /// Cost: allocates nothing if the function holds a reference.
     void run(const std::function<void(int)>& work) {
         {
             const std::lock_guard lock(mutex);
@@ -98,13 +100,18 @@ struct l3d_workers::threads {
         attempt(work, 0);
         std::unique_lock lock(mutex);
         present = nullptr;
+        if (busy > 0) {
+            lock.unlock();
+            watch();
+            lock.lock();
+        }
         ended.wait(lock, [this] { return busy == 0; });
         if (has_failed)
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Eight times what drawing takes (docs/ARCHITECTURE.md), as sanitizers have larger frames.
-    static constexpr std::size_t stack_bytes = std::size_t{1} << 20;
+    /// More than is needed, as sanitizers have larger frames. Only what is touched takes memory.
+    static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {
         threads* owner = nullptr;
@@ -142,6 +149,15 @@ private:
         }
     }
 
+    /// Looks whether the others have done their last items for as long as falling asleep and being
+    /// woken take. On a busy machine, who sleeps waits for everybody's turn.
+    void watch() const {
+        using clock = std::chrono::steady_clock;
+        constexpr auto sleep_and_wake = std::chrono::microseconds(50);
+        for (const auto start = clock::now(); busy > 0 && clock::now() - start < sleep_and_wake;)
+            continue;
+    }
+
     void attempt(const std::function<void(int)>& work, int worker) noexcept {
         try {
             work(worker);
@@ -156,7 +172,7 @@ private:
     std::condition_variable begun, ended;
     const std::function<void(int)>* present = nullptr; ///< work that others may join
     std::uint64_t rounds = 0;                          ///< of work, so that nobody joins one twice
-    int busy = 0;                                      ///< others that work
+    std::atomic<int> busy{0};                          ///< others that work; written under the lock
     bool is_over = false;
     std::exception_ptr failure; ///< what work has thrown first
 };
@@ -198,10 +214,11 @@ void l3d_workers::run(int items, item_call call, void* context) {
         return;
     }
     std::atomic<int> next{0};
-    threads_->run([&](int worker) {
+    const auto take_items = [&](int worker) {
         for (int item = next++; item < items && !threads_->has_failed; item = next++)
             call(context, item, worker);
-    });
+    };
+    threads_->run(std::cref(take_items));
 }
 
 /// Each worker has a range, which it takes from its outer end. When that is empty, it steals from
@@ -214,7 +231,7 @@ void l3d_workers::run_beside(int items, item_call call, void* context) {
         members[static_cast<std::size_t>(i)].range.set(
             static_cast<int>(std::int64_t{items} * i / count_),
             static_cast<int>(std::int64_t{items} * (i + 1) / count_));
-    threads_->run([&](int worker) {
+    const auto take_items = [&](int worker) {
         for (int away = 0; away < count_; ++away) {
             const int owner = (worker + away) % count_;
             item_range& range = members[static_cast<std::size_t>(owner)].range;
@@ -223,5 +240,6 @@ void l3d_workers::run_beside(int items, item_call call, void* context) {
                  item = range.take(first))
                 call(context, *item, worker);
         }
-    });
+    };
+    threads_->run(std::cref(take_items));
 }

@@ -6,6 +6,7 @@
 #include "base/public.h"
 
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -20,6 +21,11 @@ L3D_PUBLIC int l3d_usual_threads();
 /// The most threads that draw together. No machine has more processors to share, and each thread
 /// takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
+
+/// A stack that is large enough for every thread that draws: a host may have threads with small
+/// ones. Nothing that is drawn takes more, however large or fine it is. Sanitizers take several
+/// times as much. Units: bytes.
+inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
 /// Why so many threads cannot draw together, with the number; "" if they can.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);

@@ -54,6 +54,9 @@ constexpr double point_noise = 0x1p-44;
 /// More than the relative rounding of sums of positive numbers here.
 constexpr double relative = 1 + 0x1p-40;
 
+// Functions that are not to be inlined have series of their own, 3 KB each with the longest lanes.
+// A stack holds them while they are needed, and not those of all others beside them.
+
 /// The unit normals of parts: Taylor's coefficients about the middle up to series_order, and bounds
 /// of derivatives over all of the part.
 ///
@@ -91,7 +94,7 @@ public:
     }
 
 private:
-    HWY_ATTR void bound_products(const taylor_net<5>& m, const series& p);
+    HWY_NOINLINE HWY_ATTR void bound_products(const taylor_net<5>& m, const series& p);
 
     vector n_[series_order][series_order];
     series sizes_, most_;
@@ -132,7 +135,8 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
 struct product_in_corner {
     series all, beyond;
 
-    HWY_ATTR product_in_corner(const series& p, const series& p_in_corner, number (&m)[6][6]) {
+    HWY_NOINLINE HWY_ATTR product_in_corner(const series& p, const series& p_in_corner,
+                                            number (&m)[6][6]) {
         series first, low;
         for_powers(series_order - 1, [&](std::size_t k, std::size_t l) HWY_ATTR {
             first[k][l] = k < 6 && l < 6 ? m[k][l] : same(0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 using namespace l3d_detail;
 
@@ -136,12 +137,13 @@ void l3d_surface_bends::set_steps() {
 
 l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
                                      const l3d_normal_net& normals) {
-    const bends_of_blocks bounds(patch, normals);
+    // 160 KB, more than a host's thread may have for its stack.
+    const auto bounds = std::make_unique<const bends_of_blocks>(patch, normals);
     for (std::size_t n = 0; n < bend_numbers; ++n) {
         lanes& of = of_blocks_.*bend_members<lanes>[n];
         float most = 0;
         for (std::size_t i = 0; i < blocks; ++i) {
-            of[i] = rounded_up(bounds.most(n, i));
+            of[i] = rounded_up(bounds->most(n, i));
             most = std::max(most, of[i]);
         }
         // The patch's parameters run a quarter as far over a block: exact, as a power of two.
