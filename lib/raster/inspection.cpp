@@ -28,11 +28,36 @@ std::span<const std::uint32_t> stops_of(l3d_shade shade) {
     return shade == l3d_shade::draft ? std::span(of_draft) : std::span(of_curvature);
 }
 
-/// The part of [0, t] that is bright, in widths of a stripe; the first one is bright.
-double bright_until(double t) {
-    const double pairs = std::floor(t / 2);
-    return pairs + std::min(t - 2 * pairs, 1.0);
-}
+/// Sums over stripes from 0 on, of which the first one is bright. Units: widths of a stripe.
+///
+/// `first` is the part of [0, t] that is bright, `second` is the sum of that. At both ends stripes
+/// go on as in a mirror.
+class stripe_sums {
+public:
+    explicit stripe_sums(double end) : end_(end) {}
+
+    /// Expects: t from -end to twice the end.
+    double second(double t) const {
+        if (t <= end_)
+            return second_within(std::abs(t));
+        const double beyond = t - end_;
+        return 2 * first(end_) * beyond + second_within(end_ - beyond);
+    }
+
+private:
+    static double first(double t) {
+        const double pairs = std::floor(t / 2);
+        return pairs + std::min(t - 2 * pairs, 1.0);
+    }
+
+    /// A pair adds 1/2 where it rises, 1 where it stays, and 2 times what all before it have.
+    static double second_within(double t) {
+        const double pairs = std::floor(t / 2), rest = t - 2 * pairs, rising = std::min(rest, 1.0);
+        return pairs * (pairs + 0.5) + pairs * rest + rising * rising / 2 + (rest - rising);
+    }
+
+    double end_;
+};
 
 } // namespace
 
@@ -52,16 +77,19 @@ std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale)
     return word;
 }
 
-std::uint32_t l3d_stripe_color(double angle, double width, double stripe) {
-    if (std::isnan(angle) || std::isnan(width))
+std::uint32_t l3d_stripe_color(double angle, double across, double down, double stripe) {
+    if (std::isnan(angle) || std::isnan(across) || std::isnan(down))
         return no_number;
-    // No angle is below 0 or above 180 degrees. A narrower part is as good as a point.
-    constexpr double least = 1e-6, most_angle = 180;
-    const double part = std::max(width, least * stripe);
-    const double begin = std::max(angle - part / 2, 0.0) / stripe;
-    const double end = std::min(angle + part / 2, most_angle) / stripe;
-    const double share =
-        end > begin ? (bright_until(end) - bright_until(begin)) / (end - begin) : 0;
+    // No angle is below 0 or above 180 degrees. A change of a 10 000th of a stripe is as good as
+    // none, and leaves enough digits in the differences.
+    constexpr double least = 1e-4, most_angle = 180;
+    const double a = std::clamp(across, least * stripe, most_angle) / stripe;
+    const double d = std::clamp(down, least * stripe, most_angle) / stripe;
+    const double middle = std::clamp(angle, 0.0, most_angle) / stripe;
+    const stripe_sums sums(most_angle / stripe);
+    const double share = (sums.second(middle + (a + d) / 2) - sums.second(middle + (a - d) / 2) -
+                          sums.second(middle - (a - d) / 2) + sums.second(middle - (a + d) / 2)) /
+                         (a * d);
     const linear_light& tables = linear_light_tables();
     const float light = tables.light(dark) + static_cast<float>(std::clamp(share, 0.0, 1.0)) *
                                                  (tables.light(bright) - tables.light(dark));
@@ -77,6 +105,6 @@ std::vector<std::uint32_t> l3d_inspection_colors(l3d_shade shade,
     constexpr int steps = 720; // a quarter of a degree each
     std::vector<std::uint32_t> colors;
     for (int i = 0; i <= steps; ++i)
-        colors.push_back(l3d_stripe_color(180.0 * i / steps, 0, inspection.stripe));
+        colors.push_back(l3d_stripe_color(180.0 * i / steps, 0, 0, inspection.stripe));
     return colors;
 }

@@ -41,11 +41,12 @@ struct L3D_PUBLIC l3d_inspection {
 /// Expects: `gaussian`, `mean` or `draft`; a positive scale; a number that is none gives grey.
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 
-/// The pixel word of stripes, in the mean over a part of them.
-/// Units: all in degrees, which end at 0 and 180: the middle of the part, its width, the width of a
-///        stripe.
-/// Expects: a positive stripe; a width of at least 0.
-L3D_PUBLIC std::uint32_t l3d_stripe_color(double angle, double width, double stripe);
+/// The pixel word of stripes, in the mean over a square in which the angle is linear. Beyond 0 and
+/// 180 degrees it turns back.
+/// Units: all in degrees: the angle in the middle, its changes along both sides of the square, the
+///        width of a stripe.
+/// Expects: a positive stripe; changes of at least 0.
+L3D_PUBLIC std::uint32_t l3d_stripe_color(double angle, double across, double down, double stripe);
 
 /// The colours of a shade's scale, evenly spaced, as l3d_panel::add_scale takes them: from -scale
 /// to scale, or for stripes from 0 to 180 degrees.

@@ -7,6 +7,8 @@
 #include "scene/quadric.h"
 
 #include "geom/transform.h"
+#include "raster/srgb_light.h"
+#include "reference/random_numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -113,12 +115,12 @@ tally compare(tester& program, const quadric* surface, int step) {
                     continue;
                 const double width = std::abs(angle_of(program, next->ray, next->normal) - angle) +
                                      std::abs(angle_of(program, below->ray, below->normal) - angle);
-                if (l3d_stripe_color(angle, 1.5 * width, shown.stripe) !=
-                    l3d_stripe_color(angle, 0, shown.stripe))
+                if (l3d_stripe_color(angle, 1.5 * width, 0, shown.stripe) !=
+                    l3d_stripe_color(angle, 0, 0, shown.stripe))
                     continue; // the pixel is not in one stripe
                 ++result.stripes;
-                result.worst = std::max(result.worst,
-                                        difference(word, l3d_stripe_color(angle, 0, shown.stripe)));
+                result.worst = std::max(
+                    result.worst, difference(word, l3d_stripe_color(angle, 0, 0, shown.stripe)));
                 continue;
             }
             const auto& d = shown.direction;
@@ -280,17 +282,40 @@ TEST(inspection, refuses_what_has_no_meaning) {
     EXPECT_EQ(complaint(settings), "shade: mine has no exact derivatives to inspect");
 }
 
-TEST(stripes, are_means_over_a_part_that_end_at_0_and_180_degrees) {
-    const std::uint32_t bright = l3d_stripe_color(5, 0, 10), dark = l3d_stripe_color(15, 0, 10);
+TEST(stripes, turn_back_at_0_and_180_degrees) {
+    const std::uint32_t bright = l3d_stripe_color(5, 0, 0, 10),
+                        dark = l3d_stripe_color(15, 0, 0, 10);
     EXPECT_EQ(bright, 0xf0f0f0U);
     EXPECT_EQ(dark, 0x1c1c1cU);
-    EXPECT_EQ(l3d_stripe_color(175, 0, 10), dark);
-    EXPECT_EQ(l3d_stripe_color(179, 8, 10), dark);
-    EXPECT_EQ(l3d_stripe_color(1, 8, 10), bright);
-    const std::uint32_t half = l3d_stripe_color(10, 4, 10);
-    EXPECT_EQ(half, l3d_stripe_color(90, 180, 10));
+    EXPECT_EQ(l3d_stripe_color(175, 0, 0, 10), dark);
+    EXPECT_EQ(l3d_stripe_color(179, 8, 5, 10), dark);
+    EXPECT_EQ(l3d_stripe_color(1, 8, 5, 10), bright);
+    const std::uint32_t half = l3d_stripe_color(10, 4, 3, 10);
+    EXPECT_EQ(half, l3d_stripe_color(90, 180, 0, 10));
     EXPECT_GT(half, 0x9f9f9fU); // half of the light is more than half of the level
     EXPECT_LT(half, 0xc0c0c0U);
+}
+
+/// Against counting: 400 x 400 places of the square.
+TEST(stripes, are_means_over_a_square) {
+    constexpr int places = 400;
+    reference::random_numbers random(20261127);
+    for (int n = 0; n < 120; ++n) {
+        const double stripe = random.between(2, 50), angle = random.between(0, 180);
+        const double across = random.between(0, 60), down = n % 5 == 0 ? 0 : random.between(0, 60);
+        int bright = 0;
+        for (int x = 0; x < places; ++x)
+            for (int y = 0; y < places; ++y) {
+                const double at = std::abs(angle + across * ((x + 0.5) / places - 0.5) +
+                                           down * ((y + 0.5) / places - 0.5));
+                bright += std::fmod(std::floor((at > 180 ? 360 - at : at) / stripe), 2) == 0;
+            }
+        const auto light = [](double level) { return l3d_light_of_level(level); };
+        const double exact = l3d_level_of_light(light(0x1c) + bright * (light(0xf0) - light(0x1c)) /
+                                                                  (places * places));
+        EXPECT_NEAR(l3d_stripe_color(angle, across, down, stripe) & 0xff, exact, 5)
+            << angle << ", " << across << " x " << down << ", " << stripe;
+    }
 }
 
 TEST(inspection_colors, begin_and_end_with_those_of_the_ends) {

@@ -130,7 +130,7 @@ std::optional<inspection_shader::sight> inspection_shader::look_at(patch_paramet
     return result;
 }
 
-/// A stripe of `zebra` or `isophotes`, in the mean over the pixel as far as the angle is linear.
+/// A stripe of `zebra` or `isophotes`, in the mean over the pixel, as if the angle were linear.
 std::uint32_t inspection_shader::stripe(const sight& of) const {
     const vector& n = of.bend.normal;
     const bool is_zebra = shading_.mode == l3d_shade::zebra;
@@ -138,15 +138,15 @@ std::uint32_t inspection_shader::stripe(const sight& of) const {
     const vector& towards = is_zebra ? patches_.direction : patches_.light;
     const vector seen = is_zebra ? of.ray - n * (2 * against) : n;
     const double cosine = std::clamp(l3d_dot(seen, towards), -1.0, 1.0);
-    double width = 0;
+    std::array<double, 2> changes{};
     for (std::size_t i = 0; i < 2; ++i) {
         const vector &dn = of.turn[i], &dray = of.ray_change[i];
         const vector change = is_zebra ? dray - n * (2 * (l3d_dot(dray, n) + l3d_dot(of.ray, dn))) -
                                              dn * (2 * against)
                                        : dn;
-        width += std::abs(angle_change(cosine, l3d_dot(change, towards)));
+        changes[i] = std::abs(angle_change(cosine, l3d_dot(change, towards))) * degrees;
     }
-    return l3d_stripe_color(std::acos(cosine) * degrees, width * degrees,
+    return l3d_stripe_color(std::acos(cosine) * degrees, changes[0], changes[1],
                             shading_.inspection.stripe);
 }
 
