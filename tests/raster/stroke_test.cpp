@@ -293,6 +293,35 @@ TEST(stroke, cuts_dashes_by_length_along_lines_and_curves) {
     EXPECT_TRUE(l3d_stroked(line, {.width = 0}).empty());
 }
 
+/// Millions of dashes are far from every picture.
+TEST(stroke, shows_the_dashes_of_lines_that_are_mostly_far_away) {
+    const auto line = [](l3d_point_2d from, l3d_point_2d to) {
+        l3d_path path;
+        path.move_to(from);
+        path.line_to(to);
+        return path;
+    };
+    const l3d_stroke pen{.width = 8, .dashes = {20, 5}}, thirds{.width = 8, .dashes = {2, 5, 1}};
+    for (const l3d_stroke& each : {pen, thirds}) {
+        const l3d_path near = line({-16, 15}, {64, 15}),
+                       far = line({-1e8, 15}, {1e8, 15});
+        l3d_stroke shifted = each;
+        shifted.dash_begin = std::fmod(1e8 - 16, each.dashes.size() == 2 ? 25.0 : 16.0);
+        ASSERT_GT(area(near, shifted), 100);
+        EXPECT_NEAR(area(far, each), area(near, shifted), 0.05);
+    }
+    l3d_path detour; // what is seen comes after as much that is not
+    detour.move_to({-1e8, -1e8});
+    detour.line_to({1e8, -1e8});
+    detour.line_to({1e8, 15});
+    detour.line_to({-1e8, 15});
+    l3d_stroke shifted = pen;
+    shifted.dash_begin = 15; // 4e8 + 15 - 100, but for whole turns of 25
+    EXPECT_NEAR(area(detour, pen), area(line({100, 15}, {-100, 15}), shifted), 0.05);
+    const l3d_path slanted = line({-5e7, -5e7}, {5e7, 5e7});
+    EXPECT_GT(area(slanted, pen), 0.7 * area(line({-9, -9}, {60, 60}), {.width = 8}));
+}
+
 /// What is drawn of dashes on both sides of where an outline is closed is one dash with a corner.
 TEST(stroke, joins_the_first_and_the_last_dash_of_a_closed_outline) {
     l3d_path square; // 70 pixels around

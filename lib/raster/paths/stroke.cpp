@@ -4,6 +4,7 @@
 
 #include "raster/paths/flat_curve_p.h"
 #include "raster/paths/pen_outline_p.h"
+#include "tool_2d/pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -78,12 +79,62 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
     return {from(0, 1, 1), {-back.x, -back.y}};
 }
 
+constexpr std::size_t most_dashes = 1000000;
+
+/// The length of a path's control polygons: no outline is longer.
+struct length_visitor {
+    double length = 0;
+    l3d_point_2d begin{}, at{};
+
+    void move(l3d_point_2d to) { begin = at = to; }
+    void line(l3d_point_2d to) {
+        length += std::hypot(to.x - at.x, to.y - at.y);
+        at = to;
+    }
+    void curve(const l3d_curve_2d& c) {
+        for (const auto& p : c.points)
+            line({p[0] / p[2], p[1] / p[2]});
+    }
+    void close() { line(begin); }
+};
+
+/// Whether a path may have more dashes than are made.
+bool has_too_many_dashes(const l3d_path& path, const l3d_stroke& pen, double sum) {
+    length_visitor visitor;
+    path.visit(visitor);
+    return visitor.length / sum * static_cast<double>(pen.dashes.size()) >
+           static_cast<double>(most_dashes);
+}
+
+/// The part of a chord that may lie in a picture, in lengths from its begin: within `reach` of the
+/// largest one, by its lines x and y. Source: Liang, Barsky 1984.
+struct seen_part {
+    double begin = 0, end;
+
+    seen_part(l3d_point_2d from, l3d_point_2d direction, double whole, double reach) : end(whole) {
+        clip(from.x, direction.x, reach);
+        clip(from.y, direction.y, reach);
+    }
+
+private:
+    void clip(double from, double direction, double reach) {
+        const double low = -reach - from, high = l3d_largest_side + reach - from;
+        if (direction == 0) {
+            if (low > 0 || high < 0)
+                begin = end;
+            return;
+        }
+        begin = std::max(begin, std::min(low / direction, high / direction));
+        end = std::min(end, std::max(low / direction, high / direction));
+    }
+};
+
 /// Cuts outlines into dashes.
 class dasher {
 public:
-    dasher(const l3d_stroke& pen, pen_outline& outline) : pen_(pen), outline_(outline) {
-        sum_ = std::accumulate(pen.dashes.begin(), pen.dashes.end(), 0.0);
-    }
+    /// One that leaves dashes out makes none that no picture shows, but for the outermost.
+    dasher(const l3d_stroke& pen, pen_outline& outline, double sum, bool leaves_out)
+        : pen_(pen), outline_(outline), sum_(sum), leaves_out_(leaves_out) {}
 
     /// The dashes of a chain of points.
     void cut(const std::vector<pen_point>& points, bool closed) {
@@ -104,8 +155,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_dashes = 1000000;
-
     struct dash {
         std::vector<pen_point> points;
         l3d_point_2d along{1, 0}; ///< the direction of the chord that it ends in
@@ -136,7 +185,10 @@ private:
         if (whole > 0)
             dash_.along = {dx / whole, dy / whole};
         const chord_ends ends = whole > left_ ? find_ends() : chord_ends();
+        const bool may_leave_out = leaves_out_ && whole > 0;
         while (whole - done > left_ && dashes_ < most_dashes) {
+            if (may_leave_out && turn_ % 2 == 1)
+                done += left_out(from.at, {dx / whole, dy / whole}, whole, done);
             done += left_;
             const double t = done / whole;
             const l3d_point_2d direction = ends.at(t);
@@ -169,6 +221,15 @@ private:
             turn(dash_.points.back(), ends.last);
     }
 
+    /// In a gap: the length of whole turns of dashes ahead that no picture shows. It ends a turn
+    /// before what is seen, or before the chord's end.
+    double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
+        const seen_part seen(from, direction, whole, 2 * pen_.width);
+        const double twice = 2 * sum_; // an odd number of lengths is run through twice
+        const double until = seen.begin < seen.end && done < seen.end ? seen.begin : whole;
+        return std::max(0.0, std::floor((until - done - left_) / twice) - 1) * twice;
+    }
+
     static void turn(pen_point& point, l3d_point_2d direction) {
         point.arrives = point.leaves = direction;
     }
@@ -197,7 +258,8 @@ private:
 
     const l3d_stroke& pen_;
     pen_outline& outline_;
-    double sum_ = 0, left_ = 0;
+    double sum_, left_ = 0;
+    bool leaves_out_;
     std::size_t turn_ = 0, dashes_ = 0;
     dash dash_, first_;
     bool held_ = false; ///< the dash is the first one of a closed outline
@@ -266,7 +328,8 @@ l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen) {
     if (!path.is_number() || !is_sound(pen))
         return result;
     pen_outline outline(pen, result);
-    dasher dashes(pen, outline);
+    const double sum = std::accumulate(pen.dashes.begin(), pen.dashes.end(), 0.0);
+    dasher dashes(pen, outline, sum, !pen.dashes.empty() && has_too_many_dashes(path, pen, sum));
     const auto add = [&](const std::vector<pen_point>& points, bool closed) {
         if (pen.dashes.empty())
             outline.add(points, closed);

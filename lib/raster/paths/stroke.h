@@ -48,7 +48,8 @@ struct L3D_PUBLIC l3d_stroke {
 /// a square one is turned along the path.
 /// Expects: numbers; width at least 0; lengths of dashes at least 0, with a sum of 1e-3 or more.
 ///          Otherwise the result is empty.
-/// Cost:    linear in chords and dashes; at most 10^6 dashes, the rest is left out.
+/// Cost:    linear in chords and dashes, of which there are at most 10^6. If a path may have more,
+///          those are left out first that no picture of the largest size shows where they are.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
 
 #endif
