@@ -44,11 +44,17 @@ template <class T> struct L3D_PUBLIC line_allocator {
 ///          set of the cache.
 class L3D_PUBLIC l3d_depth_buffer {
 public:
-    /// Expects: width, height >= 0. Cost: allocates only when larger than before.
+    /// Expects: width, height >= 0. Cost: allocates when larger than before, or when much smaller:
+    ///          a window that was large once does not keep its memory.
     void resize(l3d_size size) {
         size_ = size;
         pitch_ = (size.width + 63) / 64 * 64 | 64;
         const auto count = static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(size.height);
+        constexpr std::size_t least_given_back = std::size_t{1} << 18; // a megabyte
+        if (values_.size() > 4 * count + least_given_back) {
+            values_.clear();
+            values_.shrink_to_fit();
+        }
         if (values_.size() < count)
             values_.resize(count);
     }

@@ -2,9 +2,13 @@
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
 #include "allocations.h"
 #include "raster/parallel/simd_target.h"
+#include "sanitized.h"
 #include "surface_scene.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
+
+#include <malloc.h>
 
 #include <limits>
 
@@ -44,6 +48,38 @@ TEST(SurfaceBands, DrawWhatTheSlowTwinDraws) {
             EXPECT_LE(other, scene_size.width * scene_size.height / 1000)
                 << "mode " << int(mode) << ", seed " << scene_seed + n;
         }
+}
+
+std::size_t bytes_in_use() {
+    const struct mallinfo2 all = mallinfo2();
+    return all.uordblks + all.hblkhd;
+}
+
+TEST(SurfaceBands, GiveBackTheMemoryOfALargePicture) {
+    if (sanitized)
+        GTEST_SKIP() << "sanitizers have memory of their own";
+    constexpr l3d_size large{4000, 3000}, small{40, 30};
+    l3d_workers one(1);
+    l3d_surface_rasterizer_sw rasterizer(one);
+    const surface_parts scene = random_scene(scene_seed, small, 5);
+    l3d_shading shading = scene_shading(l3d_shade::lambert);
+    shading.antialias = true;
+    const auto draw = [&](l3d_size size) {
+        l3d_image picture(size, size.width);
+        l3d_depth_buffer depth;
+        depth.resize(size);
+        for (l3d_depth_buffer* const kept : {&depth, static_cast<l3d_depth_buffer*>(nullptr)}) {
+            rasterizer.begin(picture.pixels(), kept, shading);
+            rasterizer.draw(pointers(scene));
+            rasterizer.finish();
+        }
+    };
+    draw(small);
+    const std::size_t before = bytes_in_use();
+    draw(large);
+    EXPECT_GT(bytes_in_use(), before + (std::size_t{10} << 20));
+    draw(small);
+    EXPECT_LT(bytes_in_use(), before + (std::size_t{1} << 20));
 }
 
 TEST(SurfaceBands, PictureDoesNotDependOnThemNorOnThreads) {

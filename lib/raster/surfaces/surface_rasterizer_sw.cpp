@@ -68,10 +68,27 @@ struct l3d_surface_rasterizer_sw::work_space {
 
 l3d_surface_rasterizer_sw::l3d_surface_rasterizer_sw(l3d_workers& workers,
                                                      l3d_band_settings settings)
-    : workers_(workers), settings_(settings), work_(std::make_unique<work_space>()) {
+    : workers_(workers), settings_(settings) {
     assert(settings.rows >= 0 && settings.rows % depth_tile::height == 0);
-    work_->painters.resize(static_cast<std::size_t>(workers.count()));
-    work_->worker_depths.resize(static_cast<std::size_t>(workers.count()));
+    begin_work();
+}
+
+void l3d_surface_rasterizer_sw::begin_work() {
+    work_ = std::make_unique<work_space>();
+    work_->painters.resize(static_cast<std::size_t>(workers_.count()));
+    work_->worker_depths.resize(static_cast<std::size_t>(workers_.count()));
+}
+
+/// Memory that serves pictures of the largest size so far is given back for one of less than a
+/// quarter.
+void l3d_surface_rasterizer_sw::fit_memory(l3d_size size) {
+    const std::int64_t area = l3d_whole(size).area();
+    if (4 * area < largest_area_) {
+        begin_work();
+        finished_ = false;
+        largest_area_ = area;
+    }
+    largest_area_ = std::max(largest_area_, area);
 }
 
 l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
@@ -79,6 +96,7 @@ l3d_surface_rasterizer_sw::~l3d_surface_rasterizer_sw() = default;
 void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* depth,
                                          const l3d_shading& shading, bool untouched) {
     assert(!depth || target.size() == depth->size());
+    fit_memory(target.size());
     untouched_ = untouched && finished_ && target.words == target_.words &&
                  target.size() == target_.size() && target.stride == target_.stride &&
                  shading.background == work_->frame.shading.background;

@@ -55,6 +55,8 @@ private:
 
     struct work_space;
 
+    void begin_work();
+    void fit_memory(l3d_size size);
     void draw_into_own(l3d_size size);
     void start(l3d_depth_buffer* depth, const l3d_shading& shading);
     void make_room_for_normals();
@@ -69,7 +71,8 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    l3d_pixels target_;    ///< what is filled
+    std::int64_t largest_area_ = 0; ///< of a picture that the work space has memory for
+    l3d_pixels target_;             ///< what is filled
     l3d_pixels refined_;   ///< whose edges are refined: the target, or a picture drawn already
     l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
     l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
