@@ -274,6 +274,8 @@ public:
     /// are not finite are left out.
     /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs,
     ///          and so are its neighbours across common borders; a patch into 512 x 512 at most.
+    ///          That keeps the 1/16 pixel for borders like quarters of circles up to a radius of
+    ///          4 10^4 pixels. Beyond, places are off in proportion: 1.3 pixels for 10^6.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Completes the picture: afterwards, everything drawn so far is in the target's pixels. Call

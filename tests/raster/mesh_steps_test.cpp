@@ -36,6 +36,36 @@ TEST(mesh_steps, are_more_where_a_patch_bends_more) {
     EXPECT_LT(dicing.down.of_quarter[3], dicing.down.of_quarter[0]);
 }
 
+/// A Coons patch whose borders are quarters of a circle.
+TEST(mesh_steps, keep_the_bound_up_to_the_stated_radius) {
+    const auto disc = [](double r) {
+        const double k = 0.5523 * r;
+        return l3d_mesh_patch::coons({{{-r, 0},
+                                       {-r, -k},
+                                       {-k, -r},
+                                       {0, -r},
+                                       {k, -r},
+                                       {r, -k},
+                                       {r, 0},
+                                       {r, k},
+                                       {k, r},
+                                       {0, r},
+                                       {-k, r},
+                                       {-r, k}}},
+                                     {});
+    };
+    for (const double radius : {1e2, 1e3, 1e4, 4e4, 1e6}) {
+        const std::array patches{disc(radius)};
+        const auto dicing =
+            l3d_detail::dicings_of(patches, l3d_detail::mesh_colors::bilinear).front();
+        for (const l3d_detail::mesh_steps& steps : {dicing.along, dicing.down}) {
+            const double n = steps.is_quartered() ? 4 * steps.of_quarter[0] : steps.whole;
+            const double off = 2.76 * radius / (8 * n * n);
+            EXPECT_LE(off, radius <= 4e4 ? 1.0 / 16 : 1.4) << radius;
+        }
+    }
+}
+
 TEST(mesh_steps, are_the_same_on_both_sides_of_a_border) {
     const l3d_mesh_patch patch = bent_in_a_corner();
     const auto dicings = [](std::span<const l3d_mesh_patch> patches) {
