@@ -55,7 +55,7 @@ std::string l3d_frame_report::json() const {
     const bool has_outlines = outline_pixels != l3d_surface_counts::none_counted;
     if (has_outlines)
         times["outlines"] = time_ms.outlines;
-    if (std::isfinite(color_bound))
+    if (time_ms.error_map > 0)
         times["error_map"] = time_ms.error_map;
     l3d_detail::json line = l3d_detail::head_json(*this);
     line.update({{"tolerance_px", tolerance_px},

@@ -260,6 +260,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                        ? settings_.own.error + shade_bound_of_fog()
                                        : std::numeric_limits<double>::infinity();
     }
+    // A quad may be without proof for two reasons, and in each band that it reaches.
+    report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
     // Each part had all patches before it. Those that reach into several are counted in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;

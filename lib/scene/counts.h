@@ -97,7 +97,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    std::int64_t unproven_quads = 0; ///< quads of which the bound of shades says nothing
+    /// Quads of which the bound of shades says nothing: at most so many. A frame counts none twice.
+    std::int64_t unproven_quads = 0;
 
     /// Adds the counts of other patches.
     void add(const l3d_dice_counts& other) {

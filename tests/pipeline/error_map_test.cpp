@@ -254,6 +254,51 @@ TEST(error_map, tells_the_part_of_a_pixel_that_may_show_another_surface) {
     }
 }
 
+/// A flat patch that two directions span from a place on.
+reference::patch flat_patch(const reference::vec3& at, const reference::vec3& along_u,
+                            const reference::vec3& along_v) {
+    reference::patch result;
+    for (std::size_t k = 0; k < result.points.size(); ++k) {
+        const double u = static_cast<double>(k % 4) / 3, v = static_cast<double>(k / 4) / 3;
+        result.points[k] = {at.x + u * along_u.x + v * along_v.x,
+                            at.y + u * along_u.y + v * along_v.y,
+                            at.z + u * along_u.z + v * along_v.z};
+    }
+    return result;
+}
+
+TEST(error_map, a_patch_from_its_edge_leaves_no_doubt_of_light) {
+    for (const double slope : {0.0, 0.5}) {
+        const scene s({flat_patch({0, 0, 0}, {1, slope, 0}, {0, 0, 1.5})},
+                      {.eye = {0, 0, 4}, .target = {0, 0, 0}}, small);
+        const doubted f = drawn(s, 0.25);
+        for (int y = 0; y < s.size.height; ++y)
+            for (int x = 0; x < s.size.width; ++x)
+                ASSERT_LT(f.map.at(x, y), 0.001) << x << ", " << y;
+        EXPECT_TRUE(std::isinf(f.report.color_bound)) << "no pixel lies inside a surface";
+        EXPECT_NE(f.report.json().find("\"color_error_bound\":null"), std::string::npos);
+    }
+}
+
+/// The front of a box ends where a side begins, although that side is a line.
+TEST(error_map, a_patch_from_its_edge_ends_the_patch_beside_it) {
+    compare("box",
+            scene({flat_patch({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                   flat_patch({1, 0, 0}, {-0.25, -0.25, -1}, {0, 1, 0}),
+                   flat_patch({0, 1, 0}, {1, 0, 0}, {0, 0.0625, -1})},
+                  {.eye = {0.5, 0.75, 4}, .target = {0.5, 0.75, 0}}, small),
+            {0.25});
+}
+
+TEST(pipeline_report, counts_no_more_quads_without_proof_than_there_are) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), {40, 30});
+    for (const double tolerance : {4.0, 1.0, 0.25}) {
+        const doubted f = drawn(s, tolerance);
+        EXPECT_GT(f.report.dice.unproven_quads, 0);
+        EXPECT_LE(f.report.dice.unproven_quads, f.report.surface.quads);
+    }
+}
+
 TEST(error_map, is_the_same_for_any_number_of_threads) {
     const scene s = dice_tests::teapot(reference::project_view("closeup"), small);
     const doubted one = drawn(s, 0.25);

@@ -97,6 +97,7 @@ struct l3d_doubt_bounds {
 struct l3d_doubt_leaf {
     l3d_doubt_piece piece;
     l3d_doubt_bounds bounds;
+    bool has_no_area = false; ///< it is seen exactly from its edge, and adds no light to any cell
 };
 
 /// Cost: a microsecond.

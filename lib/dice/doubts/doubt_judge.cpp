@@ -200,6 +200,8 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
+        if (pieces_[i]->has_no_area) // others end here, perhaps
+            continue;
         const l3d_light_bounds here = l3d_detail::light_in(*pieces_[i], cell, background);
         if (is_any)
             light.include(here);
@@ -209,15 +211,17 @@ l3d_doubt_verdict l3d_doubt_judge::judge(const l3d_image_box& cell,
     }
     if (is_certain)
         return judge_alone(cell, background);
-    if (farthest == infinite)
+    if (!is_any)
+        light = background;
+    else if (farthest == infinite)
         light.include(background);
-    return {false, light, light.levels_apart()};
+    return {false, false, light, light.levels_apart()};
 }
 
 l3d_doubt_verdict l3d_doubt_judge::judge_alone(const l3d_image_box& cell,
                                                const l3d_light_bounds& background) const {
     if (only_ == nowhere)
-        return {true, background, 0};
+        return {true, false, background, 0};
     l3d_detail::lone_sheet lone(cell, background);
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (root_of(i) == only_)

@@ -210,7 +210,7 @@ l3d_doubt_verdict lone_sheet::of_levels() const {
         return std::array{std::max(light_above_ambient(levels.low, part), mean.low),
                           std::min(light_above_ambient(levels.high, part), mean.high)};
     };
-    return {true, l3d_light_bounds::by_parts(first_->piece.of->color, of_part),
+    return {true, true, l3d_light_bounds::by_parts(first_->piece.of->color, of_part),
             std::min(levels.high - levels.low, below + above)};
 }
 
@@ -240,7 +240,7 @@ l3d_light_bounds lone_sheet::mean_by_lamps(int cuts) const {
 
 l3d_doubt_verdict lone_sheet::of_lamps() const {
     if (best_->bounds.lamps.empty())
-        return {false, l3d_light_bounds::any(), 255};
+        return {false, false, l3d_light_bounds::any(), 255};
     l3d_light_bounds light = mean_by_lamps(1);
     double apart = light.levels_apart();
     for (int cuts = finer_cuts; apart > known_levels && cuts <= most_cuts; cuts *= finer_cuts) {
@@ -251,14 +251,14 @@ l3d_doubt_verdict lone_sheet::of_lamps() const {
         if (!helps)
             break;
     }
-    return {true, light, apart};
+    return {true, true, light, apart};
 }
 
 l3d_doubt_verdict lone_sheet::verdict() const {
     if (first_ == nullptr || !is_known_ || !(ranges_[0].low <= ranges_[0].high))
-        return {false, l3d_light_bounds::any(), 255}; // rounding left nothing of the sheet
+        return {false, false, l3d_light_bounds::any(), 255}; // rounding left nothing of the sheet
     if (!is_one_look_)
-        return {false, light_, light_.levels_apart()};
+        return {false, false, light_, light_.levels_apart()};
     return first_->piece.of->lighting ? of_lamps() : of_levels();
 }
 

@@ -5,6 +5,7 @@
 #include "raster/srgb_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,37 @@ constexpr std::size_t most_leaves = 100'000;
 /// so small without becoming small in the picture.
 constexpr double least_part = 0x1p-24;
 
+/// The area of the light that may be left out in a tile. Where the curve of sRGB is steepest, it
+/// is 12.92 * 255 times as many levels: a third of what is added for rounding.
+constexpr double most_left_out = 1e-8;
+
+/// The area of the narrowest box along the line from one corner to the farthest other point, which
+/// may be `pad` off. The picture lies in it, as it does in its control points' hull.
+double area_along(const l3d_image_patch& net, double pad) {
+    const auto place = [](const l3d_image_point& p) {
+        return std::array<double, 2>{p[0] / p[2], p[1] / p[2]};
+    };
+    const std::array<double, 2> from = place(net.points[0]);
+    double length = 0, x = 0, y = 0;
+    for (const l3d_image_point& p : net.points) {
+        const auto [px, py] = place(p);
+        if (const double far = std::hypot(px - from[0], py - from[1]); far > length) {
+            length = far;
+            x = (px - from[0]) / far;
+            y = (py - from[1]) / far;
+        }
+    }
+    double low = 0, high = 0;
+    for (const l3d_image_point& p : net.points) {
+        const auto [px, py] = place(p);
+        const double aside = (py - from[1]) * x - (px - from[0]) * y;
+        low = std::min(low, aside);
+        high = std::max(high, aside);
+    }
+    return 2 * (length + pad) *
+           (high - low + 2 * pad); // twice: points may lie to both sides of one
+}
+
 } // namespace
 
 void l3d_doubt_tile::begin(const l3d_doubt_view& view, const l3d_pixel_box& tile) {
@@ -44,6 +76,7 @@ void l3d_doubt_tile::begin(const l3d_doubt_view& view, const l3d_pixel_box& tile
            std::ldexp(1.0, -finest_drawing_) > 2 * view.bound_px)
         ++finest_drawing_;
     is_too_much_ = false;
+    areas_left_out_ = 0;
     fineness_ = 0;
     pixels_.assign(static_cast<std::size_t>(tile.area()), {});
     leaves_.clear();
@@ -129,6 +162,22 @@ bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) co
     return l3d_outside(piece.net.points, window.grown(1 + off), near - piece.of->error_w, view.far);
 }
 
+/// Whether a piece is seen from its edge so exactly that its light is none. It adds to what is left
+/// out of the tile.
+bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
+    const l3d_doubt_patch& of = *piece.of;
+    const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
+    if (w.least <= 2 * of.error_w)
+        return false;
+    const double reach = l3d_image_box_of(piece.net.points).reach();
+    const double area = area_along(
+        piece.net, l3d_vertex_error(of.error_xy, of.error_w, reach, w.least) + 0x1p-48 * reach);
+    if (!(areas_left_out_ + area <= most_left_out))
+        return false;
+    areas_left_out_ += area;
+    return true;
+}
+
 /// Halves a piece until its bounds are good enough. Leaves out what reaches no cell.
 void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into) {
     const l3d_dice_view& view = view_->view;
@@ -156,9 +205,10 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
     }
     if (may_be_plain) {
         const l3d_doubt_bounds bounds = l3d_bounds_of(piece, *view_);
-        if (is_smallest || is_plain(bounds)) {
+        const bool has_no_area = bounds.facing == 0 && takes_no_area(piece);
+        if (is_smallest || has_no_area || is_plain(bounds)) {
             is_too_much_ = into.size() >= most_leaves;
-            into.push_back({piece, bounds});
+            into.push_back({piece, bounds, has_no_area});
             return;
         }
     }
@@ -217,8 +267,10 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     c.light = l3d_light_bounds::none();
     c.light.add(v.light, part);
     c.unsure = v.is_certain ? 0 : part;
+    c.covered = v.is_covered ? part : 0;
     pixel.light.add(c.light);
     pixel.unsure += c.unsure;
+    pixel.covered += c.covered;
     const int finest = v.is_certain ? finest_surface : finest_contrast;
     c.of_light = v.spread > std::ldexp(fine_levels, fineness_) && fineness_ < finest;
     if (c.of_light)
@@ -232,6 +284,7 @@ bool l3d_doubt_tile::is_cut(cell& c) {
     if (c.of_light) {
         pixel.light.add(c.light, -1);
         pixel.unsure -= c.unsure;
+        pixel.covered -= c.covered;
     }
     return c.of_light || c.of_drawing;
 }
@@ -260,7 +313,7 @@ std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
 
 void l3d_doubt_tile::give_up() {
     std::fill(pixels_.begin(), pixels_.end(),
-              l3d_doubt_pixel{l3d_light_bounds::any(), 1, 1, false});
+              l3d_doubt_pixel{l3d_light_bounds::any(), 1, 1, 0, false});
 }
 
 std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {
@@ -274,7 +327,7 @@ std::span<const l3d_doubt_pixel> l3d_doubt_tile::finish() {
             break;
         next_leaves_.clear();
         for (std::size_t k = 0; k < leaves_.size(); ++k)
-            if (is_needed_[k] && is_plain(leaves_[k].bounds))
+            if (is_needed_[k] && (leaves_[k].has_no_area || is_plain(leaves_[k].bounds)))
                 next_leaves_.push_back(leaves_[k]);
             else if (is_needed_[k])
                 cut(leaves_[k].piece, next_leaves_);

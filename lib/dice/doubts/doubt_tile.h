@@ -23,6 +23,9 @@ struct l3d_doubt_pixel {
     /// The part that may show another surface when it is drawn.
     double unsure_drawn = 0;
 
+    /// The part that certainly shows one surface in the exact picture.
+    double covered = 0;
+
     /// Its light is worth being known better.
     bool is_open = true;
 };
@@ -54,12 +57,13 @@ private:
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        l3d_light_bounds light{}; ///< its part of what is certain of the pixel
-        double unsure = 0;        ///< likewise
+        l3d_light_bounds light{};       ///< its part of what is certain of the pixel
+        double unsure = 0, covered = 0; ///< likewise
     };
 
     l3d_image_box box_of(const cell& c) const;
     void begin_cells(std::vector<cell>&& cells);
+    bool takes_no_area(const l3d_doubt_piece& piece);
     void cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into);
     bool is_beside_all(const l3d_doubt_piece& piece, double near) const;
     bool is_plain(const l3d_doubt_bounds& b) const;
@@ -79,6 +83,7 @@ private:
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
     bool is_too_much_ = false;
+    double areas_left_out_ = 0; ///< of pieces whose light is not counted
     std::int64_t cuts_ = 0;
     std::vector<cell> cells_;
     std::vector<std::int32_t> grid_; ///< of all cells there could be: the index in cells_, or -1

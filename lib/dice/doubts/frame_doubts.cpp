@@ -177,6 +177,7 @@ std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doub
             result[i].light.add(pixels[i].light, weight);
             result[i].unsure = std::max(result[i].unsure, pixels[i].unsure);
             result[i].unsure_drawn = std::max(result[i].unsure_drawn, pixels[i].unsure_drawn);
+            result[i].covered = std::max(result[i].covered, pixels[i].covered);
         }
     }
     return result;
@@ -195,8 +196,12 @@ void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel
             const double part = is_searched_ ? p.unsure_drawn : 1;
             coverage_.set(x, y, static_cast<float>(part));
             result.coverage = std::max(result.coverage, part);
-            if (p.unsure == 0 && p.unsure_drawn == 0)
-                result.color = std::max(result.color, bound);
+            if (p.unsure > 0 || p.unsure_drawn > 0) {
+                result.has_unsure = true;
+                continue;
+            }
+            result.color = std::max(result.color, bound);
+            result.has_covered = result.has_covered || p.covered > 0;
         }
     }
 }
@@ -239,8 +244,13 @@ void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers
     });
     coverage_bound_ = has_bounds ? 0 : infinite;
     color_bound_ = 0;
+    bool has_unsure = false, has_covered = false;
     for (const tile_result& r : results) {
         coverage_bound_ = std::max(coverage_bound_, r.coverage);
         color_bound_ = std::max(color_bound_, r.color);
+        has_unsure = has_unsure || r.has_unsure;
+        has_covered = has_covered || r.has_covered;
     }
+    if (has_unsure && !has_covered)
+        color_bound_ = infinite;
 }

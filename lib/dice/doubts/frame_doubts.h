@@ -55,7 +55,7 @@ public:
     double coverage_bound() const { return coverage_bound_; }
 
     /// The largest bound of any pixel that lies inside one surface or the background. Units:
-    /// levels.
+    /// levels. Infinite if some lie in neither, and none inside a surface.
     double color_bound() const { return color_bound_; }
 
     /// Pieces of patches that have been cut in two, in all frames so far: what the map costs.
@@ -70,10 +70,11 @@ private:
     /// What is certain of a pixel; the mean of all choices of what is transparent.
     struct pixel {
         l3d_light_bounds light;
-        double unsure = 0, unsure_drawn = 0; ///< the most of any choice
+        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the most of any choice
     };
     struct tile_result {
         double coverage = 0, color = 0;
+        bool has_unsure = false, has_covered = false; ///< pixels
     };
 
     void place(const l3d_doubted_frame& frame);
