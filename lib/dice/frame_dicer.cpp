@@ -178,7 +178,9 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     }
     result.counts = space.counts;
     result.cost = share - budget.left;
-    const double bound = space.counts.bound_px;
+    double bound = space.counts.bound_px;
+    if (view_.focal > 0 && !(space.counts.depth_bound_px <= view_.tolerance + l3d_snapped_planes))
+        bound = std::max(bound, space.counts.depth_bound_px);
     result.is_short = budget.is_short && !(bound <= view_.tolerance);
     if (bound <= view_.tolerance)
         return;

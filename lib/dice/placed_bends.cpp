@@ -221,7 +221,9 @@ void l3d_placed_bends::ask(const l3d_net_piece& piece, const l3d_dice_view& view
     const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
     for (std::size_t i = 0; i < count; ++i)
         if (is_seen(needs, i)) {
-            const double of_block = std::isfinite(of.bends.n_uuu[i]) ? depth_budget : less;
+            const bool has_normals = std::isfinite(of.bends.n_uuu[i]);
+            needs.without_normals |= has_normals ? 0U : 1U << i;
+            const double of_block = has_normals ? depth_budget : less;
             scale[i] = view.focal * w_per_length_ / (needs.least_w[i] * of_block);
         }
     const auto put = [&](const l3d_surface_bends::lanes& from, l3d_block_needs::per_block& to) {
@@ -353,4 +355,24 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         }
     }
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
+}
+
+/// Both parts fall with the square of the steps. Snapping does not, and may exceed the budget.
+bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
+                        const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
+    if (needs.without_normals == 0)
+        return false;
+    const double off = l3d_most_off_plane(part, needs.without_normals, view) +
+                       depth_budget * l3d_bend_error_of(only(needs, needs.without_normals), plan);
+    if (off <= depth_budget + l3d_snapped_planes)
+        return false;
+    constexpr double most = 2; // what is measured may be far from what smaller quads have
+    const double more = std::min(std::sqrt(off / depth_budget), most);
+    for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
+        if ((needs.without_normals >> i & 1) != 0) {
+            const auto strips = static_cast<std::size_t>(plan.strips);
+            needs.least_u[i] = std::max(needs.least_u[i], more * plan.nu[i % strips]);
+            needs.least_v[i] = std::max(needs.least_v[i], more * plan.nv[i / strips]);
+        }
+    return true;
 }

@@ -61,6 +61,9 @@ private:
     double w_per_length_ = 0, focal_ = 0;
 };
 
+/// What snapped corners of planes may be off them by, beyond the tolerance. Units: pixels.
+inline constexpr double l3d_snapped_planes = 0.001;
+
 /// What depth is off by more than vertices are, at most, because corners of quads in some blocks of
 /// a grid are not on the plane that stands for each.
 ///
@@ -69,5 +72,10 @@ private:
 /// is left out. Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their
 /// depth. Expects: view.focal > 0.
 double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
+
+/// Asks for more steps in blocks without normals whose quads, now that they are there, are farther
+/// off a plane than the budget of depth leaves. Returns whether it does.
+bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
+                        const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs);
 
 #endif

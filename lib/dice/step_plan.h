@@ -50,7 +50,8 @@ struct l3d_block_needs {
             uuuv[i] = uvvv[i] = 0;
         }
     };
-    bool keeps_bends = false; ///< whether these count
+    bool keeps_bends = false;     ///< whether these count
+    unsigned without_normals = 0; ///< bits of visible blocks that may have places without a normal
     normal_bends bends;
 
     /// Steps below which quads are too large to be filled fast. Not certified: a perspective

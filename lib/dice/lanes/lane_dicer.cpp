@@ -130,6 +130,7 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
     depth_error_ = vertex_error_ + of_depth;
     row_depth_error_ = row_error_ + of_depth;
     const double budget = view.chord_budget(vertex_error_);
+    bounds_.needs.without_normals = 0;
     if (bends)
         bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
     plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
@@ -147,30 +148,46 @@ l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& 
     return result;
 }
 
-template <class T>
-void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
-                             const l3d_dice_view& view, l3d_diced_piece& out) {
+/// Places and depths of the grid that is planned.
+template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_surface_part& part) {
     // Parameters of columns and rows, and the size of the grid.
-    l3d_surface_part& part = out.part;
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);
     v_.fill(plan_.strips, plan_.nv, plan_.balanced);
     part.block_columns = starts_of(plan_, plan_.nu);
     part.block_rows = starts_of(plan_, plan_.nv);
     part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
 
-    // Places and depths.
     const l3d_detail::centred_net& net = bounds_.net;
-    const l3d_detail::lane_walk walk{.net = net,
-                                     .u = u_,
-                                     .strips = plan_.strips,
-                                     .balanced = plan_.balanced,
-                                     .rows = plan_.nv,
-                                     .origin_x = view.centre_x() + net.x * l3d_subpixel_one,
-                                     .origin_y = view.centre_y() + net.y * l3d_subpixel_one,
-                                     .register_xy = register_xy_,
-                                     .register_w = register_w_,
-                                     .depth_scale = static_cast<float>(view.depth_scale)};
-    l3d_detail::walk_in_lanes(walk, register_, part.grid);
+    const l3d_detail::lane_walk how{.net = net,
+                                    .u = u_,
+                                    .strips = plan_.strips,
+                                    .balanced = plan_.balanced,
+                                    .rows = plan_.nv,
+                                    .origin_x = view.centre_x() + net.x * l3d_subpixel_one,
+                                    .origin_y = view.centre_y() + net.y * l3d_subpixel_one,
+                                    .register_xy = register_xy_,
+                                    .register_w = register_w_,
+                                    .depth_scale = static_cast<float>(view.depth_scale)};
+    l3d_detail::walk_in_lanes(how, register_, part.grid);
+}
+
+template <class T>
+void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
+                             const l3d_dice_view& view, l3d_diced_piece& out) {
+    l3d_surface_part& part = out.part;
+    walk(view, part);
+    constexpr int most_more = 2; // each may double the steps
+    const double depth_budget = view.chord_budget(depth_error_);
+    for (int more = 0;
+         more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs);
+         ++more) {
+        const l3d_step_plan finer =
+            l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_quad_kind::whole);
+        if (std::max(finer.most_u(), finer.most_v()) > l3d_most_steps_whole)
+            break;
+        plan_ = finer;
+        walk(view, part);
+    }
 
     // Levels or normals, at the parameters of the whole patch.
     u_.place(piece.u0, piece.u1);

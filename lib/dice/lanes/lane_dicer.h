@@ -61,6 +61,7 @@ public:
     double row_error() const { return row_error_; }
 
 private:
+    void walk(const l3d_dice_view& view, l3d_surface_part& part);
     bool choose_registers(const l3d_dice_view& view);
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
