@@ -133,6 +133,38 @@ TYPED_TEST(surface_bound_of, depth_is_kept_down_to_a_hundredth) {
         }
 }
 
+/// Small pictures of crumpled patches, two of whose corners have no normal: their few quads are far
+/// off a plane. What is not kept is told.
+TYPED_TEST(surface_bound_of, depth_is_kept_or_reported_where_normals_vanish) {
+    constexpr double tolerance = 0.25, snapped = 0.001;
+    random_numbers random(11);
+    int over = 0;
+    constexpr int patches = 60;
+    for (int n = 0; n < patches; ++n) {
+        reference::patch p;
+        for (std::size_t k = 0; k < p.points.size(); ++k)
+            p.points[k] = {static_cast<double>(k % 4) + random.between(-0.5, 0.5),
+                           static_cast<double>(k / 4) + random.between(-0.5, 0.5),
+                           random.between(-1.5, 1.5)};
+        p.points[1] = p.points[0];
+        p.points[14] = p.points[11] = p.points[15];
+        const scene s({p},
+                      {.eye = {random.between(-20, 20), random.between(-20, 20), 20},
+                       .target = {1.5, 1.5, 0},
+                       .fov_degrees = 42},
+                      {160, 120});
+        const l3d_dice_counts counts =
+            scene_dicer<TypeParam>().dice(s, tolerance, [](std::size_t, diced, double) {});
+        const bool is_over = !(counts.depth_bound_px <= tolerance + snapped);
+        over += is_over;
+        EXPECT_EQ(counts.coarse, is_over ? 1 : 0) << n << ": " << counts.depth_bound_px;
+    }
+    std::printf("%d of %d patches over the tolerance\n", over, patches);
+    if (way_of<TypeParam>::way == l3d_dice_way::lanes) {
+        EXPECT_LE(over, patches / 20);
+    }
+}
+
 TYPED_TEST(surface_bound_of, models_of_data_hold) {
     for (const char* const name : {"dome", "bump3", "far11", "spike20"}) {
         const std::string path = std::string("tests/data/") + name + ".bpt";

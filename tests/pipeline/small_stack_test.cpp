@@ -144,7 +144,7 @@ TEST(small_stack, draws_polygons) {
             l3d_polygon_settings settings;
             settings.style = style;
             settings.antialias = antialias;
-            settings.shade = antialias ? l3d_shade::phong : l3d_shade::flat;
+            settings.shade = antialias ? l3d_shade::lambert : l3d_shade::flat;
             const std::string which =
                 std::to_string(static_cast<int>(style)) + (antialias ? ", smooth" : "");
             expect_small("zbuffer, style " + which, [&] {
