@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <tuple>
 
 namespace {
@@ -192,7 +193,9 @@ void l3d_outline_search::split(const piece& p) {
             along_v += l3d_length(p.patch.at(i + 1, line) - p.patch.at(i, line));
         }
     const bool in_u = along_u >= along_v;
-    piece low, high;
+    // On the heap: as many lie below each other as there are halvings.
+    const auto halves = std::make_unique<std::array<piece, 2>>();
+    auto& [low, high] = *halves;
     std::tie(low.patch, high.patch) = in_u ? p.patch.split_u() : p.patch.split_v();
     std::tie(low.net, high.net) = in_u ? p.net.split_u() : p.net.split_v();
     const std::size_t step = in_u ? 1 : order, across = in_u ? order : 1;
