@@ -40,6 +40,11 @@ l3d_camera l3d_pipeline_afd::framed_unless_well(const l3d_camera& usual) const {
     return l3d_framed_unless_well(usual, screen_->pixels().size(), l3d_reach_of(scene_));
 }
 
+l3d_frame_lights l3d_pipeline_afd::lights() const {
+    return settings_.headlight ? l3d_headlight(camera_, settings_.lighting)
+                               : l3d_frame_lights{settings_.light, settings_.lighting};
+}
+
 std::optional<l3d_pick> l3d_pipeline_afd::pick(double x, double y) const {
     return l3d_pick_at(scene_, {camera_, screen_->pixels().size(), settings_.one_sided}, x, y);
 }

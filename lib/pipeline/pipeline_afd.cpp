@@ -140,8 +140,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;
+    const l3d_frame_lights of_frame = lights();
     l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,
-                                             settings_.light, settings_.lighting);
+                                             of_frame.light, of_frame.lighting);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.place_error = static_cast<float>(settings_.tolerance);
@@ -308,14 +309,15 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     if (!stages_->doubts)
         stages_->doubts = std::make_unique<l3d_frame_doubts>();
     l3d_frame_doubts& doubts = *stages_->doubts;
+    const l3d_frame_lights of_frame = lights();
     doubts.find({.scene = scene_,
                  .to_image = stages_->transform.matrix(),
                  .view = stages_->view,
-                 .light = settings_.light,
+                 .light = of_frame.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
                  .has_levels = has_levels,
-                 .lighting = settings_.lighting,
+                 .lighting = of_frame.lighting,
                  .fog = settings_.fog,
                  .drawn = screen_->pixels(),
                  .background = settings_.background},

@@ -63,6 +63,9 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// doubt bounds each pixel more closely.
     l3d_lighting lighting{};
 
+    /// One light goes with the eye, in place of those: l3d_headlight. So no side is in the dark.
+    bool headlight = false;
+
     /// Edges are means over pixels, not stairs; see l3d_shading.
     bool antialias = false;
 
@@ -240,6 +243,7 @@ private:
     struct drawing;
     struct stages;
 
+    l3d_frame_lights lights() const;
     void touch() {
         untouched_ = false;
         is_foreign_ = is_foreign_ || !is_drawing_;

@@ -29,6 +29,9 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
             {"i", "inspect curvature, stripes", {{'i', [this] { take_next_inspection(); }}}},
             {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
             {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
+            {"l",
+             "light with the eye, in the world",
+             {{'l', [this] { controls_.switch_headlight(settings().headlight); }}}},
             {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}},
             {"e", "choose the next part", {{'e', [this] { controls_.say(parts_.choose_next()); }}}},
             {"d", "hide or show that part", {{'d', [this] {

@@ -125,6 +125,11 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
     };
 }
 
+void l3d_viewer_controls::switch_headlight(bool& is_on) {
+    is_on = !is_on;
+    say(is_on ? "light: goes with the eye" : "light: stays where it is in the world");
+}
+
 bool l3d_viewer_controls::key(int key) {
     const bool said = !message_.empty() || hint_seconds_ > 0;
     message_.clear();

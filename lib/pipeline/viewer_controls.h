@@ -109,6 +109,9 @@ public:
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
+    /// What the key l of a viewer of surfaces does: takes the other value, and says so.
+    void switch_headlight(bool& is_on);
+
     /// That line; "" if there is none.
     const std::string& message() const { return message_; }
 

@@ -12,6 +12,21 @@ std::array<float, 3> to_floats(const l3d_camera::vector& v) {
 
 } // namespace
 
+l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting) {
+    constexpr l3d_camera::vector first_eye{3.0, 2.3, 7.4}; // from the target of the first view
+    const l3d_camera::frame first = l3d_camera{.eye = first_eye, .target = {0.0, 0.0, 0.0}}.axes();
+    const l3d_camera::frame axes = camera.axes();
+    const auto along = [](const l3d_camera::vector& axis) {
+        return l3d_dot(l3d_usual_light, axis);
+    };
+    l3d_frame_lights result{axes.right * along(first.right) + axes.up * along(first.up) +
+                                axes.forward * along(first.forward),
+                            {}};
+    result.lighting.ambient = lighting.ambient;
+    result.lighting.color = lighting.color;
+    return result;
+}
+
 l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
                                const l3d_camera::vector& light, const l3d_lighting& lighting) {
     const l3d_camera::frame axes = camera.axes();

@@ -12,6 +12,18 @@ struct l3d_dice_view;
 /// The default direction towards the light: from above, from the right and from the front.
 inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
 
+/// The lights of one frame.
+struct L3D_PUBLIC l3d_frame_lights {
+    l3d_camera::vector light; ///< towards the first one, world space, any length but 0
+    l3d_lighting lighting;    ///< its colour, and the further ones
+};
+
+/// The light of a lamp that goes with the eye, alone: it shines over the eye's right shoulder, from
+/// where l3d_usual_light is for who looks at the teapot in the programs' first view. Ambient light
+/// and the first light's colour are those of `lighting`.
+/// Expects: camera.is_valid().
+L3D_PUBLIC l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
+
 /// The shading of one frame: what a surface rasterizer needs to know of the camera and the light.
 ///
 /// Units:   `light` points towards the first light, world space, any length but 0.

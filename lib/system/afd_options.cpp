@@ -173,6 +173,11 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                      "1,1,0,orange; each further --light adds one",
                      "X,Y,Z[,COLOR]", text_of(l3d_usual_light),
                      [this](const std::string& text) { add_light(text); });
+    options.add_choice<headlight>(
+        "--headlight", headlight_,
+        "whether the only light goes with the eye; auto: unless --light is given; off: lights stay "
+        "in the world",
+        {{"auto", headlight::unless_lit}, {"on", headlight::on}, {"off", headlight::off}});
     options.add_each("--ambient", "light that comes from everywhere", l3d_detail::color_kind,
                      "25.5,25.5,25.5", [this](const std::string& text) {
                          settings_.lighting.ambient = light_color("--ambient", text);
@@ -334,6 +339,11 @@ void l3d_afd_options::read_fog(const std::string& text) {
 
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
+    if (headlight_ == headlight::on && gives_light_)
+        throw l3d_error(l3d_exit::usage,
+                        "--light: nothing is seen of it beside --headlight on, the only light");
+    result.headlight =
+        headlight_ == headlight::on || (headlight_ == headlight::unless_lit && !gives_light_);
     result.tolerance = tolerance_.value_or(settings_.tolerance);
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();

@@ -91,6 +91,8 @@ private:
     std::string model_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
+    enum class headlight { unless_lit, on, off };
+    headlight headlight_ = headlight::unless_lit;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_;

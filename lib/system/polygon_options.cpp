@@ -115,6 +115,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
     settings.light = shared.light;
     settings.lighting = shared.lighting;
+    settings.headlight = shared.headlight;
     if (!shared_.places_camera() && !shared_.places_light()) {
         // The teapot's, from where this model is looked at.
         settings.light =

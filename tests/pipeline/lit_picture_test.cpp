@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace {
 
@@ -135,6 +136,81 @@ TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
             } catch (const l3d_error&) { // no GL here
             }
         }
+}
+
+l3d_camera from(const l3d_camera::vector& eye) {
+    return {.eye = eye, .target = {0.2, 1.3, 0.0}};
+}
+
+/// Its direction is all that is new, so all that is promised holds of it.
+TEST(lit_picture, by_a_headlight_is_that_of_a_light_of_the_world) {
+    for (const l3d_camera::vector eye :
+         {l3d_camera::vector{-4.0, 4.0, -8.0}, {1.0, -7.0, 2.0}, {0.3, 9.0, 0.1}}) {
+        l3d_afd_settings settings;
+        settings.error_map = settings.antialias = true;
+        const l3d_frame_lights lights = l3d_headlight(from(eye), settings.lighting);
+        settings.light = lights.light;
+        tester placed(l3d_patch_scene(teapot_model()), from(eye), settings);
+        placed.draw_event();
+        settings.light = {0.0, 0.0, 1.0};
+        settings.lighting = two_lights(); // which does not shine then
+        settings.headlight = true;
+        tester with_eye(l3d_patch_scene(teapot_model()), from(eye), settings);
+        with_eye.draw_event();
+        EXPECT_EQ(placed.words(), with_eye.words());
+        EXPECT_EQ(placed.report().dice.shade_bound, with_eye.report().dice.shade_bound);
+        ASSERT_NE(with_eye.error_map(), nullptr);
+        EXPECT_TRUE(
+            std::ranges::equal(placed.error_map()->levels(), with_eye.error_map()->levels()));
+        settings.headlight = false;
+        tester in_the_world(l3d_patch_scene(teapot_model()), from(eye), settings);
+        in_the_world.draw_event();
+        EXPECT_NE(in_the_world.words(), with_eye.words());
+    }
+}
+
+TEST(lit_picture, by_a_headlight_is_as_ever_in_the_programs_first_view) {
+    l3d_afd_settings settings;
+    tester usual(l3d_patch_scene(teapot_model()), before_the_teapot(), settings);
+    usual.draw_event();
+    settings.headlight = true;
+    tester with_eye(l3d_patch_scene(teapot_model()), before_the_teapot(), settings);
+    with_eye.draw_event();
+    EXPECT_EQ(usual.words(), with_eye.words());
+}
+
+/// Of a ball's pixels, how many per cent have ambient light alone.
+double dark_share(const std::vector<std::uint32_t>& words) {
+    constexpr std::uint32_t ambient = 26; // a tenth of 255
+    const auto covered = std::ranges::count_if(words, [](auto word) { return word != 0; });
+    const auto dark = std::ranges::count_if(
+        words, [](auto word) { return word != 0 && channel(word, 8) <= ambient; });
+    EXPECT_GT(covered, 1000);
+    return 100.0 * static_cast<double>(dark) / static_cast<double>(covered);
+}
+
+/// The light is 40 degrees from the eye, so of a ball's disc (1 - cos 40) / 2, 12 %, are dark.
+TEST(lit_picture, by_a_headlight_has_no_dark_side) {
+    double darkest_in_the_world = 0;
+    for (int turn = 0; turn < 12; ++turn)
+        for (const double height : {-3.0, 0.2, 4.0}) {
+            const double angle = turn * std::numbers::pi / 6;
+            l3d_camera camera;
+            camera.eye = {4 * std::cos(angle), height, 4 * std::sin(angle)};
+            l3d_polygon_settings settings;
+            settings.shade = l3d_shade::lambert;
+            const auto seen = [&] {
+                l3d_pipeline_zsort pipeline(l3d_memory_canvas({203, 151}),
+                                            l3d_polygon_model(l3d_sphere_mesh(24, 12)), camera,
+                                            settings);
+                pipeline.draw_event();
+                return dark_share(words_of(pipeline.screen().pixels()));
+            };
+            darkest_in_the_world = std::max(darkest_in_the_world, seen());
+            settings.headlight = true;
+            EXPECT_LT(seen(), 13) << turn << ", " << height;
+        }
+    EXPECT_GT(darkest_in_the_world, 60);
 }
 
 } // namespace

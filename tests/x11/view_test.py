@@ -235,6 +235,26 @@ def shows_a_whole_teapot_from_behind():
             expect(missing * 100 < len(shown["afd"]), pipeline, missing, "of", len(shown["afd"]))
 
 
+def lights_every_side():
+    """The light goes with the eye. One that --light places stays, and so does that of --headlight off."""
+    behind = ("--eye", "-4,4,-8", "--target", "0,1.3,0", "--background", "0,0,0")
+    with folder() as path:
+        def dark(viewer, *more):
+            said = draw(viewer, (240, 180), *behind, *more, "--output", "o.png", cwd=path)
+            expect_equal(said, (0, b"", ""), (viewer, *more))
+            rows = harness.read_png(os.path.join(path, "o.png"))
+            levels = [word >> 8 & 255 for row in rows for word in row if word & 0xFFFFFF]
+            return sum(level <= 26 for level in levels) / len(levels)
+
+        for viewer, *more in (("teapot_afd",), ("modelview",), ("modelview", "--pipeline", "zsort")):
+            expect(dark(viewer, *more) < 0.1, viewer, more, dark(viewer, *more))
+            for other in (("--headlight", "off"), ("--light", "0.4,0.8,0.45")):
+                expect(dark(viewer, *more, *other) > 0.5, viewer, more, other, dark(viewer, *more, *other))
+        said = draw("teapot_afd", (80, 60), "--headlight", "on", "--light", "1,0,0", "--output", "o.png", cwd=path)
+        expect_equal(said, (2, b"", "teapot_afd: --light: nothing is seen of it beside --headlight on, the only "
+                                    "light\n"))
+
+
 def picks_from_the_command_line():
     with folder() as path:
         names = {
@@ -390,7 +410,7 @@ def main():
         says_why_a_picture_is_empty, says_that_a_model_has_no_area,
         says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,
-        shows_both_sides, shows_a_whole_teapot_from_behind, picks_from_the_command_line, obeys_every_key_of_the_view,
+        shows_both_sides, shows_a_whole_teapot_from_behind, lights_every_side, picks_from_the_command_line, obeys_every_key_of_the_view,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size, frames_a_flat_model_from_its_front,
         says_in_the_window_that_it_is_empty,
     ):

@@ -101,7 +101,10 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    l3d_shading shading = view.shading(settings_.shade, settings_.light, settings_.lighting);
+    const l3d_frame_lights lights = settings_.headlight
+                                        ? l3d_headlight(camera_, settings_.lighting)
+                                        : l3d_frame_lights{settings_.light, settings_.lighting};
+    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
     shading.antialias = settings_.antialias && is_solid;
     shading.background = settings_.background;
     if (is_solid && settings_.projection == l3d_projection::perspective)
@@ -168,6 +171,9 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
             {"c", "shading", {{'c', shade}}},
             {"w", "solid, wires, hidden lines", {{'w', style}}},
             {"a", "smooth edges", {{'a', antialias}}},
+            {"l",
+             "light with the eye, in the world",
+             {{'l', [this] { controls_.switch_headlight(settings_.headlight); }}}},
             {"b", "faces seen from behind", {{'b', cull}}},
             {"v", "perspective, parallel", {{'v', project}}}};
 }

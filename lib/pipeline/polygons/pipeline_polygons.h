@@ -53,6 +53,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The colours of lights, and further lights.
     l3d_lighting lighting{};
 
+    /// One light goes with the eye, in place of those: l3d_headlight. So no side is in the dark.
+    bool headlight = false;
+
     /// The turn about x, y and z, round the middle of the box. Units: degrees.
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
