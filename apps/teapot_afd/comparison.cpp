@@ -39,13 +39,6 @@ l3d_afd_settings with_method(l3d_afd_settings settings, const l3d_method_choice&
 
 } // namespace
 
-/// Of about ten frames.
-void caption::add_time(double frame_milliseconds) {
-    constexpr double memory = 0.9;
-    milliseconds = milliseconds == 0 ? frame_milliseconds
-                                     : memory * milliseconds + (1 - memory) * frame_milliseconds;
-}
-
 /// A column of words before the numbers takes room that short lines do without.
 l3d_panel caption::lines(bool are_short) const {
     l3d_panel panel;
@@ -117,7 +110,7 @@ comparison::comparison(std::shared_ptr<l3d_screen> whole,
 
 void comparison::take_next_method() {
     controls().say(show_next_method(other_, other_method_));
-    other_.text.milliseconds = 0;
+    other_pace_ = l3d_picture_pace();
 }
 
 void comparison::switch_budget() {
@@ -193,8 +186,6 @@ void comparison::draw_event() {
         if (live_.has_results())
             draw_both();
     } else if (!changed().empty()) {
-        text_.add_time(report().time_ms.total);
-        other_.text.add_time(other_.report().time_ms.total);
         // A frame that shows what was measured is not to make it that of another tolerance.
         if (!shows_results || frames_to_settle_ > 0)
             seek_equal_time();
@@ -205,7 +196,10 @@ void comparison::draw_both() {
     take_results();
     follow_left();
     l3d_pipeline_afd_viewer::draw_event();
+    other_pace_.begin();
     other_.draw_event();
+    if (!other_.changed().empty())
+        other_pace_.end();
     draw_line();
 }
 
@@ -235,6 +229,8 @@ void comparison::follow_left() {
     text_.method = settings().method.name();
     text_.tolerance_px = settings().tolerance;
     text_.shows_time = other_.text.shows_time = screen().is_window();
+    text_.milliseconds = controls().pace().milliseconds();
+    other_.text.milliseconds = other_pace_.milliseconds();
     tell_errors();
 }
 

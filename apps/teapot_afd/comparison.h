@@ -14,7 +14,7 @@
 /// What is written on a half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
-    /// A running mean of frames.
+    /// What drawing takes, by l3d_picture_pace.
     double milliseconds = 0;
     /// Pictures in files do not show it, so they are the same each time.
     bool shows_time = false;
@@ -25,8 +25,6 @@ struct caption {
     enum class error_state { none, awaited, known } error = error_state::none;
     live_result measured;
 
-    /// Takes a frame's time into the mean.
-    void add_time(double frame_milliseconds);
 
     /// For the upper right corner of a half of this size, half of which stays free. It is shorter
     /// where room is: with short lines, then the method's name alone, then nothing.
@@ -131,6 +129,7 @@ private:
     /// The last one. The halves may be drawn twice for it.
     int frame_ = -1;
     caption text_;
+    l3d_picture_pace other_pace_; ///< of the right half
     live_error live_;
     /// What is being measured, or was begun last, and what the captions' errors are of.
     subjects begun_, measured_;

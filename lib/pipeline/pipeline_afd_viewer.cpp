@@ -122,6 +122,14 @@ void l3d_pipeline_afd_viewer::rest_event(double seconds) {
         redraw();
 }
 
+/// A picture that is kept, with other words on top, tells nothing of what drawing takes.
+void l3d_pipeline_afd_viewer::draw_event() {
+    controls_.pace().begin();
+    l3d_pipeline_afd::draw_event();
+    if (last_report().pixels_kept < l3d_whole(screen().pixels().size()).area())
+        controls_.pace().end();
+}
+
 void l3d_pipeline_afd_viewer::draw_overlay() {
     if (screen().is_window())
         controls_.set_empty(
@@ -135,7 +143,7 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
         std::isfinite(bound())
             ? formatted("error at most %.3f pixels, of %.3g allowed", bound(), settings().tolerance)
             : "no bound of the error with " + settings().method.name()};
-    controls_.draw(rasterizer(), last_report().time_ms.total, lines, key, standing);
+    controls_.draw(rasterizer(), lines, key, standing);
 }
 
 /// What colours mean, for people: pictures in files have what was asked for, and nothing else. A

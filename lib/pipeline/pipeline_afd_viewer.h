@@ -26,6 +26,7 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
+    void draw_event() override;
     /// Time alone changes only what controls() change. A subclass that overrides update_event
     /// overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }

@@ -174,9 +174,6 @@ void l3d_viewer_controls::measure(double x, double y) {
 }
 
 bool l3d_viewer_controls::update(double seconds) {
-    constexpr double memory = 0.9; // of the running mean, about ten frames long
-    smoothed_seconds_ =
-        smoothed_seconds_ == 0 ? seconds : memory * smoothed_seconds_ + (1 - memory) * seconds;
     const bool turns = turntable_degrees_ != 0 && !paused_ && !first_frame_;
     if (turns)
         steering_.turn(turntable_degrees_ * seconds * degree, 0);
@@ -218,28 +215,24 @@ l3d_panel l3d_viewer_controls::message_panel() const {
     return message;
 }
 
-l3d_panel l3d_viewer_controls::status_panel(double milliseconds,
-                                            std::span<const std::string> lines) const {
+l3d_panel l3d_viewer_controls::status_panel(std::span<const std::string> lines) const {
     l3d_panel status;
     if (!status_shown_)
         return status;
-    constexpr double least_seconds = 1e-4; // that are told apart from none
-    status.add(formatted("%.0f pictures a second, %.1f milliseconds each",
-                         1 / std::max(smoothed_seconds_, least_seconds), milliseconds));
+    if (const std::string pace = pace_.text(); !pace.empty())
+        status.add(pace);
     for (const std::string& line : lines)
         status.add(line);
     return status;
 }
 
 /// What a key was answered with has room first, help what is left.
-void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-                               std::span<const std::string> lines, const l3d_panel& legend,
-                               const l3d_standing_panel& standing) const {
+void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
+                               const l3d_panel& legend, const l3d_standing_panel& standing) const {
     l3d_detail::panel_places places(screen_.pixels().size(), panel_style());
-    const std::array first{
-        l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
-        l3d_standing_panel{legend, l3d_corner::bottom_right},
-        l3d_standing_panel{status_panel(milliseconds, lines), l3d_corner::top_left}};
+    const std::array first{l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
+                           l3d_standing_panel{legend, l3d_corner::bottom_right},
+                           l3d_standing_panel{status_panel(lines), l3d_corner::top_left}};
     l3d_panel help;
     if (help_page_ > 0) {
         const std::vector<l3d_panel> pages = help_pages();

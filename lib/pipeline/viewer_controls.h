@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "scene/camera.h"
+#include "pipeline/picture_pace.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/view_steering.h"
 #include "raster/rasterizer_2d.h"
@@ -133,15 +134,19 @@ public:
     /// viewer's own legend and its standing panel, if they are not empty. They fit into every
     /// window, and none covers another. Help that has no room beside them is drawn instead of
     /// those that are in its way, but for the message.
-    /// Units: what the picture took, in milliseconds. `lines` are the viewer's own of the status.
-    void draw(l3d_rasterizer_2d& rasterizer, double milliseconds,
-              std::span<const std::string> lines, const l3d_panel& legend = {},
-              const l3d_standing_panel& standing = {}) const;
+    /// `lines` are the viewer's own of the status, below that of pace().
+    void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
+              const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
+
+    /// The pace of the viewer's pictures, for the viewer to measure.
+    l3d_picture_pace& pace() { return pace_; }
+    /// The same, to be looked at only.
+    const l3d_picture_pace& pace() const { return pace_; }
 
 private:
     std::vector<l3d_panel> help_pages() const;
     l3d_panel message_panel() const;
-    l3d_panel status_panel(double milliseconds, std::span<const std::string> lines) const;
+    l3d_panel status_panel(std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
     void measure(double x, double y);
@@ -164,7 +169,7 @@ private:
     std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
     std::string message_;
     std::string empty_line_;
-    double smoothed_seconds_ = 0; ///< between frames
+    l3d_picture_pace pace_;
     std::function<std::string(const l3d_pixels&)> save_;
 };
 

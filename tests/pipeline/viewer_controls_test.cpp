@@ -36,7 +36,7 @@ public:
         l3d_rasterizer_2d rasterizer(*imp);
         rasterizer.clear_buffer();
         const std::string line = "a line of the viewer's own";
-        controls.draw(rasterizer, 1.5, {&line, 1});
+        controls.draw(rasterizer, {&line, 1});
         int rows = 0;
         for (int y = 0; y < screen.pixels().height; ++y)
             rows += std::ranges::any_of(screen.pixels().row(y),
@@ -126,7 +126,13 @@ TEST(viewer_controls, show_status_help_and_a_message_until_the_next_key) {
     EXPECT_FALSE(it.controls.shows_text());
     EXPECT_EQ(it.text_rows(), 0);
     it.controls.key('o');
+    const int before_a_picture = it.text_rows();
+    l3d_picture_pace::clock::time_point now{};
+    it.controls.pace() = l3d_picture_pace([&now] { return now; });
+    it.controls.pace().begin();
+    it.controls.pace().end();
     const int status = it.text_rows();
+    EXPECT_GT(status, before_a_picture + 10) << "the pace is a line more";
     EXPECT_GT(status, 20) << "two lines, and the panel around them";
     it.controls.key('?');
     const int help = it.text_rows();
@@ -206,9 +212,9 @@ struct crowd {
             std::ranges::fill(viewer.screen.pixels().row(y), white);
         const std::string line = "error at most 0.250 pixels, of 0.25 allowed";
         if (with_all)
-            viewer.controls.draw(rasterizer, 1.5, {&line, 1}, legend, standing);
+            viewer.controls.draw(rasterizer, {&line, 1}, legend, standing);
         else
-            viewer.controls.draw(rasterizer, 1.5, {&line, 1});
+            viewer.controls.draw(rasterizer, {&line, 1});
     }
 
     /// Where a panel's ground is on another panel's. One ground leaves a fifth of white.

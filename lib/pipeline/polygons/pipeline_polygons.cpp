@@ -62,6 +62,7 @@ void l3d_pipeline_polygons::resize_event(l3d_size) {
 
 void l3d_pipeline_polygons::draw_event() {
     const stopwatch whole;
+    controls_.pace().begin();
     report_.method = name();
     report_.size = screen_->pixels().size();
     report_.time_ms = {};
@@ -74,6 +75,7 @@ void l3d_pipeline_polygons::draw_event() {
     rasterizer_.finish();
     report_.time_ms.overlay = overlaying.milliseconds();
     report_.time_ms.total = whole.milliseconds();
+    controls_.pace().end();
     stale_ = false;
 }
 
@@ -220,9 +222,7 @@ void l3d_pipeline_polygons::draw_overlay() {
         lines.push_back(formatted("%lld knots, %lld cuts",
                                   static_cast<long long>(report_.order.knots),
                                   static_cast<long long>(report_.order.cuts)));
-    const auto milliseconds =
-        report_.time_ms.place + report_.time_ms.order + report_.time_ms.raster;
-    controls_.draw(rasterizer_, milliseconds, lines);
+    controls_.draw(rasterizer_, lines);
 }
 
 void l3d_pipeline_polygons::frame_event(const l3d_frame_times& times) {

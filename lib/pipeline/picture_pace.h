@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// l3d_picture_pace: how fast pictures follow each other, and what drawing one takes.
+#ifndef L3D_PIPELINE_PICTURE_PACE_H
+#define L3D_PIPELINE_PICTURE_PACE_H
+
+#include "base/public.h"
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <string>
+#include <utility>
+
+/// Measures the pictures of the last second, by one clock: means over the same pictures. So no
+/// picture seems to take longer than the time from it to the next.
+///
+/// After a second without a picture, things were at rest: then nothing follows anything until there
+/// are two pictures again.
+class L3D_PUBLIC l3d_picture_pace {
+public:
+    /// A clock that is never set back.
+    using clock = std::chrono::steady_clock;
+    /// Tells the time.
+    using teller = std::function<clock::time_point()>;
+
+    /// Measures with this clock.
+    explicit l3d_picture_pace(teller now = clock::now) : now_(std::move(now)) {}
+
+    /// Drawing begins, also of a picture that is not counted in the end.
+    void begin();
+    /// Drawing ends. Expects: begin() was called.
+    void end();
+
+    /// What drawing a picture took. Units: milliseconds. 0 before the first end().
+    double milliseconds() const;
+    /// From the first of the pictures that count to the last begin(). 0 at rest.
+    double per_second() const;
+    /// Both, as people read them; at rest what drawing took, and "" before the first end().
+    std::string text() const;
+
+private:
+    struct picture {
+        clock::time_point begin, end;
+    };
+
+    teller now_;
+    std::deque<picture> done_; ///< those that count
+    clock::time_point begin_{};
+    bool follows_ = false; ///< begin_ follows done_ without a rest
+};
+
+#endif
