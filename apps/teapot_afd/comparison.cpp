@@ -59,7 +59,8 @@ l3d_panel caption::lines(bool are_short) const {
         add("bound", formatted("%.3f px", bound_px));
     const char* const off = are_short ? "%.3f px" : "%.3f px off";
     if (error == error_state::awaited) {
-        add("error", "being measured");
+        add("error", awaited_seconds > 0 ? formatted("measured for %d s", awaited_seconds)
+                                         : "being measured");
     } else if (error == error_state::known && !measured.is_known) {
         add("error", "not known");
     } else if (error == error_state::known) {
@@ -160,7 +161,13 @@ void comparison::resize_event(l3d_size size) {
 }
 
 bool comparison::needs_redraw() const {
-    return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() || live_.has_results();
+    return l3d_pipeline_afd_viewer::needs_redraw() || other_.needs_redraw() ||
+           live_.has_results() || passes_a_second();
+}
+
+/// Whether the captions tell of a measurement, and of less than has passed.
+bool comparison::passes_a_second() const {
+    return text_.error == caption::error_state::awaited && live_.seconds() > text_.awaited_seconds;
 }
 
 /// What is being measured wants to be shown when it is known.
@@ -304,6 +311,12 @@ void comparison::tell_errors() {
     const auto state = [&](bool is_of_this) {
         return !are_measured ? none : is_of_this ? known : awaited;
     };
+    const int seconds = screen().is_window() ? live_.seconds() : 0;
+    if (seconds != text_.awaited_seconds) {
+        redraw();
+        other_.redraw();
+    }
+    text_.awaited_seconds = other_.text.awaited_seconds = seconds;
     text_.error = state(measured_.left == seen.left);
     other_.text.error = state(measured_.right == seen.right);
 }

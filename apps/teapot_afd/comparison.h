@@ -23,6 +23,8 @@ struct caption {
     std::optional<double> tolerance_px;
     /// What is told of the error: nothing, that it is being measured, or `measured`.
     enum class error_state { none, awaited, known } error = error_state::none;
+    /// For how many seconds it has been measured.
+    int awaited_seconds = 0;
     live_result measured;
 
 
@@ -116,6 +118,7 @@ private:
     void measure();
     void take_results();
     void tell_errors();
+    bool passes_a_second() const;
 
     std::shared_ptr<l3d_screen> whole_;
     other_half other_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <iostream>
 #include <limits>
 #include <utility>
 
@@ -58,8 +59,17 @@ void live_error::begin(live_task task) {
     {
         const std::lock_guard lock(mutex_);
         task_ = std::move(task);
+        begun_ = std::chrono::steady_clock::now();
     }
     changed_.notify_all();
+}
+
+int live_error::seconds() const {
+    const std::lock_guard lock(mutex_);
+    if (!task_)
+        return 0;
+    const auto passed = std::chrono::steady_clock::now() - begun_;
+    return static_cast<int>(std::chrono::floor<std::chrono::seconds>(passed).count());
 }
 
 bool live_error::has_results() const {
@@ -73,8 +83,21 @@ std::vector<live_result> live_error::take_results() {
 }
 
 void live_error::wait() const {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !task_; });
+    constexpr const char* erase = "\r\x1b[K"; // to the line's start, and all after it
+    const bool is_told = ::isatty(STDERR_FILENO) == 1;
+    const auto is_done = [this] { return !task_; };
+    bool has_line = false;
+    for (int seconds = 1;; ++seconds) {
+        std::unique_lock lock(mutex_);
+        if (changed_.wait_until(lock, begun_ + std::chrono::seconds(seconds), is_done))
+            break;
+        lock.unlock();
+        if (is_told)
+            std::cerr << erase << "measuring the error: " << seconds << " s" << std::flush;
+        has_line = is_told;
+    }
+    if (has_line)
+        std::cerr << erase << std::flush;
 }
 
 void live_error::run(const std::stop_token& stop, bool is_modest) {

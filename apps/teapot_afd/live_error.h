@@ -5,6 +5,7 @@
 
 #include "frame_measure.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -67,11 +68,13 @@ public:
     bool is_idle() const;
     /// Expects: is_idle().
     void begin(live_task task);
+    /// For how many whole seconds the task has been measured; 0 if there is none.
+    int seconds() const;
     /// The results of a task, a picture each, once; empty while there are none.
     std::vector<live_result> take_results();
     /// Whether take_results() has some.
     bool has_results() const;
-    /// Waits for the task that was begun last.
+    /// Waits for the task that was begun last. A line on a terminal tells how long.
     void wait() const;
 
 private:
@@ -86,6 +89,7 @@ private:
     mutable std::condition_variable_any changed_;
     /// The task until it is done.
     std::optional<live_task> task_;
+    std::chrono::steady_clock::time_point begun_; ///< when that was
     std::vector<live_result> results_;
     std::jthread thread_;
 };

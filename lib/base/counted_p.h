@@ -10,10 +10,14 @@
 namespace l3d_detail {
 
 /// Expects: the plural, which ends with s: patches, faces, polygons.
-inline std::string counted(std::size_t count, std::string_view things) {
-    if (count == 1)
+inline std::string counted(std::string number, std::string_view things) {
+    if (number == "1")
         things.remove_suffix(things.ends_with("ches") ? 2 : 1);
-    return std::to_string(count).append(" ").append(things);
+    return number.append(" ").append(things);
+}
+
+inline std::string counted(std::size_t count, std::string_view things) {
+    return counted(std::to_string(count), things);
 }
 
 } // namespace l3d_detail

@@ -2,6 +2,7 @@
 // l3d_frame_report: as JSON and in words.
 #include "pipeline/frame_report.h"
 
+#include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "scene/facing_cones.h"
 #include "pipeline/report_json_p.h"
@@ -117,9 +118,9 @@ std::string l3d_frame_report::explanation() const {
     if (whole_patches || parts.empty())
         text = l3d_detail::explained(reasons, patches, "patches") + parts;
     if (dice.coarse > 0)
-        text += std::to_string(dice.coarse) + " patches exceed the tolerance, the worst, number " +
-                std::to_string(dice.coarsest.patch) + " of instance " +
-                std::to_string(dice.coarsest.instance) + ", by a bound of " +
+        text += l3d_detail::counted(static_cast<std::size_t>(dice.coarse), "patches") +
+                " over the tolerance; the worst, number " + std::to_string(dice.coarsest.patch) +
+                " of instance " + std::to_string(dice.coarsest.instance) + ", has a bound of " +
                 l3d_detail::formatted("%.6f px\n", dice.coarsest.bound_px);
     if (dice.unfinished > 0)
         text += std::to_string(dice.unfinished) +

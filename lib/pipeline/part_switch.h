@@ -31,6 +31,9 @@ public:
     /// Cost: what is known of the patches that stay is found again: some microseconds for each.
     std::string switch_chosen();
 
+    /// The name of the chosen part; "" if none is.
+    const std::string& chosen() const { return chosen_; }
+
     /// Shows all that this has hidden.
     void show_all();
 

@@ -12,7 +12,6 @@
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
 #include "scene/scene_culling.h"
-#include "scene/placed_net.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/parallel/simd_target.h"
@@ -28,7 +27,7 @@ namespace {
 
 using l3d_detail::stopwatch;
 
-constexpr std::uint32_t wire_color = 0x0080d0ff, net_color = 0x00ff9030;
+constexpr std::uint32_t wire_color = 0x0080d0ff;
 
 /// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
 /// drawn.
@@ -366,35 +365,4 @@ void l3d_pipeline_afd::draw_wireframe() {
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;
-}
-
-/// The 24 edges of every control net, those of common borders once. An edge that reaches behind the
-/// near plane is left out.
-void l3d_pipeline_afd::draw_nets() {
-    untouched_ = false;
-    std::vector<l3d_detail::wire> lines;
-    l3d_detail::shared_wires shared;
-    const auto add = [&](const l3d_image_point& from, const l3d_image_point& to) {
-        const l3d_clip_vertex a = l3d_canonical_vertex(from, stages_->view);
-        const l3d_clip_vertex b = l3d_canonical_vertex(to, stages_->view);
-        const l3d_detail::wire line{a.dice.vertex.x, a.dice.vertex.y, b.dice.vertex.x,
-                                    b.dice.vertex.y};
-        if (a.drawable && b.drawable && shared.add(line))
-            lines.push_back(line);
-    };
-    const l3d_patch_scene there = what_is_there();
-    for (const l3d_patch_instance& instance : there.instances()) {
-        const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
-        for (const l3d_patch_model::patch& patch : instance.model().patches()) {
-            const l3d_image_patch net = l3d_placed_net(to_image, patch);
-            for (int line = 0; line < 4; ++line)
-                for (int i = 0; i < 3; ++i) {
-                    add(net.at(line, i), net.at(line, i + 1));
-                    add(net.at(i, line), net.at(i + 1, line));
-                }
-        }
-    }
-    // A smooth line does not cover what is transparent.
-    const bool smooth = settings_.antialias && !settings_.background.is_none();
-    l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale()).draw(lines);
 }

@@ -230,6 +230,10 @@ protected:
         return screen_->pixels();
     }
 
+    /// For draw_overlay: draws the borders of all patches of a part on the picture, hidden ones
+    /// too. Nothing if no model has a part of that name.
+    void mark_part(const std::string& name);
+
     /// Changes what the finished surface shows, before control nets are drawn over it. Called
     /// whenever draw_overlay is.
     virtual void paint_surfaces() {}

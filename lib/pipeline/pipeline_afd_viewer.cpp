@@ -2,6 +2,7 @@
 // l3d_pipeline_afd_viewer: the keys for patches, and their lines of the status.
 #include "pipeline/pipeline_afd_viewer.h"
 
+#include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "dice/error_color.h"
 #include "scene/framing.h"
@@ -11,9 +12,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace {
 
+using l3d_detail::counted;
 using l3d_detail::formatted;
 
 constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
@@ -22,21 +25,20 @@ constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
     const auto finer = [this] { scale_tolerance(0.5); };
-    return {{"+, -",
-             "finer, coarser",
-             {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
-            {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
-            {"i", "inspect curvature, stripes", {{'i', [this] { take_next_inspection(); }}}},
-            {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
-            {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
-            {"l",
-             "light with the eye, in the world",
-             {{'l', [this] { controls_.switch_headlight(settings().headlight); }}}},
-            {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}},
-            {"e", "choose the next part", {{'e', [this] { controls_.say(parts_.choose_next()); }}}},
-            {"d", "hide or show that part", {{'d', [this] {
-                                                  controls_.say(parts_.switch_chosen());
-                                              }}}}};
+    return {
+        {"+, -",
+         "finer, coarser",
+         {{'+', finer}, {'=', finer}, {'-', [this] { scale_tolerance(2); }}}},
+        {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
+        {"i", "inspect curvature, stripes", {{'i', [this] { take_next_inspection(); }}}},
+        {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
+        {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
+        {"l",
+         "light with the eye, in the world",
+         {{'l', [this] { controls_.switch_headlight(settings().headlight); }}}},
+        {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}},
+        {"e", "choose the next part", {{'e', [this] { tell_of_part(parts_.choose_next()); }}}},
+        {"d", "hide or show that part", {{'d', [this] { tell_of_part(parts_.switch_chosen()); }}}}};
 }
 
 l3d_viewed l3d_pipeline_afd_viewer::viewed() {
@@ -55,7 +57,7 @@ l3d_viewed l3d_pipeline_afd_viewer::viewed() {
 void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     settings().tolerance =
         std::clamp(settings().tolerance * factor, least_tolerance, largest_tolerance);
-    controls_.say(formatted("error at most %.3g pixels", settings().tolerance));
+    controls_.say("error at most " + counted(formatted("%.3g", settings().tolerance), "pixels"));
 }
 
 /// Without `error` where there is no bound to be shown, and without those of the other key.
@@ -97,7 +99,14 @@ void l3d_pipeline_afd_viewer::switch_antialias() {
     controls_.say(settings().antialias ? "smooth edges" : "sharp edges");
 }
 
+/// The picture marks the part as long as the line is shown.
+void l3d_pipeline_afd_viewer::tell_of_part(std::string line) {
+    controls_.say(std::move(line));
+    marks_part_ = true;
+}
+
 void l3d_pipeline_afd_viewer::key_event(int key) {
+    marks_part_ = false;
     if (controls_.key(key))
         redraw();
 }
@@ -139,6 +148,8 @@ void l3d_pipeline_afd_viewer::draw_overlay() {
     screen().set_text({});
     if (!controls_.shows_text() && key.empty() && standing.panel.empty())
         return; // asking for the rasterizer makes the next frame clear the picture
+    if (marks_part_)
+        mark_part(parts_.chosen());
     const std::array lines{
         std::isfinite(bound())
             ? formatted("error at most %.3f pixels, of %.3g allowed", bound(), settings().tolerance)
@@ -176,11 +187,12 @@ void l3d_pipeline_afd_viewer::add_inspection(l3d_panel& panel) {
         panel.add("draft angle in degrees, 0 is yellow");
         break;
     case l3d_shade::zebra:
-        panel.add("zebra: angle of the reflected ray, stripes of " + number(shown.stripe) +
-                  " degrees");
+        panel.add("zebra: angle of the reflected ray, stripes of " +
+                  counted(number(shown.stripe), "degrees"));
         break;
     default:
-        panel.add("isophotes: angle to the light, stripes of " + number(shown.stripe) + " degrees");
+        panel.add("isophotes: angle to the light, stripes of " +
+                  counted(number(shown.stripe), "degrees"));
         break;
     }
     if (settings().shade == l3d_shade::zebra || settings().shade == l3d_shade::isophotes) {

@@ -51,9 +51,11 @@ private:
     void add_inspection(l3d_panel& panel);
     void switch_wireframe();
     void switch_antialias();
+    void tell_of_part(std::string line);
     l3d_panel legend();
 
     l3d_part_switch parts_{scene()};
+    bool marks_part_ = false; ///< until the next key
     l3d_viewer_controls controls_{
         *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed()};
 };

@@ -128,6 +128,18 @@ vector l3d_view_steering::place_under(double x, double y) const {
     return camera_.place_at(x, y, camera_.depth_of(camera_.target), screen_.pixels().size());
 }
 
+std::optional<l3d_point_2d> l3d_view_steering::position(const vector& place) const {
+    const double depth = depth_of(place);
+    if (!(depth >= camera_.near))
+        return std::nullopt;
+    const l3d_size size = screen_.pixels().size();
+    const l3d_camera::frame axes = camera_.axes();
+    const vector arm = place - camera_.eye;
+    const double scale = camera_.focal_length(size) / depth;
+    return l3d_point_2d{size.width / 2.0 + l3d_dot(arm, axes.right) * scale - 0.5,
+                        size.height / 2.0 - l3d_dot(arm, axes.up) * scale - 0.5};
+}
+
 bool l3d_view_steering::pointer(const l3d_event& event) {
     switch (event.type) {
     case l3d_event_type::wheel:

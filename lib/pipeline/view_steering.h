@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_VIEW_STEERING_H
 
 #include "base/public.h"
+#include "geom/point.h"
 #include "scene/camera.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"
@@ -69,6 +70,10 @@ public:
     /// The place under the pointer becomes the middle of the picture, which the eye turns about.
     /// False if nothing is there.
     bool turn_about(double x, double y);
+
+    /// Where the picture shows a place of the world, as rasterizers count: whole numbers are the
+    /// middles of pixels. Nothing if it is before the near plane.
+    std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// A button went down, the pointer moved or the wheel turned: turns, moves or zooms. True if
     /// another picture is needed.

@@ -4,6 +4,8 @@
 
 #include "base/formatted_p.h"
 #include "pipeline/panel_places_p.h"
+#include "raster/paths/path.h"
+#include "raster/paths/stroke.h"
 
 #include <algorithm>
 #include <array>
@@ -105,11 +107,17 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
     const auto first_view = [this, reset = std::move(reset)] {
         if (reset)
             reset();
+        measured_.reset();
+        marks_.clear();
         steering_.go_home();
     };
     const auto save = [this, &screen] {
         if (save_)
             say(save_(screen.pixels()));
+    };
+    const auto tell_view = [this] {
+        if (tell_view_)
+            say(tell_view_());
     };
     return {
         {"o", "status", {{'o', [this] { status_shown_ = !status_shown_; }}}},
@@ -119,6 +127,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer,
         {"p, space", "pause", {{'p', pause}, {' ', pause}}},
         {"r", "reset view", {{'r', first_view}}},
         {"s", "save a picture", {{'s', save}}},
+        {"g", "this view as options", {{'g', tell_view}}},
         {"F11", "whole screen"},
         {"h, ?", "this help", {{'h', help}, {'?', help}}},
         {"q, Escape", "quit", {{'q', end}, {l3d_key_escape, end}}},
@@ -131,9 +140,12 @@ void l3d_viewer_controls::switch_headlight(bool& is_on) {
 }
 
 bool l3d_viewer_controls::key(int key) {
-    const bool said = !message_.empty() || hint_seconds_ > 0;
+    const bool has_marks = !measured_ && !marks_.empty();
+    const bool said = !message_.empty() || hint_seconds_ > 0 || has_marks;
     message_.clear();
     hint_seconds_ = 0;
+    if (!measured_)
+        marks_.clear();
     for (const l3d_viewer_row& row : rows_)
         for (const auto& [code, action] : row.actions)
             if (code == key) {
@@ -162,11 +174,15 @@ void l3d_viewer_controls::measure(double x, double y) {
         return;
     const auto found = viewed_.place_at(x, y);
     if (!found) {
+        if (!measured_)
+            marks_.clear();
         say("nothing is there");
     } else if (!measured_) {
         measured_ = found;
+        marks_ = {found->place};
         say(found->text);
     } else {
+        marks_.push_back(found->place);
         say(formatted("distance %.9g, good to %.1g", l3d_length(found->place - measured_->place),
                       found->error + measured_->error));
         measured_.reset();
@@ -226,9 +242,30 @@ l3d_panel l3d_viewer_controls::status_panel(std::span<const std::string> lines) 
     return status;
 }
 
+/// A ring around each place, and a line between two, with dark rims to be seen on any ground.
+void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
+    const double unit = std::max(1.0, screen_.text_scale());
+    l3d_path path;
+    std::optional<l3d_point_2d> before;
+    for (const l3d_camera::vector& place : marks_) {
+        const std::optional<l3d_point_2d> there = steering_.position(place);
+        if (there)
+            path.add_circle(*there, 5 * unit);
+        if (there && before) {
+            path.move_to(*before);
+            path.line_to(*there);
+        }
+        before = there;
+    }
+    const l3d_panel_style style = panel_style();
+    rasterizer.draw_path(l3d_stroked(path, {.width = 4 * unit}), {.color = style.ground});
+    rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
+}
+
 /// What a key was answered with has room first, help what is left.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
+    draw_marks(rasterizer);
     l3d_detail::panel_places places(screen_.pixels().size(), panel_style());
     const std::array first{l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
                            l3d_standing_panel{legend, l3d_corner::bottom_right},

@@ -63,6 +63,10 @@ public:
         save_ = std::move(save);
     }
 
+    /// Called by the key g; without it the key does nothing. The function returns the view as the
+    /// options that show it again, which are shown.
+    void set_view_teller(std::function<std::string()> tell) { tell_view_ = std::move(tell); }
+
     /// The first view, which the key r returns to: l3d_view_steering::set_home.
     void set_home(std::function<l3d_camera()> home) { steering_.set_home(std::move(home)); }
 
@@ -127,7 +131,7 @@ public:
     /// Whether draw() draws anything.
     bool shows_text() const {
         return status_shown_ || help_page_ > 0 || !message_.empty() || !empty_line_.empty() ||
-               hint_seconds_ > 0;
+               hint_seconds_ > 0 || !marks_.empty();
     }
 
     /// Panels on top of a finished picture: status, help and message, as they are switched on, the
@@ -144,6 +148,7 @@ public:
     const l3d_picture_pace& pace() const { return pace_; }
 
 private:
+    void draw_marks(l3d_rasterizer_2d& rasterizer) const;
     std::vector<l3d_panel> help_pages() const;
     l3d_panel message_panel() const;
     l3d_panel status_panel(std::span<const std::string> lines) const;
@@ -161,6 +166,7 @@ private:
     std::vector<l3d_viewer_row> rows_;
     std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
+    std::vector<l3d_camera::vector> marks_;     ///< places that were clicked on
     bool control_ = false;
     double turntable_degrees_ = 0; ///< per second
     bool first_frame_ = true;
@@ -171,6 +177,7 @@ private:
     std::string empty_line_;
     l3d_picture_pace pace_;
     std::function<std::string(const l3d_pixels&)> save_;
+    std::function<std::string()> tell_view_;
 };
 
 #endif

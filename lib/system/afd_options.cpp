@@ -278,6 +278,21 @@ l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& fram
     return result;
 }
 
+std::string l3d_afd_options::view_options(const l3d_camera& camera) {
+    const l3d_camera usual = teapot_view();
+    std::string text = "--eye " + text_of(camera.eye) + " --target " + text_of(camera.target);
+    if (camera.up != usual.up)
+        text += " --up " + text_of(camera.up);
+    const auto add = [&](const char* option, double value, double usual_value) {
+        if (value != usual_value)
+            text += std::string(" ") + option + ' ' + l3d_number_text(value);
+    };
+    add("--fov", camera.fov, usual.fov);
+    add("--near", camera.near, usual.near);
+    add("--far", camera.far, usual.far);
+    return text;
+}
+
 void l3d_afd_options::check_pick(l3d_size size) const {
     if (!pick_)
         return;

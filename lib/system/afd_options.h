@@ -34,6 +34,10 @@ public:
     /// Errors: as the other.
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
+    /// The options that place a camera where this one is, separated by blanks. What is as it was
+    /// without options is left out, but for the places.
+    static std::string view_options(const l3d_camera& camera);
+
     /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 

@@ -5,12 +5,26 @@
 #include "base/printable_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/model_names_p.h"
+#include "system/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iostream>
 #include <string>
 #include <utility>
+
+namespace {
+
+constexpr std::array<std::pair<const char*, l3d_rotation_order>, 6> rotation_orders{
+    {{"xyz", l3d_rotation_order::xyz},
+     {"xzy", l3d_rotation_order::xzy},
+     {"yxz", l3d_rotation_order::yxz},
+     {"yzx", l3d_rotation_order::yzx},
+     {"zxy", l3d_rotation_order::zxy},
+     {"zyx", l3d_rotation_order::zyx}}};
+
+} // namespace
 
 l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
     : shared_(shared) {
@@ -29,17 +43,26 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
                 "degrees that polygons are turned about x, y and z, round their middle");
     options.add_choice<l3d_rotation_order>("--rotate-order", rotation_order_,
                                            "which turn of --rotate comes first, second and last",
-                                           {{"xyz", l3d_rotation_order::xyz},
-                                            {"xzy", l3d_rotation_order::xzy},
-                                            {"yxz", l3d_rotation_order::yxz},
-                                            {"yzx", l3d_rotation_order::yzx},
-                                            {"zxy", l3d_rotation_order::zxy},
-                                            {"zyx", l3d_rotation_order::zyx}});
+                                           {rotation_orders.begin(), rotation_orders.end()});
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
     options.add("--crease-angle", crease_angle_,
                 "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
     options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
                 l3d_most_facets);
+}
+
+std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settings) {
+    const l3d_polygon_settings usual;
+    std::string text;
+    if (settings.rotation != usual.rotation)
+        text += " --rotate " + l3d_number_text(settings.rotation[0]) + ',' +
+                l3d_number_text(settings.rotation[1]) + ',' + l3d_number_text(settings.rotation[2]);
+    for (const auto& [word, order] : rotation_orders)
+        if (settings.rotation_order == order && order != usual.rotation_order)
+            text += std::string(" --rotate-order ") + word;
+    if (settings.projection == l3d_projection::parallel)
+        text += " --parallel";
+    return text;
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {

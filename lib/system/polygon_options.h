@@ -10,6 +10,8 @@
 #include "system/afd_options.h"
 #include "system/options.h"
 
+#include <string>
+
 /// The pipelines that a program may draw a model with.
 enum class L3D_PUBLIC l3d_pipeline_kind {
     afd,     ///< patches by adaptive forward differencing
@@ -40,6 +42,10 @@ public:
     /// Errors: as l3d_afd_options::settings; l3d_error(usage) for what only patches have, such as
     ///         --depth-output and --net.
     l3d_polygon_settings settings() const;
+
+    /// The options that turn and project a model as these settings do, each with a blank before
+    /// it; "" for none.
+    static std::string view_options(const l3d_polygon_settings& settings);
 
     /// For a program that draws patches, as --pipeline afd asks.
     /// Errors: l3d_error(usage) if an option of polygons says anything else than its default.

@@ -39,7 +39,7 @@ std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
 
 l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     l3d_screen_request request = options_.screen_request();
-    if (!shows.empty() && options_.common().title.empty())
+    if (!shows.empty() && shows != request.title && options_.common().title.empty())
         request.title = shows + " - " + request.title;
     l3d_canvas canvas{factories_.create_screen(request), factories_.chosen().rasterizer_factory,
                       is_classic_};

@@ -69,7 +69,8 @@ public:
     /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
 
-    /// `shows` names what the window shows, in UTF-8, such as a model; its title begins with that.
+    /// `shows` names what the window shows, in UTF-8, such as a model; its title begins with that,
+    /// unless it is the program's name.
     /// Errors:  as l3d_factory_manager::create_screen. Expects: called by the steps.
     l3d_canvas create_canvas(const std::string& shows = {}) const;
 

@@ -3,6 +3,7 @@
 #include "system/screenshot.h"
 
 #include "base/formatted_p.h"
+#include "base/printable_p.h"
 #include "system/reason_p.h"
 #include "tool_2d/image_file.h"
 
@@ -10,6 +11,8 @@
 #include <filesystem>
 
 std::string l3d_save_screenshot(const l3d_pixels& pixels) {
+    std::error_code unknown; // then the name says enough
+    const std::filesystem::path folder = std::filesystem::current_path(unknown);
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {
         const std::string name = l3d_detail::formatted("l3d-%04d.png", number);
@@ -25,7 +28,7 @@ std::string l3d_save_screenshot(const l3d_pixels& pixels) {
         } catch (const std::exception& error) {
             return l3d_detail::reason_of(error);
         }
-        return "saved " + name;
+        return "saved " + l3d_detail::printable((folder / name).string());
     }
     return "not saved: l3d-0001.png to l3d-9999.png exist";
 }

@@ -6,6 +6,7 @@
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "system/afd_options.h"
+#include "system/polygon_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
 #include "system/screenshot.h"
@@ -45,6 +46,7 @@ public:
         this->controls().set_turntable(asked.turntable(),
                                        1 / program.options().frame_settings().step());
         this->controls().set_screenshot(l3d_save_screenshot);
+        this->controls().set_view_teller([this] { return told_view(); });
         suit_onlooker(program);
         if (!asked.report().empty())
             reports_.emplace(asked.report());
@@ -117,6 +119,15 @@ private:
         constexpr double seconds = 5; // one line is read in two
         if (frames.output.empty())
             this->controls().show_hint(seconds);
+    }
+
+    /// The view as options, which are also printed: people copy them from a terminal.
+    std::string told_view() {
+        std::string text = asked_.view_options(this->camera());
+        if constexpr (requires { this->settings().rotation; })
+            text += l3d_polygon_options::view_options(this->settings());
+        std::cerr << text << '\n';
+        return text;
     }
 
     /// The name - is the standard output.

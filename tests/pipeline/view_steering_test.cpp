@@ -241,6 +241,52 @@ TEST(view_steering, ctrl_clicks_tell_places_and_measure_between_two) {
     EXPECT_EQ(it.controls.message(), "nothing is there");
 }
 
+/// Rings stay where they were set on the model while it turns, and until a key after the second.
+TEST(view_steering, places_that_are_clicked_on_are_marked) {
+    for (const bool parallel : {false, true}) {
+        ball_viewer it;
+        it.parallel = parallel;
+        const auto has_mark = [&](const std::array<double, 2>& at) {
+            const l3d_pixels pixels = it.screen.pixels();
+            const l3d_rasterizer_factory_sw factory;
+            const auto imp = factory.create_2d(pixels);
+            l3d_rasterizer_2d rasterizer(*imp);
+            rasterizer.clear_buffer();
+            it.controls.draw(rasterizer, {});
+            const auto is_lit = [&](double x, double y) {
+                const auto column = static_cast<std::size_t>(std::floor(at[0] + x));
+                return (pixels.row(static_cast<int>(std::floor(at[1] + y)))[column] & 0xff0000) >
+                       0x600000;
+            };
+            return is_lit(5, 0) && is_lit(-5, 0) && is_lit(0, 5) && is_lit(0, -5) && !is_lit(0, 0);
+        };
+        const auto click = [&](int x, int y) {
+            it.send({.type = type::button_press,
+                     .button = 1,
+                     .x = x,
+                     .y = y,
+                     .clicks = 1,
+                     .control = true});
+        };
+        const auto first = it.place(200.5, 150.5);
+        ASSERT_TRUE(first);
+        EXPECT_FALSE(has_mark(it.seen(first->place)));
+        click(200, 150);
+        EXPECT_TRUE(has_mark(it.seen(first->place)));
+        it.press(l3d_key_left);
+        it.press(l3d_key_up);
+        EXPECT_TRUE(it.controls.shows_text());
+        EXPECT_TRUE(has_mark(it.seen(first->place)));
+        it.press('r');
+        EXPECT_FALSE(it.controls.shows_text());
+        click(200, 150);
+        click(230, 180);
+        EXPECT_TRUE(it.controls.shows_text());
+        it.press(l3d_key_left);
+        EXPECT_FALSE(it.controls.shows_text());
+    }
+}
+
 TEST(view_steering, a_window_of_another_size_keeps_the_view) {
     ball_viewer it;
     const l3d_camera own = it.camera;

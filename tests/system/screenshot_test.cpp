@@ -22,10 +22,11 @@ TEST(screenshot, takes_the_first_name_that_nobody_has) {
     std::ofstream("l3d-0001.png") << "mine";
     fs::create_symlink("l3d-0002.png", "l3d-0002.png"); // leads round
     fs::create_symlink("nothing", "l3d-0003.png");
-    EXPECT_EQ(l3d_save_screenshot(image.pixels()), "saved l3d-0004.png");
+    const auto saved = [](const char* name) { return "saved " + fs::absolute(name).string(); };
+    EXPECT_EQ(l3d_save_screenshot(image.pixels()), saved("l3d-0004.png"));
     EXPECT_EQ(fs::file_size("l3d-0001.png"), 4u);
     EXPECT_FALSE(fs::exists("nothing"));
-    EXPECT_EQ(l3d_save_screenshot(image.pixels()), "saved l3d-0005.png");
+    EXPECT_EQ(l3d_save_screenshot(image.pixels()), saved("l3d-0005.png"));
     fs::current_path(before);
 }
 

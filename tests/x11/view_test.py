@@ -350,6 +350,67 @@ def obeys_every_gesture():
             it.end()
 
 
+def tells_the_view_as_options():
+    """The key g prints options that show the same picture again, whatever has moved, turned or zoomed it."""
+    keys_of = {"teapot_afd": ("Left", "Left", "Up", "Prior"), "modelview": ("x", "Y", "v", "Down", "Next")}
+    for viewer in VIEWERS:
+        with contextlib.ExitStack() as stack:
+            it = Window(stack, viewer, "--background", "0,0,0")
+            it.does("f", "key", "f")
+            it.drag(1)
+            it.drag(3)
+            for key in keys_of[viewer]:
+                it.does(key, "key", key)
+            it.does("g", "key", "g")
+            said = it.process.stderr.readline().decode()
+            expect(said.startswith("--eye "), said)
+            again = harness.memory_picture(it.program, "--background", "0,0,0", *said.split())
+            xdotool(it.display, "key", "j")  # a key that nobody has ends the line in the window
+            wait_for(lambda: it.picture() == again, "the picture of " + said)
+            it.end()
+
+
+def marks_what_is_chosen():
+    """Places that are clicked on get rings, and a part its borders: in a colour that is in no picture."""
+    mark = 0xFFD873
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, "teapot_afd", "--background", "0,0,0", size=(640, 480))
+
+        def marked():
+            return {(x, y) for y, row in enumerate(it.picture()[:400]) for x, word in enumerate(row) if word == mark}
+
+        def around(x, y):
+            return {(x0, y0) for x0, y0 in marked() if abs(x0 - x) <= 6 and abs(y0 - y) <= 6}
+
+        it.does("f", "key", "f")
+        it.does("r", "key", "r")
+        expect_equal(marked(), set(), "before")
+        it.does("a click with Ctrl", "keydown", "ctrl", *it.at(300, 240), "click", 1)
+        wait_for(lambda: around(300, 240) and around(300, 240) == marked(), "a ring")
+        it.does("a second one", *it.at(360, 260), "click", 1, "keyup", "ctrl")
+        wait_for(lambda: around(360, 260) and around(330, 250), "a ring, and a line to the first")
+        xdotool(it.display, "key", "j")
+        wait_for(lambda: not marked(), "no marks after a key")
+        it.does("e", "key", "e")
+        wait_for(lambda: len(marked()) > 100, "the borders of a part")
+        xdotool(it.display, "key", "j")
+        wait_for(lambda: not marked(), "no borders after a key")
+        it.end()
+
+
+def has_one_name_in_its_title():
+    """Not "gallery - gallery"; a model's name comes first."""
+    with contextlib.ExitStack() as stack:
+        display = stack.enter_context(x_server()).display
+        for name, arguments, title in (("gallery", (), "gallery"), ("teapot_afd", (), "Utah teapot - teapot_afd")):
+            program = Program(name, (157, 119))
+            with started(program.command("--backend", "ximage", *arguments), environment(display)) as process:
+                window = window_of(display, program)
+                wait_for(lambda: xdotool(display, "getwindowname", window).strip() == title, title)
+                xdotool(display, "key", "--window", window, "q")
+                harness.ended(process)
+
+
 def frames_a_flat_model_from_its_front():
     """It has no depth there, and is framed by its width and height."""
     for viewer in VIEWERS:
@@ -410,7 +471,8 @@ def main():
         says_why_a_picture_is_empty, says_that_a_model_has_no_area,
         says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,
-        shows_both_sides, shows_a_whole_teapot_from_behind, lights_every_side, picks_from_the_command_line, obeys_every_key_of_the_view,
+        shows_both_sides, shows_a_whole_teapot_from_behind, lights_every_side, picks_from_the_command_line,
+        obeys_every_key_of_the_view, tells_the_view_as_options, marks_what_is_chosen, has_one_name_in_its_title,
         obeys_every_gesture, keeps_the_model_in_a_window_of_another_size, frames_a_flat_model_from_its_front,
         says_in_the_window_that_it_is_empty,
     ):

@@ -2,6 +2,7 @@
 // gltf_document: containers, buffers and accessors, with every bound checked.
 #include "geom/files/gltf_document_p.h"
 
+#include "base/counted_p.h"
 #include "geom/files/text_cursor_p.h"
 
 #include <algorithm>
@@ -399,7 +400,7 @@ gltf_numbers gltf_document::numbers(const gltf_value& at, std::string_view types
         fill(accessor, accessor.at("bufferView"), shape, result.count, result);
     } else {
         if (result.count > bytes_) // what names none of its bytes must not outgrow the file
-            accessor.fail("has " + std::to_string(result.count) + " elements and no bufferView");
+            accessor.fail("has " + counted(result.count, "elements") + " and no bufferView");
         take_memory(result.count * shape.components * sizeof(double));
         result.values.resize(result.count * shape.components);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reader of glTF 2.0: the scene's nodes become one mesh, in the scene's coordinates.
 #include "geom/files/gltf_document_p.h"
+#include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/transform.h"
@@ -166,7 +167,7 @@ private:
             return false;
         const gltf_value array = of.at(name);
         if (array.size() != N)
-            array.fail("has " + std::to_string(array.size()) + " numbers, not " +
+            array.fail("has " + l3d_detail::counted(array.size(), "numbers") + ", not " +
                        std::to_string(N));
         for (std::size_t i = 0; i < N; ++i)
             out[i] = array[i].number();
@@ -365,8 +366,8 @@ private:
 
     static void check_count(const gltf_value& at, std::size_t count, std::size_t vertices) {
         if (count != vertices)
-            at.fail("has " + std::to_string(count) + " elements for " + std::to_string(vertices) +
-                    " vertices");
+            at.fail("has " + l3d_detail::counted(count, "elements") + ", and the positions " +
+                    std::to_string(vertices));
     }
 
     /// By the cofactors of the placement, which keep normals normal.

@@ -76,7 +76,7 @@ public:
         if (!text_.binary(count, std::endian::little, "the number of triangles"))
             return false;
         if (text_.rest().size() < count * triangle_bytes)
-            return text_.fail(std::to_string(count) + " triangles take " +
+            return text_.fail(counted(count, "triangles") + (count == 1 ? " takes " : " take ") +
                               std::to_string(count * triangle_bytes) + " bytes; there are " +
                               std::to_string(text_.rest().size()));
         bool has_more = false;

@@ -5,7 +5,7 @@
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_wires.h"
 #include "geom/real.h"
-#include "base/formatted_p.h"
+#include "base/counted_p.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
 #include "scene/framing.h"
@@ -17,7 +17,6 @@
 #include <string>
 #include <utility>
 
-using l3d_detail::formatted;
 using l3d_detail::stopwatch;
 
 namespace {
@@ -215,13 +214,14 @@ void l3d_pipeline_polygons::draw_overlay() {
     screen_->set_text({});
     if (!controls_.shows_text())
         return;
-    std::vector lines{formatted("%lld of %lld polygons drawn by %s",
-                                static_cast<long long>(report_.polygons.drawn),
-                                static_cast<long long>(report_.triangles), name())};
+    const auto some = [](std::int64_t count, const char* things) {
+        return l3d_detail::counted(static_cast<std::size_t>(count), things);
+    };
+    std::vector lines{std::to_string(report_.polygons.drawn) + " of " +
+                      some(report_.triangles, "polygons") + " drawn by " + name()};
     if (report_.order.knots > 0)
-        lines.push_back(formatted("%lld knots, %lld cuts",
-                                  static_cast<long long>(report_.order.knots),
-                                  static_cast<long long>(report_.order.cuts)));
+        lines.push_back(some(report_.order.knots, "knots") + ", " +
+                        some(report_.order.cuts, "cuts"));
     controls_.draw(rasterizer_, lines);
 }
 
