@@ -98,9 +98,10 @@ private:
 
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
-    /// Shares of width and height, so that handles stay in a window of another size.
+    /// Shares of width and height, so that handles stay in a window of another size. They leave
+    /// the numbers' and the caption's place above them free, and that of magnifier and bars below.
     static constexpr std::array<l3d_point_2d, 4> places_at_first{
-        {{0.08, 0.62}, {0.3, 0.02}, {0.62, 0.85}, {0.92, 0.12}}};
+        {{0.06, 0.38}, {0.3, 0.82}, {0.6, 0.34}, {0.94, 0.45}}};
     static constexpr std::uint32_t exact_color = 0x0060c0ff, fixed_color = 0x00ff5040,
                                    quiet_color = 0x00909aa4, step_color = 0x00f0f0f0,
                                    whole_color = 0x0080e090;
@@ -257,7 +258,8 @@ private:
             l3d_path nowhere;
             return font_.outline(nowhere, {}, text, letters);
         };
-        const auto next_line = [&] { base.y += 1.35 * letters; };
+        const double line = 1.35 * letters;
+        const auto next_line = [&] { base.y += line; };
         write(step_color, 0, counted_steps(steps_));
         const numbers dx = differences(x, steps_), dy = differences(y, steps_);
         const double gap = letters / 2;
@@ -272,7 +274,9 @@ private:
             const std::string text = with_four_digits(value);
             write(quiet_color, end - width(text), text);
         };
-        for (std::size_t k = 1; k < 4; ++k) {
+        constexpr double lines = 7, most_of_height = 0.31; // above the first handles
+        const bool has_room = lines * line <= most_of_height * size().height;
+        for (std::size_t k = 1; k < 4 && has_room; ++k) {
             next_line();
             write(quiet_color, 0, "d" + std::to_string(k));
             number(end_x, dx[k]);
@@ -283,8 +287,11 @@ private:
         next_line();
         const int doublings = doublings_for(steps_);
         write(whole_color, 0,
-              "whole numbers, " + counted_steps(1 << doublings) + ", off by " +
-                  with_four_digits(whole_error(x, y, doublings)) + " px");
+              "whole numbers off by " + with_four_digits(whole_error(x, y, doublings)) + " px");
+        if (1 << doublings == steps_)
+            return;
+        next_line();
+        write(whole_color, 0, "in " + counted_steps(1 << doublings) + ", the next power of two");
     }
 
     static std::string counted_steps(int steps) {
@@ -345,13 +352,14 @@ int main(int argc, char** argv) {
     l3d_program program(
         "curves",
         l3d_caption{.what =
-                        "A curve walked by forward differences in 16.16 (red), and how far each "
+                        "A curve walked by forward differences in 16.16 (red),\nand how far each "
                         "step is off. Drag the handles.",
                     .keys = {{"m, l, wheel", "more or less steps"},
                              {"d", "dashes"},
                              {"z", "magnify where 16.16 is worst"},
-                             {"r", "as at first"}}},
-        {480, 320});
+                             {"r", "as at first"}},
+                    .corner = l3d_corner::top_right},
+        {960, 640});
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         curves_pipeline pipeline(program.create_canvas());

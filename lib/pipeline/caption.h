@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_CAPTION_H
 
 #include "base/public.h"
+#include "raster/shapes/panel.h"
 
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ struct L3D_PUBLIC l3d_caption {
 
     /// The keys that show and hide the help. A program that needs one of them leaves it out.
     std::string help = "h?";
+
+    /// Where the window says for some seconds what it shows, until a button is pressed: where the
+    /// program has nothing to see.
+    l3d_corner corner = l3d_corner::bottom_left;
 
     /// All keys: the program's own, F11, those of help, and the end.
     std::vector<l3d_caption_row> all_keys() const;

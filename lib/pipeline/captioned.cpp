@@ -37,7 +37,12 @@ void captioned::key_event(int key) {
     follow();
 }
 
+/// Who presses a button looks at the picture, not at words upon it.
 void captioned::pointer_event(const l3d_event& event) {
+    if (event.type == l3d_event_type::button_press && hint_is_shown()) {
+        hint_seconds_ = 0;
+        is_old_ = true;
+    }
     shown_.pointer_event(event);
     follow();
 }
@@ -140,7 +145,7 @@ void captioned::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_
 bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
     const int share = caption_.teaches.empty() ? largest_share : largest_share_of_lesson;
     for (const l3d_panel& hint : hints()) {
-        draw(rasterizer, hint, l3d_corner::bottom_left);
+        draw(rasterizer, hint, caption_.corner);
         if (share * covered_.area() <= l3d_whole(screen_.pixels().size()).area())
             return true;
         uncover();

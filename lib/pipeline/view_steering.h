@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_VIEW_STEERING_H
 
 #include "base/public.h"
-#include "geom/point.h"
+#include "raster/rasterizer_2d.h"
 #include "scene/camera.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"

@@ -146,6 +146,24 @@ TEST_F(captioned_row, shows_a_hint_at_first_and_leaves_the_picture_as_it_would_b
     EXPECT_EQ(row.draws, 8);
 }
 
+TEST_F(captioned_row, shows_its_hint_in_a_corner_until_a_button_is_pressed) {
+    row.moves = false;
+    const auto is_covered = [&](int x, int y) {
+        return screen.pixels().row(y)[static_cast<std::size_t>(x)] != 0;
+    };
+    l3d_detail::captioned above{
+        row, screen, l3d_caption{.what = "A row grows.", .corner = l3d_corner::top_right},
+        l3d_font(), hint_seconds};
+    above.draw_event();
+    EXPECT_TRUE(is_covered(385, 15));
+    EXPECT_FALSE(is_covered(15, 285));
+    above.pointer_event({.type = l3d_event_type::button_press, .button = 1});
+    EXPECT_TRUE(above.needs_redraw());
+    EXPECT_TRUE(above.is_at_rest());
+    above.draw_event();
+    EXPECT_TRUE(is_plain());
+}
+
 TEST_F(captioned_row, asks_for_a_picture_when_its_panel_comes_or_goes) {
     row.moves = false;
     pass(0.1);

@@ -7,7 +7,7 @@ import harness
 from harness import Checks, Session, await_rest, expect, xdotool
 
 CURVES = harness.Program("curves", (480, 320))
-FIRST, SECOND, THIRD, LAST = (38, 198), (144, 6), (298, 272), (442, 38)
+FIRST, SECOND, THIRD, LAST = (29, 122), (144, 262), (288, 109), (451, 144)
 
 
 def begin(it):
@@ -68,9 +68,42 @@ def wide_numbers_leave_their_labels_free():
         it.expect_end(0)
 
 
+def numbers_lie_above_the_curve():
+    """A black row is between them, in any size."""
+    for size in ((960, 640), (480, 320), (240, 160), (700, 400), (300, 900)):
+        width, height = size
+        rows = harness.memory_picture(harness.Program("curves", size))
+        black = [y for y in range(height) if not any(word & 0xFFFFFF for word in rows[y])]
+        between = [y for y in black if y < 0.34 * height and any(word & 0xFFFFFF for row in rows[:y] for word in row)]
+        expect(between, "no row between numbers and curve at %dx%d" % size)
+        reaches = max(y for y in range(int(0.34 * height)) if any(word & 0xFFFFFF for word in rows[y][:width // 20]))
+        expect(reaches < max(between), "numbers below the curve's top at %dx%d" % size)
+
+
+def the_caption_hides_nothing():
+    """It lies on black alone, with the magnifier, too; a button takes it away."""
+    program = harness.Program("curves", (960, 640))
+    plain = harness.memory_picture(program)
+    with Session(program) as it:
+        it.await_picture(lambda rows: rows != plain and harness.has_picture(rows), what="the caption")
+        shown = it.picture()
+        hidden = [(x, y) for y in range(640) for x in range(960) if shown[y][x] != plain[y][x]]
+        expect(hidden and not any(plain[y][x] & 0xFFFFFF for x, y in hidden), "the caption lies on", hidden[:1])
+        xdotool(it.display, "mousemove", "--window", it.window, 480, 600, "click", "1")
+        it.await_picture(lambda rows: rows == plain, what="the picture without a caption")
+        it.press("z")
+        it.await_picture(lambda rows: rows != plain, what="the magnifier")
+        magnified = it.picture()
+        changed = {(x, y) for y in range(640) for x in range(960) if magnified[y][x] != plain[y][x]}
+        expect(not any(plain[y][x] & 0xFFFFFF for x, y in changed), "the magnifier lies on the curve")
+        expect(not changed & set(hidden), "the caption lies where the magnifier is")
+        it.press("q")
+        it.expect_end(0)
+
+
 if __name__ == "__main__":
     checks = Checks()
     for check in (handles_stay_where_they_can_be_held, the_magnifier_stays_in_a_low_window,
-                  wide_numbers_leave_their_labels_free):
+                  wide_numbers_leave_their_labels_free, numbers_lie_above_the_curve, the_caption_hides_nothing):
         checks.run("curves." + check.__name__, check)
     checks.finish()
