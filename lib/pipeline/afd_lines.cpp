@@ -6,6 +6,7 @@
 #include "pipeline/wire_p.h"
 #include "scene/placed_net.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -102,6 +103,6 @@ void l3d_pipeline_afd::mark_part(const std::string& name) {
             }
         }
     }
-    l3d_detail::wire_drawer(rasterizer(), mark_color, true, screen_->text_scale())
-        .draw(lines.all());
+    const double width = 2 * std::max(1.0, screen_->text_scale()); // to be seen on any ground
+    l3d_detail::wire_drawer(rasterizer(), mark_color, true, width).draw(lines.all());
 }

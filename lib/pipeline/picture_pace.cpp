@@ -4,6 +4,8 @@
 
 #include "base/formatted_p.h"
 
+#include <cstddef>
+
 namespace {
 
 constexpr std::chrono::seconds span{1};
@@ -35,7 +37,8 @@ double l3d_picture_pace::per_second() const {
     if (!follows_ || !(begin_ > done_.front().begin))
         return 0;
     const std::chrono::duration<double> passed = begin_ - done_.front().begin;
-    return static_cast<double>(done_.size()) / passed.count();
+    const std::size_t began_before = done_.size() - (done_.back().begin == begin_ ? 1 : 0);
+    return static_cast<double>(began_before) / passed.count();
 }
 
 std::string l3d_picture_pace::text() const {

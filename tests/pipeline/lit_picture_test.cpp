@@ -144,18 +144,20 @@ l3d_camera from(const l3d_camera::vector& eye) {
 
 /// Its direction is all that is new, so all that is promised holds of it.
 TEST(lit_picture, by_a_headlight_is_that_of_a_light_of_the_world) {
+    constexpr l3d_size small{61, 45};
+    const auto sw = std::make_shared<l3d_rasterizer_factory_sw>();
     for (const l3d_camera::vector eye :
          {l3d_camera::vector{-4.0, 4.0, -8.0}, {1.0, -7.0, 2.0}, {0.3, 9.0, 0.1}}) {
         l3d_afd_settings settings;
         settings.error_map = settings.antialias = true;
         const l3d_frame_lights lights = l3d_headlight(from(eye), settings.lighting);
         settings.light = lights.light;
-        tester placed(l3d_patch_scene(teapot_model()), from(eye), settings);
+        tester placed(l3d_patch_scene(teapot_model()), from(eye), settings, sw, small);
         placed.draw_event();
         settings.light = {0.0, 0.0, 1.0};
         settings.lighting = two_lights(); // which does not shine then
         settings.headlight = true;
-        tester with_eye(l3d_patch_scene(teapot_model()), from(eye), settings);
+        tester with_eye(l3d_patch_scene(teapot_model()), from(eye), settings, sw, small);
         with_eye.draw_event();
         EXPECT_EQ(placed.words(), with_eye.words());
         EXPECT_EQ(placed.report().dice.shade_bound, with_eye.report().dice.shade_bound);
@@ -163,7 +165,7 @@ TEST(lit_picture, by_a_headlight_is_that_of_a_light_of_the_world) {
         EXPECT_TRUE(
             std::ranges::equal(placed.error_map()->levels(), with_eye.error_map()->levels()));
         settings.headlight = false;
-        tester in_the_world(l3d_patch_scene(teapot_model()), from(eye), settings);
+        tester in_the_world(l3d_patch_scene(teapot_model()), from(eye), settings, sw, small);
         in_the_world.draw_event();
         EXPECT_NE(in_the_world.words(), with_eye.words());
     }

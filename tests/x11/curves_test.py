@@ -82,19 +82,19 @@ def numbers_lie_above_the_curve():
 
 def the_caption_hides_nothing():
     """It lies on black alone, with the magnifier, too; a button takes it away."""
-    program = harness.Program("curves", (960, 640))
+    program = harness.Program("curves", (750, 500))  # the screen has 800x600
     plain = harness.memory_picture(program)
     with Session(program) as it:
         it.await_picture(lambda rows: rows != plain and harness.has_picture(rows), what="the caption")
         shown = it.picture()
-        hidden = [(x, y) for y in range(640) for x in range(960) if shown[y][x] != plain[y][x]]
+        hidden = [(x, y) for y in range(500) for x in range(750) if shown[y][x] != plain[y][x]]
         expect(hidden and not any(plain[y][x] & 0xFFFFFF for x, y in hidden), "the caption lies on", hidden[:1])
-        xdotool(it.display, "mousemove", "--window", it.window, 480, 600, "click", "1")
+        xdotool(it.display, "mousemove", "--window", it.window, 375, 300, "click", "1")
         it.await_picture(lambda rows: rows == plain, what="the picture without a caption")
         it.press("z")
         it.await_picture(lambda rows: rows != plain, what="the magnifier")
         magnified = it.picture()
-        changed = {(x, y) for y in range(640) for x in range(960) if magnified[y][x] != plain[y][x]}
+        changed = {(x, y) for y in range(500) for x in range(750) if magnified[y][x] != plain[y][x]}
         expect(not any(plain[y][x] & 0xFFFFFF for x, y in changed), "the magnifier lies on the curve")
         expect(not changed & set(hidden), "the caption lies where the magnifier is")
         it.press("q")
