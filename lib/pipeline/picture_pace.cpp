@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
+/// How many pictures began before this one, or 1 for the only one.
+template <class Pictures>
+std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
+    return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
+}
+
 } // namespace
 
 /// The last one is kept at least: it tells what drawing takes.
@@ -28,17 +34,17 @@ void l3d_picture_pace::end() {
 
 double l3d_picture_pace::milliseconds() const {
     std::chrono::duration<double, std::milli> sum{0};
-    for (const picture& each : done_)
-        sum += each.end - each.begin;
-    return done_.empty() ? 0 : sum.count() / static_cast<double>(done_.size());
+    const std::size_t count = counted(done_, begin_);
+    for (std::size_t i = 0; i < count; ++i)
+        sum += done_[i].end - done_[i].begin;
+    return count == 0 ? 0 : sum.count() / static_cast<double>(count);
 }
 
 double l3d_picture_pace::per_second() const {
     if (!follows_ || !(begin_ > done_.front().begin))
         return 0;
     const std::chrono::duration<double> passed = begin_ - done_.front().begin;
-    const std::size_t began_before = done_.size() - (done_.back().begin == begin_ ? 1 : 0);
-    return static_cast<double>(began_before) / passed.count();
+    return static_cast<double>(counted(done_, begin_)) / passed.count();
 }
 
 std::string l3d_picture_pace::text() const {
