@@ -118,8 +118,9 @@ int main(int argc, char** argv) {
     });
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
-        l3d_viewer<gallery_pipeline> pipeline(program, afd, program.create_canvas(afd.model_file().empty() ? "" : afd.model_title()), scene,
-                                              camera, settings);
+        l3d_viewer<gallery_pipeline> pipeline(
+            program, afd, program.create_canvas(afd.model_file().empty() ? "" : afd.model_title()),
+            scene, camera, settings);
         if (!afd.places_camera()) {
             // From some 24 degrees above: the front models do not hide those behind them.
             camera.eye = camera.target + l3d_upright(camera.up).at(0.15, 0.45, 1.0);

@@ -27,7 +27,6 @@ struct caption {
     int awaited_seconds = 0;
     live_result measured;
 
-
     /// For the upper right corner of a half of this size, half of which stays free. It is shorter
     /// where room is: with short lines, then the method's name alone, then nothing.
     l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
