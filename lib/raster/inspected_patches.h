@@ -35,8 +35,8 @@ struct l3d_inspected_patches {
     std::array<vector, 3> axes{};
 
     /// A direction along the axes, in the world.
-    vector in_world(const vector& direction) const {
-        return axes[0] * direction[0] + axes[1] * direction[1] + axes[2] * direction[2];
+    vector in_world(const vector& of_axes) const {
+        return axes[0] * of_axes[0] + axes[1] * of_axes[1] + axes[2] * of_axes[2];
     }
 
     /// What the eye sees at a place of the picture lies along this, 1 deep. Units: pixels.

@@ -59,11 +59,13 @@ TEST(Text, EveryPrintableCharacterIsItsOwn) {
 }
 
 TEST(Text, UnknownCharactersAreBoxes) {
-    const auto box = picture_of("\x01", 1, 1, 7, 9);
+    const auto box = picture_of("\xc3\xa9", 1, 1, 7, 9);
     EXPECT_EQ(box[1], ".#####.");
     EXPECT_EQ(box[4], ".#...#.");
     EXPECT_EQ(picture_of("\xe9", 1, 1, 7, 9), box);
-    EXPECT_EQ(picture_of("\x7f", 1, 1, 7, 9), box);
+    const auto nothing = picture_of(" ", 1, 1, 7, 9); // control characters are not seen
+    EXPECT_EQ(picture_of("\x01", 1, 1, 7, 9), nothing);
+    EXPECT_EQ(picture_of("\x7f", 1, 1, 7, 9), nothing);
 }
 
 TEST(Text, ScaleRepeatsEveryPixel) {
