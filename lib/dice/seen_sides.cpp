@@ -6,6 +6,7 @@
 #include "raster/surfaces/quad_cut_p.h"
 #include "scene/dice_view.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -193,14 +194,20 @@ float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::siz
     using namespace l3d_detail;
     if (!grid.shows_both)
         return 1;
-    const quad_corners v = corners_of(grid, grid.index(row, column));
-    const quad_turns turns(v);
-    std::int64_t area2 = turns.area2();
-    if (turns.folded()) {
+    const std::size_t p00 = grid.index(row, column);
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    const auto at = [&](std::size_t i) { return scan_point{grid.x[i], grid.y[i]}; };
+    const std::array<scan_point, 4> v{at(p00), at(p00 + 1), at(p01 + 1), at(p01)};
+    // Twice the areas of both halves: of a quad that is not folded they have one sign, for either
+    // diagonal.
+    const std::int64_t a = cross(v[1] - v[0], v[2] - v[0]), b = cross(v[2] - v[0], v[3] - v[0]);
+    const std::int64_t c = cross(v[2] - v[1], v[3] - v[1]);
+    std::int64_t area2 = a + b;
+    const std::int64_t d = area2 - c;
+    if (std::min({a, b, c, d}) < 0 && std::max({a, b, c, d}) > 0) {
         constexpr std::array<std::size_t, 4> corner{0, 2, 3, 1}; // at which a side begins
-        const scan_point from = position(v[corner[side]]);
-        const scan_point next = position(v[(corner[side] + 1) % v.size()]);
-        area2 = cross(next - from, position(projective_centre(v)) - from);
+        const scan_point from = v[corner[side]], next = v[(corner[side] + 1) % v.size()];
+        area2 = cross(next - from, position(projective_centre(corners_of(grid, p00))) - from);
     }
     return area2 > 0 ? -1.0F : 1.0F;
 }

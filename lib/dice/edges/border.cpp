@@ -30,12 +30,17 @@ void l3d_note_border(l3d_diced_piece& piece, std::size_t side, const l3d_edge_po
         // The level of the grid's vertex on the side where the quad begins.
         const std::size_t vertex =
             grid.index(row + (along_u && at_end ? 1 : 0), column + (!along_u && at_end ? 1 : 0));
-        l3d_clip_vertex a = edge.clip_vertex(i, view), b = edge.clip_vertex(i + 1, view);
-        if (!l3d_clip_segment(a, b, view))
-            continue;
+        l3d_micro_vertex from{edge.x()[i], edge.y()[i], edge.inv_w()[i], {}};
+        l3d_micro_vertex to{edge.x()[i + 1], edge.y()[i + 1], edge.inv_w()[i + 1], {}};
+        if (edge.strips().blocks == 0) {
+            l3d_clip_vertex a = edge.clip_vertex(i, view), b = edge.clip_vertex(i + 1, view);
+            if (!l3d_clip_segment(a, b, view))
+                continue;
+            from = a.dice.vertex;
+            to = b.dice.vertex;
+        }
         if (!forward)
-            std::swap(a, b);
-        const l3d_micro_vertex &from = a.dice.vertex, &to = b.dice.vertex;
+            std::swap(from, to);
         piece.part.border.push_back(
             {from.x, from.y, to.x, to.y, std::max(from.inv_w, to.inv_w),
              piece.has_levels ? grid.normal[0][vertex] : std::numeric_limits<float>::quiet_NaN(),
