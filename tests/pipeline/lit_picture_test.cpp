@@ -200,7 +200,7 @@ TEST(lit_picture, by_a_headlight_has_no_dark_side) {
             const double angle = turn * std::numbers::pi / 6;
             l3d_camera camera;
             camera.eye = {4 * std::cos(angle), height, 4 * std::sin(angle)};
-            l3d_polygon_settings settings;
+            l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = l3d_shade::lambert;
             const auto seen = [&] {
                 l3d_pipeline_zsort pipeline(l3d_memory_canvas({203, 151}),
