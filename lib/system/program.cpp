@@ -42,8 +42,8 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
     l3d_screen_request request = options_.screen_request();
     if (!shows.empty() && shows != request.title && options_.common().title.empty())
         request.title = shows + " - " + request.title;
-    l3d_canvas canvas{factories_.create_screen(request), factories_.chosen().rasterizer_factory,
-                      {}, is_classic_};
+    l3d_canvas canvas{
+        factories_.create_screen(request), factories_.chosen().rasterizer_factory, {}, is_classic_};
     // What is drawn by GL, or by a factory of the program's own, keeps the edges that it has.
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)

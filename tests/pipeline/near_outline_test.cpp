@@ -65,7 +65,7 @@ TEST(near_outline, is_smooth_where_patches_are_clipped) {
 
 /// What is thinner than a pixel has a centre nowhere: the plane's cut alone tells where it ends.
 /// Both sides of a wedge may lie a tolerance beside their places: at one pixel, it is that much too
-/// wide or too narrow. Lost wedges are some 40 pixels.
+/// wide or too narrow.
 TEST(near_outline, is_seen_of_wedges_between_the_plane_and_a_border) {
     for (const double tolerance : {1.0, 0.25, 0.05})
         for (const double turned : {0.0, 0.4, 1.5}) {

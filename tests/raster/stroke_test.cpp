@@ -303,8 +303,7 @@ TEST(stroke, shows_the_dashes_of_lines_that_are_mostly_far_away) {
     };
     const l3d_stroke pen{.width = 8, .dashes = {20, 5}}, thirds{.width = 8, .dashes = {2, 5, 1}};
     for (const l3d_stroke& each : {pen, thirds}) {
-        const l3d_path near = line({-16, 15}, {64, 15}),
-                       far = line({-1e8, 15}, {1e8, 15});
+        const l3d_path near = line({-16, 15}, {64, 15}), far = line({-1e8, 15}, {1e8, 15});
         l3d_stroke shifted = each;
         shifted.dash_begin = std::fmod(1e8 - 16, each.dashes.size() == 2 ? 25.0 : 16.0);
         ASSERT_GT(area(near, shifted), 100);

@@ -65,7 +65,9 @@ public:
     /// Errors:  false if the object is not in the world.
     bool remove(const l3d_object& object);
 
-    /// All that is in the world, in the order of addition. Lives: until the next add or remove.
+    /// All that is in the world, in the order of addition.
+    /// Errors:  none.
+    /// Lives:   until the next add or remove.
     std::span<const std::unique_ptr<l3d_object>> objects() const { return objects_; }
 
     /// Lets time pass for every object, then for the camera. Units: seconds.
