@@ -155,8 +155,11 @@ void summarize(const reference::error_map& errors, frame_result& result) {
 
 measured_frames measure_patches(const measured_view& view, const measured_setting& setting,
                                 double seconds, int most_distances) {
-    l3d_afd_settings settings{
-        .tolerance = setting.tolerance, .antialias = false, .background = {}, .threads = 1};
+    l3d_afd_settings settings;
+    settings.antialias = false;
+    settings.background = {};
+    settings.threads = 1;
+    settings.tolerance = setting.tolerance;
     settings.method = setting.method.factory();
     settings.depth = true;
     settings.lateral_only = setting.places_only;

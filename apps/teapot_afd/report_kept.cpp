@@ -69,7 +69,10 @@ l3d_method_factory kept_factory(std::shared_ptr<const l3d_method_kept*> made) {
 std::string fly(const char* name, const flight& along, bool keeps, const report_model& of,
                 l3d_size size, int frames) {
     const auto made = std::make_shared<const l3d_method_kept*>();
-    l3d_afd_settings settings{.antialias = false, .background = {}, .threads = 1};
+    l3d_afd_settings settings;
+    settings.antialias = false;
+    settings.background = {};
+    settings.threads = 1;
     std::string why;
     settings.method = keeps
                           ? kept_factory(made)

@@ -60,7 +60,10 @@ constexpr std::uint32_t magenta = 0xff00ff, white = 0xffffff;
 
 /// The picture of a method, where it is wrong in magenta.
 void draw_panel(const measured_view& exact, const char* method, const l3d_pixels& to) {
-    l3d_afd_settings settings{.antialias = false, .background = {}, .threads = 1};
+    l3d_afd_settings settings;
+    settings.antialias = false;
+    settings.background = {};
+    settings.threads = 1;
     std::string why;
     settings.method = l3d_method_choice::from_name(method, why).value().factory();
     l3d_pipeline_afd pipeline(l3d_memory_canvas(exact.size()), exact.model(), exact.camera(),

@@ -112,14 +112,14 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
 /// the weight cubic: two places of Gauss are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
-    const double slope = to > from ? (weight_to - weight_from) / (to - from) : 0;
+    const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
     for (auto p = std::ranges::upper_bound(pieces_, from, {}, &piece::to);
          p != pieces_.end() && p->from < to; ++p) {
         const double begin = std::max(from, p->from), half = (std::min(to, p->to) - begin) / 2;
         for (const double side : {-1.0, 1.0}) {
             const double place = begin + half * (1 + side / std::numbers::sqrt3);
             const numbers here = p->at(place);
-            const double weight = (weight_from + slope * (place - from)) * half * here[3];
+            const double weight = (weight_from + rise * (place - from)) * half * here[3];
             for (std::size_t k = 0; k < 3; ++k)
                 sum[k] += weight * here[k];
             sum[3] += weight;
@@ -132,8 +132,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
                        numbers& sum) const {
     if (period_ == 0)
         return add_in_period(from, to, weight_from, weight_to, sum);
-    const double slope = (weight_to - weight_from) / (to - from);
-    const auto weight_at = [&](double place) { return weight_from + slope * (place - from); };
+    const double rise = (weight_to - weight_from) / (to - from);
+    const auto weight_at = [&](double place) { return weight_from + rise * (place - from); };
     const double first = std::floor(from / period_), last = std::floor(to / period_);
     const double origin = first * period_, behind = last * period_;
     if (first == last)
@@ -141,8 +141,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
     const double next = origin + period_, count = last - first - 1;
     add_in_period(from - origin, period_, weight_from, weight_at(next), sum);
     if (count > 0) {
-        const double weight = count * weight_at(next) + slope * period_ * count * (count - 1) / 2;
-        add_in_period(0, period_, weight, weight + count * slope * period_, sum);
+        const double weight = count * weight_at(next) + rise * period_ * count * (count - 1) / 2;
+        add_in_period(0, period_, weight, weight + count * rise * period_, sum);
     }
     add_in_period(0, to - behind, weight_at(behind), weight_to, sum);
 }

@@ -172,12 +172,12 @@ private:
         const l3d_detail::shaped_line& line = shaper_.shape(text);
         for (const l3d_detail::placed_glyph& glyph : line.glyphs) {
             const int em = glyph.source->face()->units_per_EM;
-            const FT_Face face = sized(*glyph.source, em);
-            if (FT_Load_Glyph(face, glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0)
+            const FT_Face opened = sized(*glyph.source, em);
+            if (FT_Load_Glyph(opened, glyph.index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0)
                 continue;
             glyph_pen pen{
                 to, {base.x + glyph.x * scale, base.y - glyph.y * scale}, size / em / units};
-            FT_Outline_Decompose(&face->glyph->outline, &drawing, &pen);
+            FT_Outline_Decompose(&opened->glyph->outline, &drawing, &pen);
             pen.close();
         }
         return line.width * scale;
