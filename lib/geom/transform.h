@@ -114,7 +114,7 @@ namespace l3d_detail {
 
 /// Gauss and Jordan's elimination with the rows brought to a largest entry of 1 first, and pivots
 /// sought down the column. The rest is the inverse; the determinant is found on the way.
-class L3D_PUBLIC elimination {
+class elimination {
 public:
     template <class T> explicit elimination(const l3d_matrix<T>& m) {
         for (std::size_t i = 0; i < 4; ++i) {

@@ -423,7 +423,7 @@ def terminal_shows(made):
 
 
 def drawdot_draws(made):
-    run("./drawdot --no-input --backend memory --size 53x31 --frames 20 --output d.png", made)
+    run("./drawdot --no-input --classic --backend memory --size 53x31 --frames 20 --output d.png", made)
     row = read_png(made / "d.png")[0]
     expect_equal([x for x, color in enumerate(row) if color == 0x00FF80], list(range(21)))
 
