@@ -80,7 +80,7 @@ private:
         panel.add("patches", std::to_string(scene().patch_count()));
         panel.add("error", rounded(bound()) + " pixels at most");
         if (screen().is_window()) // files are the same each time
-            panel.add("drawn in", rounded(controls().pace().milliseconds()) + " ms");
+            panel.add("frame", rounded(controls().pace().milliseconds()) + " ms");
         return {panel, l3d_corner::bottom_right};
     }
 
