@@ -58,7 +58,7 @@ def obeys_signs(layout):
     """What is typed with Shift or AltGr here and without it there."""
     with Session(TEAPOT) as it:
         set_layout(it.display, layout)
-        for key in ("question", "question", "plus", "minus", "w", "w", "n", "o", "Left", "Prior"):
+        for key in ("plus", "minus", "w", "w", "n", "o", "Left", "Prior", "question", "question"):
             before = it.picture()
             press(it, layout, key)
             it.await_picture(lambda rows: rows != before, what="a change by " + key)
