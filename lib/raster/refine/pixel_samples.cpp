@@ -58,7 +58,7 @@ constexpr hn::CappedTag<std::int32_t, 16> ints;
 using double_vec = hn::Vec<decltype(doubles)>;
 using short_vec = hn::Vec<decltype(shorts)>;
 constexpr std::size_t short_lanes = hn::MaxLanes(shorts), float_lanes = hn::MaxLanes(floats);
-constexpr std::size_t short_vectors = sample_places::count / short_lanes;
+[[maybe_unused]] constexpr std::size_t short_vectors = sample_places::count / short_lanes;
 
 /// Lane i is bit i.
 template <class D> HWY_ATTR HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
