@@ -374,7 +374,6 @@ TEST(pipeline_afd, allocates_nothing_for_a_frame_like_the_last_one) {
                 program.draw_again();
             const long before = allocations;
             program.draw_again();
-            // Tasks are oneTBB's, from memory of its own.
             EXPECT_EQ(allocations - before, 0) << view.name << ", " << threads << " threads";
         }
 }

@@ -73,10 +73,10 @@ template <class D> HWY_ATTR HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> ma
 /// A polygon's sides, in the way round that has the inside on the right.
 ///
 /// With E = dx (y - y0) - dy (x - x0) a sample is inside if E > 0, or if E = 0 at a left or an
-/// upper side. With sample (i, j) of a pixel and c = dy (x - x0) - dx (y - y0) for its sample (0,
-/// 0), this is dx j - dy i > t, where t is c / 16 rounded down, c less 1 at these sides. The
-/// polygon beside the same side has -dx, -dy and -c - 1, so -t - 1, and its samples are exactly the
-/// others. Places are less than 2^24 and c less than 2^50, so that all of it is exact in double.
+/// upper side. Let c = dy (x - x0) - dx (y - y0) at sample (0, 0) of a pixel, less 1 at these
+/// sides, and let t be c / 16 rounded down. Sample (i, j) is inside if dx j - dy i > t. The polygon
+/// beside the same side has -dx, -dy and -c - 1, so -t - 1, and its samples are exactly the others.
+/// Places are less than 2^24 and c less than 2^50, so that all of it is exact in double.
 ///
 /// 15 (|dx| + |dy|) fits 16 bits if the sum is no more than 2184, eight pixels and a half. Longer
 /// sides are halved until they are, towards 0, and c with them. Again both polygons do the same. A
