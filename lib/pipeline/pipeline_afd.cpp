@@ -27,8 +27,6 @@ namespace {
 
 using l3d_detail::stopwatch;
 
-constexpr std::uint32_t wire_color = 0x0080d0ff;
-
 /// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
 /// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
@@ -363,14 +361,14 @@ void l3d_pipeline_afd::draw_wireframe() {
     l3d_dice_view view = stages_->view;
     view.shading.antialias = settings_.antialias; // then borders are noted, which neighbours share
     stages_->wire_dicer.begin(view);
-    l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : wire_color,
+    l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : l3d_detail::wire_color,
                                   settings_.antialias, screen_->text_scale()});
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(there, stages_->wire_culling, batch));
     if (is_none) {
         rasterizer_.finish();
-        l3d_detail::make_lines_transparent(screen_->pixels(), wire_color);
+        l3d_detail::make_lines_transparent(screen_->pixels(), l3d_detail::wire_color);
     }
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());

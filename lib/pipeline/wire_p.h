@@ -60,6 +60,8 @@ private:
 };
 
 inline constexpr std::uint32_t white = 0x00ffffff;
+/// The colour of lines: light blue, seen on the dark ground and on grey surfaces.
+inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 
 /// Draws lines of one colour, smooth ones where they are.
 class wire_drawer {

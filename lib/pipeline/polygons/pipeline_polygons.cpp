@@ -90,12 +90,12 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         const stopwatch drawing;
         const bool is_none = settings_.background.is_none();
         (is_none ? l3d_background() : settings_.background).fill(target);
-        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : wire_color,
+        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : l3d_detail::wire_color,
                                 settings_.antialias, screen_->text_scale())
             .draw(lines);
         if (is_none) {
             rasterizer_.finish();
-            l3d_detail::make_lines_transparent(target, wire_color);
+            l3d_detail::make_lines_transparent(target, l3d_detail::wire_color);
         }
         report.time_ms.raster = drawing.milliseconds();
         return;

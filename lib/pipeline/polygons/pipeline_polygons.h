@@ -178,8 +178,6 @@ protected:
     /// The threads that draw.
     l3d_workers& workers() { return workers_; }
 
-    static constexpr std::uint32_t wire_color = 0x0080d0ff; ///< the colour of lines, a pixel word
-
 private:
     /// Draw the whole picture, and add to times and counts of the report.
     virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;

@@ -5,6 +5,7 @@
 #include "pipeline/polygons/painter_order.h"
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
+#include "pipeline/wire_p.h"
 #include "raster/shapes/painter.h"
 #include "raster/surfaces/surface_rasterizer_sw.h"
 
@@ -76,7 +77,7 @@ void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report
     const stopwatch painting;
     stages_->painter.paint_lines(what.target, what.shading.background, stages_->order.triangles(),
                                  stages_->order.pieces(), stages_->order.cuts(),
-                                 {wire_color, what.smooth_lines});
+                                 {l3d_detail::wire_color, what.smooth_lines});
     report.surface = stages_->painter.counts();
     report.time_ms.raster = painting.milliseconds();
 }

@@ -16,8 +16,6 @@ using vector = l3d_vector<double, 3>;
 /// Objects of more triangles are placed by all threads together: some tenths of a millisecond.
 constexpr std::size_t large = 4096;
 
-constexpr std::uint32_t wire_color = 0x0080d0ff;
-
 l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     l3d_matrix<double> result;
     for (int i = 0; i < 4; ++i)
@@ -221,7 +219,8 @@ void l3d_world_surfaces::make_frames(const frame_input& in, l3d_workers& workers
 
 std::size_t l3d_world_surfaces::draw_wires(const frame_input& in, const l3d_world_target& target) {
     in.settings.background.fill(target.pixels);
-    l3d_detail::wire_drawer drawer(target.rasterizer, wire_color, in.settings.antialias, 1);
+    l3d_detail::wire_drawer drawer(target.rasterizer, l3d_detail::wire_color, in.settings.antialias,
+                                   1);
     std::size_t count = 0;
     for (placed* p : seen_) {
         const auto lines = p->wires.make(p->model(), *p->view, in.settings.cull);
@@ -254,7 +253,7 @@ std::size_t l3d_world_surfaces::fill(const frame_input& in, const l3d_world_targ
             triangles_.insert(triangles_.end(), of_object_.begin(), of_object_.end());
         }
         l3d_draw_seen_sides(target.pixels, depth_, triangles_, in.shading.background,
-                            {wire_color, in.settings.antialias});
+                            {l3d_detail::wire_color, in.settings.antialias});
     }
     return count;
 }
