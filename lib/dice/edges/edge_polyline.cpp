@@ -245,11 +245,10 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     if (view.focal > 0)
         second = std::max(second, l3d_space_bound_of(strip, view.focal, w_low));
     const double depth_second = l3d_depth_bound_of(strip);
-    // An edge gets half the budget, as each direction of a quad does, and less for outlines, as
-    // rows along sides do. So an edge and the boundary row of a patch mostly have the same steps,
-    // and the slit between them is empty.
-    const double of_image = view.finer_outlines() * second / (4 * budget);
-    const double wanted = std::max({1.0, std::ceil(std::sqrt(of_image)),
+    // An edge gets half the budget, as each direction of a quad does. So an edge and the boundary
+    // row of a patch mostly have the same steps, and the slit between them is empty. Where things
+    // are clipped, neither is finer for outlines.
+    const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
                                     std::ceil(std::sqrt(depth_second / (8 * depth_budget)))});
 
     if ((level < usual_level && !small) || (wanted > l3d_most_steps_whole && level < deepest)) {
