@@ -43,8 +43,8 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 
 /// Outlines of smooth edges keep this and the tolerance together, as 1 / (1 / a + 1 / b): an eighth
 /// of a pixel at the usual tolerance of a quarter. In the root of the mean square an outline is off
-/// by a tenth of what it keeps, as was measured. Counting 64 samples is off by 0.73 / 64 of a
-/// pixel: at an eighth both are alike. Units: pixels.
+/// by an eighth of what it keeps, as was measured. Counting 64 samples is off by 0.73 / 64 of a
+/// pixel, which is nearly as much. Units: pixels.
 inline constexpr double l3d_widest_outline = 0.25;
 
 /// The picture and the accuracy asked for; constant for a frame.
