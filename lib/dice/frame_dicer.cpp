@@ -217,6 +217,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         ++space.counts.backfacing;
         return;
     }
+    space.view.folds = view_.shading.antialias ? folds_of(instance, culling.matrix(p), p.patch) : 0;
     // An edge has the errors of its own points, which are the same for all patches that share it.
     std::array<double, l3d_edge_polylines::sides> edge_shares;
     for (std::size_t e = 0; e < edge_shares.size(); ++e)
@@ -264,6 +265,17 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
     const double side = is_outside ? model.orientation() : 1;
     const auto eye = l3d_eye_of(to_image);
     return eye ? model.facing(patch).away_from(*eye, side) : 0;
+}
+
+/// The blocks of a patch that are not known to turn one side alone to the eye.
+template <class T>
+unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
+                                      const l3d_matrix<double>& to_image, std::size_t patch) const {
+    const auto eye = l3d_eye_of(to_image);
+    if (!eye)
+        return l3d_facing_cones::all;
+    const l3d_facing_cones& facing = instance.model().facing(patch);
+    return l3d_facing_cones::all & ~(facing.away_from(*eye, 1) | facing.away_from(*eye, -1));
 }
 
 template <class T>

@@ -107,6 +107,8 @@ private:
     void share_memory_sizes();
     unsigned backs_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
+    unsigned folds_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
+                      std::size_t patch) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     const std::array<double, l3d_edge_polylines::sides>& edge_shares,
                     l3d_diced_pieces& out, l3d_dice_budget& budget, worker_space& space) const;

@@ -110,7 +110,8 @@ void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double 
 }
 
 template <class T>
-auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planned {
+auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outlines) const
+    -> planned {
     planned result(l3d_piece_nets<T>(p.net, of.view));
     result.vertex_error = result.nets.vertex_error();
     result.row_error = result.nets.row_error();
@@ -131,6 +132,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of) const -> planne
     result.depth_budget = of.view.chord_budget(result.depth_error);
     if (of.bends)
         of.bends.ask(p, of.view, result.depth_budget, result.needs);
+    if (with_outlines)
+        l3d_ask_for_outlines(p, of.view, result.needs);
     result.plan = l3d_plan_steps(result.needs, budget, kind);
     result.excess = static_cast<double>(std::max(result.plan.most_u(), result.plan.most_v())) /
                     (whole ? l3d_most_steps_whole : l3d_most_steps_clipped);
@@ -180,7 +183,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
 template <class T>
 void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost,
                                        task& of) {
-    planned how = plan_of(p, of);
+    planned how = plan_of(p, of, false);
     const bool whole = how.nets.whole();
     double ratio = 1;
     int most = l3d_most_steps_whole;

@@ -119,7 +119,7 @@ private:
         l3d_lane_dicer<T>* lanes = nullptr;
     };
 
-    planned plan_of(const piece& p, const task& of) const;
+    planned plan_of(const piece& p, const task& of, bool with_outlines = true) const;
     bool fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const;
     bool may_cut(const task& of) const;
     void wait(const piece& p, const l3d_step_plan& plan, double excess);

@@ -90,3 +90,34 @@ l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_ima
         add_need(needs, i, blocks[i], view, budget, kind);
     return needs;
 }
+
+/// Pieces are parts of patches by halves, so that all numbers here are exact.
+void l3d_ask_for_outlines(const l3d_net_piece& piece, const l3d_dice_view& view,
+                          l3d_block_needs& needs) {
+    needs.finer_outlines = view.finer_outlines();
+    needs.folds = 0;
+    if (view.folds == 0)
+        return;
+    constexpr unsigned across = 4; // blocks of a patch along either direction
+    const auto strips = static_cast<std::size_t>(needs.strips);
+    // The patch's blocks along a direction that block i of the piece reaches into, as bits.
+    const auto reached = [&](double low, double high, std::size_t i) {
+        const double size = across * (high - low) / needs.strips;
+        const double from = across * low + size * static_cast<double>(i);
+        unsigned bits = 0;
+        for (unsigned k = 0; k < across; ++k)
+            if (k < from + size && k + 1 > from)
+                bits |= 1U << k;
+        return bits;
+    };
+    for (std::size_t row = 0; row < strips; ++row) {
+        const unsigned rows = reached(piece.v0, piece.v1, row);
+        unsigned in_rows = 0;
+        for (unsigned r = 0; r < across; ++r)
+            if ((rows >> r & 1) != 0)
+                in_rows |= view.folds >> across * r;
+        for (std::size_t column = 0; column < strips; ++column)
+            if ((in_rows & reached(piece.u0, piece.u1, column)) != 0)
+                needs.folds |= 1U << (strips * row + column);
+    }
+}

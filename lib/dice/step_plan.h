@@ -5,6 +5,7 @@
 
 #include "geom/step_bound.h"
 #include "scene/dice_view.h"
+#include "dice/net_piece.h"
 
 #include <algorithm>
 #include <array>
@@ -49,6 +50,12 @@ struct l3d_block_needs {
             uu[i] = uv[i] = vv[i] = uuu[i] = uuv[i] = uvv[i] = vvv[i] = uuvv[i] = 0;
             uuuv[i] = uvvv[i] = 0;
         }
+
+        /// Asks for errors that many times smaller in a block.
+        void refine(std::size_t i, double by) {
+            for (per_block* of : {&uu, &uv, &vv, &uuu, &uuv, &uvv, &vvv, &uuvv, &uuuv, &uvvv})
+                (*of)[i] *= by;
+        }
     };
     bool keeps_bends = false;     ///< whether these count
     unsigned without_normals = 0; ///< bits of visible blocks that may have places without a normal
@@ -57,6 +64,11 @@ struct l3d_block_needs {
     /// Steps below which quads are too large to be filled fast. Not certified: a perspective
     /// curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
+
+    /// How many times smaller errors are to be where outlines may be: along the piece's sides, and
+    /// in blocks that may fold over, as bits. They are not proven to be: all bounds are of errors.
+    double finer_outlines = 1;
+    unsigned folds = 0;
 };
 
 /// Largest side of a micro-quad. With it, nearly all quads fit in the 64 pixels that the
@@ -71,6 +83,10 @@ inline constexpr double l3d_largest_quad = 48;
 /// Expects: for `whole`, every w > view.near.
 l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
+
+/// Takes what the view wants of outlines. Expects: the needs' strips are those of the piece.
+void l3d_ask_for_outlines(const l3d_net_piece& piece, const l3d_dice_view& view,
+                          l3d_block_needs& needs);
 
 /// Steps per strip of a piece that is cut into strips x strips blocks.
 ///
@@ -105,6 +121,9 @@ struct l3d_step_plan {
 /// Along the normal they err by at most
 ///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv) and so on (NUMERICS,
 /// section 3, Depth), and that keeps its own budget.
+///
+/// Outlines get finer steps only if these are no reason to cut the piece: no more than
+/// l3d_most_steps_whole a strip, and none with `triangles`.
 ///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.

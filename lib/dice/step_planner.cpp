@@ -45,27 +45,11 @@ public:
             bends_.emplace(needs);
     }
 
-    /// Half the budget to each direction: the product of the steps is then least.
-    HWY_INLINE void start() {
-        start_along(along_u, needs_.least_u);
-        start_along(along_v, needs_.least_v);
-    }
-
-    /// The mixed terms come on top of the halves: refine where they do not fit. More steps are
-    /// never worse, but for two after one, which is not balanced: then all is looked at once more.
-    HWY_INLINE void refine() {
-        for (bool settled = false; !settled;) {
-            settled = true;
-            for (std::size_t strip = 0; strip < strips_; ++strip)
-                settled &= refine_strip(strip);
-        }
-    }
-
-    /// Rounding up leaves slack that the other direction can often use.
-    HWY_INLINE void coarsen() {
-        for (std::size_t strip = 0; strip < strips_; ++strip)
-            for (const direction d : {along_u, along_v})
-                coarsen_strip(d, strip);
+    /// Chooses the steps.
+    HWY_INLINE void choose() {
+        start();
+        refine();
+        coarsen();
     }
 
     HWY_INLINE void finish(l3d_step_plan& plan) const {
@@ -103,6 +87,29 @@ public:
     }
 
 private:
+    /// Half the budget to each direction: the product of the steps is then least.
+    HWY_INLINE void start() {
+        start_along(along_u, needs_.least_u);
+        start_along(along_v, needs_.least_v);
+    }
+
+    /// The mixed terms come on top of the halves: refine where they do not fit. More steps are
+    /// never worse, but for two after one, which is not balanced: then all is looked at once more.
+    HWY_INLINE void refine() {
+        for (bool settled = false; !settled;) {
+            settled = true;
+            for (std::size_t strip = 0; strip < strips_; ++strip)
+                settled &= refine_strip(strip);
+        }
+    }
+
+    /// Rounding up leaves slack that the other direction can often use.
+    HWY_INLINE void coarsen() {
+        for (std::size_t strip = 0; strip < strips_; ++strip)
+            for (const direction d : {along_u, along_v})
+                coarsen_strip(d, strip);
+    }
+
     /// Refines a v-strip, the coarser direction first, until its blocks are fine enough or
     /// hopeless. Returns whether they were.
     HWY_INLINE bool refine_strip(std::size_t strip) {
@@ -275,15 +282,45 @@ private:
     steps_along steps_[2];
 };
 
+/// What steps have to keep for outlines to be finer.
+l3d_block_needs with_outlines(const l3d_block_needs& needs) {
+    l3d_block_needs result = needs;
+    const auto strips = static_cast<std::size_t>(needs.strips);
+    for (std::size_t i = 0; i < strips * strips; ++i) {
+        const bool folds = (needs.folds >> i & 1) != 0;
+        const bool in_side_row = i < strips || i + strips >= strips * strips;
+        const bool in_side_column = i % strips == 0 || (i + 1) % strips == 0;
+        if (folds || in_side_row)
+            result.uu[i] *= needs.finer_outlines;
+        if (folds || in_side_column)
+            result.vv[i] *= needs.finer_outlines;
+        if (folds) {
+            result.uv[i] *= needs.finer_outlines;
+            result.bends.refine(i, needs.finer_outlines);
+        }
+    }
+    return result;
+}
+
+void choose_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind,
+                  l3d_step_plan& plan) {
+    planner steps(needs, budget, kind);
+    if (needs.visible)
+        steps.choose();
+    steps.finish(plan);
+}
+
 void plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind,
                 l3d_step_plan& plan) {
-    planner steps(needs, budget, kind);
-    if (needs.visible) {
-        steps.start();
-        steps.refine();
-        steps.coarsen();
+    if (needs.finer_outlines > 1 && kind == l3d_quad_kind::whole) {
+        choose_steps(with_outlines(needs), budget, kind, plan);
+        if (std::max(plan.most_u(), plan.most_v()) <= l3d_most_steps_whole) {
+            planner steps(needs, budget, kind);
+            steps.take(plan);
+            return steps.finish(plan);
+        }
     }
-    steps.finish(plan);
+    choose_steps(needs, budget, kind, plan);
 }
 
 void bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan, double& error) {

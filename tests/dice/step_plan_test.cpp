@@ -93,6 +93,73 @@ TEST(step_plan, every_visible_block_is_within_the_budget_and_no_strip_has_a_step
     }
 }
 
+/// The largest error of blocks for which `counts` holds.
+template <class Counts>
+double largest_error(const l3d_block_needs& needs, const l3d_step_plan& plan,
+                     const Counts& counts) {
+    double largest = 0;
+    for (std::size_t b = 0; b < 4; ++b)
+        for (std::size_t a = 0; a < 4; ++a)
+            if (counts(4 * b + a))
+                largest = std::max(largest, planned_error(needs, a, b, plan.nu[a], plan.nv[b]));
+    return largest;
+}
+
+TEST(step_plan, blocks_that_may_fold_are_finer_and_no_others_are_coarser) {
+    constexpr double budget = 0.25;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        random_numbers random(seed);
+        const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
+        l3d_block_needs needs =
+            l3d_needs_of(patch, blocks_of(patch), view_with(budget), budget, l3d_quad_kind::whole);
+        needs.finer_outlines = random.between(1, 5);
+        needs.folds = 1U << random.below(16);
+        const l3d_step_plan plan = l3d_plan_steps(needs, budget, l3d_quad_kind::whole);
+        const double everywhere = largest_error(needs, plan, [](std::size_t) { return true; });
+        const double at_fold =
+            largest_error(needs, plan, [&](std::size_t i) { return (needs.folds >> i & 1) != 0; });
+        EXPECT_LE(everywhere, budget) << "seed " << seed;
+        EXPECT_DOUBLE_EQ(everywhere, plan.chord_error) << "seed " << seed;
+        // Mixed derivatives, by which balance moves vertices, are those of the whole piece.
+        EXPECT_LE(at_fold, 1.25 * budget / needs.finer_outlines) << "seed " << seed;
+    }
+}
+
+TEST(step_plan, outlines_are_no_reason_to_cut_a_piece) {
+    random_numbers random(7);
+    const l3d_image_patch patch = sheet(random, 60);
+    l3d_block_needs needs =
+        l3d_needs_of(patch, blocks_of(patch), view_with(0.01), 0.01, l3d_quad_kind::whole);
+    const l3d_step_plan usual = l3d_plan_steps(needs, 0.02, l3d_quad_kind::whole);
+    ASSERT_LE(std::max(usual.most_u(), usual.most_v()), l3d_most_steps_whole);
+    needs.finer_outlines = 100;
+    const l3d_step_plan finer = l3d_plan_steps(needs, 0.02, l3d_quad_kind::whole);
+    EXPECT_EQ(finer.nu, usual.nu);
+    EXPECT_EQ(finer.nv, usual.nv);
+}
+
+TEST(step_plan, blocks_of_pieces_may_fold_where_those_of_their_patch_may) {
+    l3d_dice_view view = view_with(0.25);
+    view.shading.antialias = true;
+    view.folds = 1U << (4 * 2 + 3); // the third row, the last column
+    l3d_block_needs needs;
+    needs.strips = 4;
+    const auto folds_of = [&](const l3d_net_piece& piece) {
+        l3d_ask_for_outlines(piece, view, needs);
+        return needs.folds;
+    };
+    EXPECT_EQ(folds_of({{}, 0, 1, 0, 1}), view.folds);
+    EXPECT_DOUBLE_EQ(needs.finer_outlines, 2);
+    EXPECT_EQ(folds_of({{}, 0, 0.5, 0, 1}), 0U);
+    EXPECT_EQ(folds_of({{}, 0.5, 1, 0.5, 1}), 0x00ccU);
+    EXPECT_EQ(folds_of({{}, 0.75, 1, 0.5, 0.75}), 0xffffU);
+    needs.strips = 1;
+    EXPECT_EQ(folds_of({{}, 0, 1, 0, 1}), 1U);
+    view.shading.antialias = false;
+    l3d_ask_for_outlines({{}, 0, 1, 0, 1}, view, needs);
+    EXPECT_DOUBLE_EQ(needs.finer_outlines, 1);
+}
+
 TEST(step_plan, a_finer_tolerance_never_takes_fewer_quads) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         random_numbers random(seed);

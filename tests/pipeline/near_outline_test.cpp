@@ -76,11 +76,12 @@ TEST(near_outline, is_seen_of_wedges_between_the_plane_and_a_border) {
         }
 }
 
-/// The far plane cuts likewise.
+/// The far plane cuts likewise. A wedge's tip moves by several pixels if its sides are a tolerance
+/// beside their places.
 TEST(near_outline, is_seen_where_the_far_plane_cuts) {
     for (const double turned : {0.0, 0.4, 1.5}) {
         const reference::camera view{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60, 0.05};
-        EXPECT_LE(far_off(wave(9, -0.5, turned), view, 0.25, {160, 120}, 20, 3), 3) << turned;
+        EXPECT_LE(far_off(wave(9, -0.5, turned), view, 0.25, {160, 120}, 20, 3), 5) << turned;
     }
 }
 

@@ -131,7 +131,7 @@ TEST(Refine, DrawsWhatTheSlowTwinDraws) {
 
 /// A sheet that is folded along the line from `a` to `b`, lit alike everywhere, and its two borders
 /// far away on the right of that way.
-l3d_surface_part folded_at(scan_point a, scan_point b, int rows) {
+l3d_surface_part folded_at(scan_point a, scan_point b, int rows, float inv_w = 0.5f) {
     const scan_point across{(a.y - b.y), (b.x - a.x)};
     l3d_micro_grid grid;
     grid.resize(3, rows + 1);
@@ -144,7 +144,7 @@ l3d_surface_part folded_at(scan_point a, scan_point b, int rows) {
                                  {at_fold ? x : x + across.x,
                                   at_fold ? y : y + across.y,
                                   column == 0   ? 0.6f
-                                  : column == 1 ? 0.5f
+                                  : column == 1 ? inv_w
                                                 : 0.4f,
                                   {100.25f, 0, 0}});
         }
@@ -195,6 +195,24 @@ TEST(Refine, AFoldHasItsShareOfEachPixel) {
             }
     }
     EXPECT_GT(between, 5000);
+}
+
+TEST(Refine, AGapBetweenCentresShowsWhatIsInIt) {
+    surface_picture picture(24, 16, 1);
+    // Between two folds, which are nearest to the eye: a quarter of column 10, not its middle.
+    constexpr std::int32_t left = 10 * 256 + 160, right = 10 * 256 + 224;
+    const auto behind = [](std::int32_t x, std::int32_t y) {
+        return l3d_micro_vertex{x, y, 0.3f, {24.5f, 0, 0}};
+    };
+    draw(
+        picture,
+        {folded_at({left, -1000}, {left, 5000}, 1, 0.7f),
+         folded_at({right, 5000}, {right, -1000}, 1, 0.7f),
+         part_of({behind(-256, -256), behind(6400, -256), behind(6400, 4400), behind(-256, 4400)})},
+        antialiased(l3d_shade::levels));
+    const double light = 0.75 * l3d_light_of_level(126) + 0.25 * l3d_light_of_level(50);
+    for (int y = 0; y < picture.size.height; ++y)
+        EXPECT_NEAR(picture.word(10, y) & 255, l3d_level_of_light(light), 1) << y;
 }
 
 /// Errors in levels, of pixels that outlines pass.

@@ -246,7 +246,8 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
         second = std::max(second, l3d_space_bound_of(strip, view.focal, w_low));
     const double depth_second = l3d_depth_bound_of(strip);
     // An edge gets half the budget, as each direction of a quad does. So an edge and the boundary
-    // row of a patch mostly have the same steps, and the slit between them is empty.
+    // row of a patch mostly have the same steps, and the slit between them is empty. Where things
+    // are clipped, neither is finer for outlines.
     const double wanted = std::max({1.0, std::ceil(std::sqrt(second / (4 * budget))),
                                     std::ceil(std::sqrt(depth_second / (8 * depth_budget)))});
 

@@ -84,9 +84,9 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
 
 /// The data that differ from strip to strip when steps are planned.
 struct strip_wishes {
-    /// 1 / (4 budget): an edge gets half the budget, as each direction of a quad does. So an edge
-    /// and the boundary row of a patch mostly have the same steps, and the slit between them is
-    /// empty.
+    /// 1 / (4 budget): an edge gets half the budget, as each direction of a quad does, and less for
+    /// outlines, as rows along sides do. So an edge and the boundary row of a patch mostly have the
+    /// same steps, and the slit between them is empty.
     row per_budget;
     /// The factor by which balance changes squared steps: 8 l3d_balance, or 1 without balance.
     row balance;

@@ -208,7 +208,8 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                 whole[i].at[4 * k + e] =
                     edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
         for (std::size_t s = 0; s < most_strips; ++s) {
-            wishes.per_budget.at[4 * s + e] = 1 / (4 * view.chord_budget(seen[e].vertex_error));
+            wishes.per_budget.at[4 * s + e] =
+                view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
             wishes.balance.at[4 * s + e] = seen[e].one_strip ? 1 : 8 * l3d_balance;
             wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.most_moved();
         }

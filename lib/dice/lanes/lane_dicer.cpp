@@ -133,6 +133,7 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
     bounds_.needs.without_normals = 0;
     if (bends)
         bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
+    l3d_ask_for_outlines(piece, view, bounds_.needs);
     plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
     return &plan_;
 }

@@ -39,6 +39,10 @@ public:
     /// mode l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
+    /// Whether samples of pixels that are closed are left empty, by slits or by gaps through which
+    /// something behind is seen. Then all are to be added once more, for these pixels alone.
+    bool reopen() { return pixels_.reopen(); }
+
     /// Finds what is seen.
     void finish();
 

@@ -4,6 +4,7 @@
 
 #include "raster/refine/pixel_samples_p.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -26,10 +27,38 @@ void marked_pixels::begin(const pixel_bits& marks, const drawn_depth& depth,
         const std::size_t row = i / columns_, column = i % columns_;
         list(tiles_[i], static_cast<std::int32_t>(column) * side,
              band.top + static_cast<std::int32_t>(row) * side, depth);
-        const std::size_t left = column > 0 ? 1 : 0, above = row > 0 ? columns_ : 0;
-        for (const std::size_t before : {std::size_t{0}, left, above, above + left})
-            tiles_[i - before].is_near = true;
+        see_near(i);
     }
+}
+
+void marked_pixels::see_near(std::size_t tile) {
+    const std::size_t left = tile % columns_ > 0 ? 1 : 0, above = tile >= columns_ ? columns_ : 0;
+    for (const std::size_t before : {std::size_t{0}, left, above, above + left})
+        tiles_[tile - before].is_near = true;
+}
+
+bool marked_pixels::reopen() {
+    for (tile& t : tiles_)
+        t.is_near = false;
+    l3d_pixel_box open{band_.right, band_.bottom, band_.left, band_.top};
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        const auto count = static_cast<std::uint32_t>(std::popcount(tiles_[i].bits));
+        for (std::uint32_t k = 0; k < count; ++k) {
+            marked_pixel& pixel = pixels_[tiles_[i].first + k];
+            const bool is_open = pixel.is_closed && pixel.covered != ~std::uint64_t{0};
+            pixel.farthest = is_open ? 0 : HUGE_VALF;
+            if (!is_open)
+                continue;
+            pixel.last = fragment::none;
+            pixel.covered = 0;
+            pixel.least = HUGE_VALF;
+            see_near(i);
+            open = {std::min(open.left, pixel.x), std::min(open.top, pixel.y),
+                    std::max(open.right, pixel.x + 1), std::max(open.bottom, pixel.y + 1)};
+        }
+    }
+    band_ = open;
+    return !open.empty();
 }
 
 /// A word of a row has the rows of eight tiles.

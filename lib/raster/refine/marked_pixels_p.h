@@ -42,6 +42,10 @@ public:
     /// Expects: the band begins with a whole tile.
     void begin(const pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
 
+    /// Begins again in pixels that are closed and not covered by what came, for all that is behind
+    /// them as well. The others take nothing more. Returns whether there are any.
+    bool reopen();
+
     /// Whether a box that is not empty may reach a marked pixel: one of the tiles that it meets, or
     /// of those next to these. Expects: it lies in the band.
     bool may_reach(const l3d_pixel_box& box) const {
@@ -58,12 +62,14 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
+    /// Where there are pixels that take something.
     const l3d_pixel_box& band() const { return band_; }
     std::vector<marked_pixel>& pixels() { return pixels_; }
     const std::vector<marked_pixel>& pixels() const { return pixels_; }
 
 private:
     void gather_bits(const pixel_bits& marks);
+    void see_near(std::size_t tile);
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;

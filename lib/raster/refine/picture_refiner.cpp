@@ -126,11 +126,16 @@ void picture_refiner::draw_marked(const drawn_frame& frame, int band, worker_spa
     const bool by_material =
         l3d_sees_patches(frame.shading.mode) || frame.shading.is_lit(frame.materials);
     space.fragments.use_colors(frame.colors, by_material);
-    for (const std::uint32_t index : frame.list.items(band)) {
-        const band_item& item = frame.list.item(index);
-        if (!is_hidden(frame, item))
-            space.fragments.add(frame.list, item, levels);
-    }
+    const auto add_items = [&](bool hidden_ones) {
+        for (const std::uint32_t index : frame.list.items(band)) {
+            const band_item& item = frame.list.item(index);
+            if (hidden_ones || !is_hidden(frame, item))
+                space.fragments.add(frame.list, item, levels);
+        }
+    };
+    add_items(false);
+    if (space.fragments.reopen())
+        add_items(true);
     space.fragments.finish();
     light_pixels(space.fragments, frame.shading, frame.materials, !frame.colors.empty(),
                  frame.target);
