@@ -105,10 +105,10 @@ template <class Mask> HWY_ATTR HWY_INLINE std::uint64_t bits_of_pair(Mask even, 
 /// A polygon's sides, in the way round that has the inside on the right.
 ///
 /// With E = dx (y - y0) - dy (x - x0) a sample is inside if E > 0, or if E = 0 at a left or an
-/// upper side. Let c = dy (x - x0) - dx (y - y0) at sample (0, 0) of a pixel, less 1 at these
-/// sides, and let t be c / 16 rounded down. Sample (i, j) is inside if dx j - dy i > t. The polygon
-/// beside the same side has -dx, -dy and -c - 1, so -t - 1, and its samples are exactly the others.
-/// Places are less than 2^24 and c less than 2^50, so that all of it is exact in double.
+/// upper side. Let c be E at sample (0, 0) of a pixel, and 1 more at these sides, and let t be c /
+/// 16 rounded up. Sample (i, j) is inside if dy i - dx j < t. The polygon beside the same side has
+/// -dx, -dy and 1 - c, so 1 - t, and its samples are exactly the others. Places are less than 2^24
+/// and c less than 2^50, so that all of it is exact in double.
 ///
 /// 15 (|dx| + |dy|) fits 16 bits if the sum is no more than 2184, eight pixels and a half. Longer
 /// sides are halved until they are, towards 0, and c with them. Again both polygons do the same. A
@@ -145,18 +145,18 @@ public:
             hn::Store(whole(hn::Mul(scale, dx)), side_ints, short_x_ + at);
             hn::Store(whole(hn::Mul(scale, dy)), side_ints, short_y_ + at);
             const double_vec last = hn::Mul(scale, hn::Set(doubles, sample_places::cells - 1.0));
-            hn::Store(whole(hn::Add(hn::Max(hn::Mul(last, dx), zero),
-                                    hn::Max(hn::Mul(last, hn::Neg(dy)), zero))),
-                      side_ints, most_ + at);
-            hn::Store(whole(hn::Mul(cells, dy)), side_ints, right_ + at);
-            hn::Store(whole(hn::Mul(cells, hn::Neg(dx))), side_ints, down_ + at);
+            hn::Store(whole(hn::Add(hn::Min(hn::Mul(last, dy), zero),
+                                    hn::Min(hn::Mul(last, hn::Neg(dx)), zero))),
+                      side_ints, least_ + at);
+            hn::Store(whole(hn::Mul(cells, hn::Neg(dy))), side_ints, right_ + at);
+            hn::Store(whole(hn::Mul(cells, dx)), side_ints, down_ + at);
         }
         for (std::size_t side = 0; side < 4; ++side) {
             const short_vec dx = hn::Set(shorts, static_cast<std::int16_t>(short_x_[side])),
                             dy = hn::Set(shorts, static_cast<std::int16_t>(short_y_[side]));
             for (std::size_t at = 0; at < sample_places::count; at += short_lanes)
-                hn::Store(hn::Sub(hn::Mul(dx, hn::Load(shorts, paired.y.data() + at)),
-                                  hn::Mul(dy, hn::Load(shorts, paired.x.data() + at))),
+                hn::Store(hn::Sub(hn::Mul(dy, hn::Load(shorts, paired.x.data() + at)),
+                                  hn::Mul(dx, hn::Load(shorts, paired.y.data() + at))),
                           shorts, products_[side] + at);
             for (std::size_t at = 0; at < tile_side; at += row_lanes)
                 hn::Store(hn::Mul(hn::Set(row_ints, right_[side]),
@@ -175,12 +175,12 @@ public:
         for (std::size_t at = 0; at < 4; at += hn::MaxLanes(doubles)) {
             const auto load = [&](const double* from)
                                   HWY_ATTR { return hn::Load(doubles, from + at); };
-            const double_vec c = hn::Sub(hn::Sub(hn::Mul(load(dy_), hn::Sub(column, load(x_))),
-                                                 hn::Mul(load(dx_), hn::Sub(row, load(y_)))),
+            const double_vec c = hn::Add(hn::Sub(hn::Mul(load(dx_), hn::Sub(row, load(y_))),
+                                                 hn::Mul(load(dy_), hn::Sub(column, load(x_)))),
                                          load(takes_side_));
-            const double_vec t = hn::Floor(hn::Mul(c, load(scale_)));
+            const double_vec t = hn::Ceil(hn::Mul(c, load(scale_)));
             const double_vec held =
-                hn::Min(hn::Max(t, hn::Set(doubles, -most)), hn::Set(doubles, most - 1));
+                hn::Min(hn::Max(t, hn::Set(doubles, 1 - most)), hn::Set(doubles, most));
             hn::Store(hn::DemoteTo(side_ints, held), side_ints, t_ + at);
         }
     }
@@ -193,15 +193,15 @@ public:
             hn::Store(hn::Add(hn::Load(side_ints, t_ + at),
                               hn::Mul(hn::Load(side_ints, down_ + at), hn::Set(side_ints, row))),
                       side_ints, first + at);
-        const auto least = hn::Set(row_ints, std::numeric_limits<std::int16_t>::min());
+        const auto most = hn::Set(row_ints, std::numeric_limits<std::int16_t>::max());
         std::uint64_t reached = 0;
         for (std::size_t at = 0; at < tile_side; at += row_lanes) {
             auto all = hn::FirstN(row_ints, row_lanes);
             for (std::size_t side = 0; side < 4; ++side) {
                 const auto there = hn::Add(hn::Set(row_ints, first[side]),
                                            hn::Load(row_ints, columns_[side] + at));
-                hn::Store(hn::Max(there, least), row_ints, here_[side] + at);
-                all = hn::And(all, hn::Gt(hn::Set(row_ints, most_[side]), there));
+                hn::Store(hn::Min(there, most), row_ints, here_[side] + at);
+                all = hn::And(all, hn::Gt(there, hn::Set(row_ints, least_[side])));
             }
             reached |= bits_of(row_ints, all) << at;
         }
@@ -210,14 +210,12 @@ public:
 
     /// The samples of one of these.
     HWY_ATTR HWY_INLINE std::uint64_t samples(std::size_t column) const {
-        short_vec least[4];
-        for (std::size_t side = 0; side < 4; ++side)
-            least[side] = hn::Set(shorts, static_cast<std::int16_t>(here_[side][column]));
         const auto inside = [&](std::size_t at) HWY_ATTR {
-            const auto beyond = [&](std::size_t side) HWY_ATTR {
-                return hn::Gt(hn::Load(shorts, products_[side] + at), least[side]);
+            const auto before = [&](std::size_t side) HWY_ATTR {
+                return hn::Gt(hn::Set(shorts, static_cast<std::int16_t>(here_[side][column])),
+                              hn::Load(shorts, products_[side] + at));
             };
-            return hn::And(hn::And(beyond(0), beyond(1)), hn::And(beyond(2), beyond(3)));
+            return hn::And(hn::And(before(0), before(1)), hn::And(before(2), before(3)));
         };
         std::uint64_t samples = 0;
         for (std::size_t at = 0; at < sample_places::count; at += 2 * short_lanes)
@@ -244,7 +242,7 @@ private:
     alignas(64) std::int16_t products_[4][sample_places::count];
     alignas(64) std::int32_t columns_[4][tile_side], here_[4][tile_side]; ///< t added, and t
     alignas(32) double x_[4], y_[4], dx_[4], dy_[4], takes_side_[4], scale_[4];
-    alignas(16) std::int32_t short_x_[4], short_y_[4], most_[4], right_[4], down_[4], t_[4];
+    alignas(16) std::int32_t short_x_[4], short_y_[4], least_[4], right_[4], down_[4], t_[4];
 };
 
 std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
