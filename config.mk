@@ -30,7 +30,7 @@ PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) lib
     libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
     libxcb-randr0-dev:xcb/randr.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp \
-    libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h \
+    libglm-dev:glm/glm.hpp libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h \
     libharfbuzz-dev:harfbuzz/hb.h libfribidi-dev:fribidi/fribidi.h libfontconfig-dev:fontconfig/fontconfig.h
 CHARTS          := libjs-chart.js:/usr/share/javascript/chart.js/chart.min.js
 FONT            := fonts-dejavu-core:/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf

@@ -102,15 +102,15 @@ std::unique_ptr<l3d_surface_method> create_method(const l3d_method_choice& choic
                            l3d_fd_dicer(choice.arithmetic, choice.resolution));
     case l3d_method::isocurves:
         return std::make_unique<l3d_method_points<l3d_isocurve_plotter<l3d_real>>>(
-            rasterizers, l3d_isocurve_plotter<l3d_real>(choice.resolution));
+            rasterizers, workers, l3d_isocurve_plotter<l3d_real>(choice.resolution));
     case l3d_method::scanline:
-        return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers);
+        return std::make_unique<l3d_method_points<l3d_scanline_plotter>>(rasterizers, workers);
     case l3d_method::kept:
         return std::make_unique<l3d_method_kept>(choice.resolution, rasterizers, workers);
     case l3d_method::whitted:
-        return std::make_unique<l3d_method_points<l3d_whitted_plotter>>(rasterizers);
+        return std::make_unique<l3d_method_points<l3d_whitted_plotter>>(rasterizers, workers);
     case l3d_method::blinn:
-        return std::make_unique<l3d_method_points<l3d_blinn_plotter>>(rasterizers);
+        return std::make_unique<l3d_method_points<l3d_blinn_plotter>>(rasterizers, workers);
     case l3d_method::lane_carpenter:
         return create_mesh(rasterizers, workers, l3d_lane_carpenter_dicer());
     case l3d_method::voxels:

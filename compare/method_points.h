@@ -21,12 +21,13 @@ concept l3d_point_plotter = requires(P plotter, const l3d_image_patch& net,
 };
 
 /// Patches that need clipping are drawn first, by l3d_patch_dicer; then a `Plotter` draws all
-/// others, patch after patch, on one thread.
+/// others, patch after patch, on one thread. Lives: borrows the workers, who are asked whether to
+/// go on.
 template <l3d_point_plotter Plotter> class l3d_method_points final : public l3d_surface_method {
 public:
-    explicit l3d_method_points(const l3d_rasterizer_factory& rasterizers,
-                               const Plotter& plotter = Plotter())
-        : surface_(rasterizers.create_surface(worker_)), plotter_(plotter) {}
+    l3d_method_points(const l3d_rasterizer_factory& rasterizers, l3d_workers& asked,
+                      const Plotter& plotter = Plotter())
+        : asked_(asked), surface_(rasterizers.create_surface(worker_)), plotter_(plotter) {}
 
 private:
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override {
@@ -49,6 +50,7 @@ private:
         canvas_.begin(frame.target, frame.depth, frame.shading);
         counts_ = patches_.counts();
         for (const l3d_method_patch& patch : ordinary_) {
+            asked_.ask();
             canvas_.set_color(patch.color);
             plotter_.plot(patch.net, {patch.normals, frame.view, canvas_, counts_});
         }
@@ -61,6 +63,7 @@ private:
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_counts_; }
 
+    l3d_workers& asked_;
     l3d_workers worker_{1};
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     l3d_method_patches patches_{worker_};

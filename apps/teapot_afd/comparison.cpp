@@ -156,6 +156,11 @@ std::optional<l3d_pick> comparison::pick(double x, double y) const {
     return x < parts.width ? l3d_pipeline_afd_viewer::pick(x, y) : std::nullopt;
 }
 
+void comparison::interrupt_when(std::function<bool()> wanted) {
+    other_.interrupt_when(wanted);
+    l3d_pipeline_afd_viewer::interrupt_when(std::move(wanted));
+}
+
 void comparison::resize_event(l3d_size size) {
     l3d_pipeline_afd_viewer::resize_event(size);
     other_.resize_event(size);

@@ -76,6 +76,7 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void draw_event() override;
+    void interrupt_when(std::function<bool()> wanted) override;
     bool skip_event() override;
     l3d_pixel_box changed() const override;
     bool needs_redraw() const override;

@@ -194,21 +194,12 @@ float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::siz
     using namespace l3d_detail;
     if (!grid.shows_both)
         return 1;
-    const std::size_t p00 = grid.index(row, column);
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    const auto at = [&](std::size_t i) { return scan_point{grid.x[i], grid.y[i]}; };
-    const std::array<scan_point, 4> v{at(p00), at(p00 + 1), at(p01 + 1), at(p01)};
-    // Twice the areas of both halves: of a quad that is not folded they have one sign, for either
-    // diagonal.
-    const std::int64_t a = cross(v[1] - v[0], v[2] - v[0]), b = cross(v[2] - v[0], v[3] - v[0]);
-    const std::int64_t c = cross(v[2] - v[1], v[3] - v[1]);
-    std::int64_t area2 = a + b;
-    const std::int64_t d = area2 - c;
-    if (std::min({a, b, c, d}) < 0 && std::max({a, b, c, d}) > 0) {
-        constexpr std::array<std::size_t, 4> corner{0, 2, 3, 1}; // at which a side begins
-        const scan_point from = v[corner[side]], next = v[(corner[side] + 1) % v.size()];
-        area2 = cross(next - from, position(projective_centre(corners_of(grid, p00))) - from);
-    }
+    const quad_corners v = corners_of(grid, grid.index(row, column));
+    const quad_turns turns(v);
+    constexpr std::array<std::size_t, 4> piece{0, 2, 3, 1}; // at each side of a folded quad
+    const std::int64_t area2 =
+        turns.folded() ? folded_sides(v, turns, position(projective_centre(v))).area2(piece[side])
+                       : turns.area2();
     return area2 > 0 ? -1.0F : 1.0F;
 }
 #endif

@@ -6,6 +6,8 @@
 #include "base/public.h"
 #include "geom/vector.h"
 
+#include <glm/mat4x4.hpp>
+
 #include <cmath>
 
 /// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
@@ -17,6 +19,17 @@ template <class T> class L3D_PUBLIC l3d_matrix {
 public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
     l3d_matrix() = default;
+
+    /// The same map as a matrix of GLM, which is stored by columns, too. Fixed point is rounded to.
+    template <class Number> l3d_matrix(const glm::mat<4, 4, Number, glm::defaultp>& m) noexcept {
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                columns_[i][j] = l3d_from_double<T>(double(m[i][j]));
+    }
+    /// The same map for GLM.
+    operator glm::mat<4, 4, T, glm::defaultp>() const noexcept {
+        return {columns_[0], columns_[1], columns_[2], columns_[3]};
+    }
 
     /// A number, to be changed. Expects: 0 <= row, column < 4.
     T& operator()(int row, int column) noexcept { return columns_[column][row]; }

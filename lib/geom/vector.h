@@ -3,106 +3,33 @@
 #ifndef L3D_GEOM_VECTOR_H
 #define L3D_GEOM_VECTOR_H
 
-#include "base/public.h"
 #include "geom/real.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
 
-/// N components of type T: v[i], +, -, * and / by a number, ==, and the functions below.
+/// N components of type T, a vector of GLM: v[i] or v.x, v.y, v.z, v.w; +, -, * and / by a number,
+/// ==, all of glm:: that takes vectors, and the functions below.
 ///
-/// Shape:   2 <= N <= 4. Nothing but the numbers, one after another.
-template <class T, int N> class L3D_PUBLIC l3d_vector {
-public:
-    static_assert(2 <= N && N <= 4);
+/// Shape:   2 <= N <= 4. Nothing but the numbers, one after another. Uninitialised, as a number is;
+///          l3d_vector<T, N>{} is all zero.
+///
+/// Fixed point has GLM's layout and operators. GLM's functions would round each product by itself,
+/// so only those below are for it.
+template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 
-    /// Uninitialised, as a number is; l3d_vector<T, N>{} is all zero.
-    l3d_vector() = default;
-
-    /// The vector of these N numbers, each made a T.
-    template <class... Numbers>
-    requires(sizeof...(Numbers) == N && (std::is_constructible_v<T, Numbers> &&
-                                         ...)) constexpr l3d_vector(Numbers... numbers) noexcept
-        : numbers_{static_cast<T>(numbers)...} {}
-
-    /// The same number N times.
-    template <class Number>
-    requires std::is_constructible_v<T, Number>
-    explicit constexpr l3d_vector(Number all) noexcept {
-        for (T& number : numbers_)
-            number = static_cast<T>(all);
-    }
-
-    /// One more component.
-    constexpr l3d_vector(const l3d_vector<T, N - 1>& v, T last) noexcept requires(N > 2) {
-        for (int i = 0; i + 1 < N; ++i)
-            numbers_[i] = v[i];
-        numbers_[N - 1] = last;
-    }
-
-    /// A component, to be changed. Expects: 0 <= i < N.
-    constexpr T& operator[](int i) noexcept { return numbers_[i]; }
-    /// A component. Expects: 0 <= i < N.
-    constexpr const T& operator[](int i) const noexcept { return numbers_[i]; }
-
-    /// Adds component by component.
-    constexpr l3d_vector& operator+=(const l3d_vector& v) noexcept {
-        for (int i = 0; i < N; ++i)
-            numbers_[i] += v[i];
-        return *this;
-    }
-    /// Subtracts component by component.
-    constexpr l3d_vector& operator-=(const l3d_vector& v) noexcept {
-        for (int i = 0; i < N; ++i)
-            numbers_[i] -= v[i];
-        return *this;
-    }
-    /// Multiplies each component.
-    constexpr l3d_vector& operator*=(const T& scale) noexcept {
-        for (T& number : numbers_)
-            number *= scale;
-        return *this;
-    }
-    /// Divides each component.
-    constexpr l3d_vector& operator/=(const T& scale) noexcept {
-        for (T& number : numbers_)
-            number /= scale;
-        return *this;
-    }
-
-    /// The sum, component by component.
-    friend constexpr l3d_vector operator+(l3d_vector a, const l3d_vector& b) noexcept {
-        return a += b;
-    }
-    /// The difference, component by component.
-    friend constexpr l3d_vector operator-(l3d_vector a, const l3d_vector& b) noexcept {
-        return a -= b;
-    }
-    /// The same length, the other way.
-    friend constexpr l3d_vector operator-(l3d_vector v) noexcept {
-        for (T& number : v.numbers_)
-            number = -number;
-        return v;
-    }
-    /// Each component times the scale.
-    friend constexpr l3d_vector operator*(l3d_vector v, const T& scale) noexcept {
-        return v *= scale;
-    }
-    /// Each component times the scale.
-    friend constexpr l3d_vector operator*(const T& scale, l3d_vector v) noexcept {
-        return v *= scale;
-    }
-    /// Each component divided by the scale.
-    friend constexpr l3d_vector operator/(l3d_vector v, const T& scale) noexcept {
-        return v /= scale;
-    }
-    friend constexpr bool operator==(const l3d_vector&, const l3d_vector&) = default;
-
-private:
-    T numbers_[N];
-};
+/// The same length, the other way. GLM's own wants numbers that an int becomes by itself.
+template <class Storage, int Fraction, l3d_overflow Overflow>
+constexpr l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>
+operator-(const l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>& v) noexcept {
+    return {-v.x, -v.y, -v.z, -v.w};
+}
 
 namespace l3d_detail {
 

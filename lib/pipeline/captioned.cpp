@@ -50,6 +50,7 @@ void captioned::pointer_event(const l3d_event& event) {
 /// Nothing of the picture before is left to put back.
 void captioned::resize_event(l3d_size size) {
     covered_ = {};
+    std::vector<std::uint32_t>().swap(picture_); // {} would keep the memory
     shown_.resize_event(size);
     follow();
 }

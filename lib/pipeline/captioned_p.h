@@ -11,6 +11,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace l3d_detail {
@@ -36,6 +39,9 @@ public:
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
     void draw_event() override;
+    void interrupt_when(std::function<bool()> wanted) override {
+        shown_.interrupt_when(std::move(wanted));
+    }
     l3d_pixel_box changed() const override { return changed_; }
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override;

@@ -8,6 +8,7 @@
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
 
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -49,7 +50,13 @@ public:
     virtual void update_event(double seconds) { static_cast<void>(seconds); }
 
     /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
+    /// Errors:  l3d_interrupted, as interrupt_when says; the pixels are no picture then.
     virtual void draw_event() {}
+
+    /// Gives what a long draw_event asks now and then: once it says true, nobody wants the picture,
+    /// and draw_event ends by l3d_interrupted. A later one draws a whole picture again. A pipeline
+    /// whose pictures take no time may ignore it.
+    virtual void interrupt_when(std::function<bool()> wanted) { static_cast<void>(wanted); }
 
     /// Which pixels the last draw_event may have changed; the dispatcher shows no others. May reach
     /// beyond the picture.

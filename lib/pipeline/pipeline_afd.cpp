@@ -59,6 +59,10 @@ std::string l3d_pipeline_afd::take_remark() {
     return stages_->workers.take_shortage();
 }
 
+void l3d_pipeline_afd::interrupt_when(std::function<bool()> wanted) {
+    stages_->workers.interrupt_when(std::move(wanted));
+}
+
 void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
     stages_->method = method.create(*rasterizers_, stages_->workers);
     settings_.method = method;

@@ -206,6 +206,7 @@ public:
 
     void resize_event(l3d_size size) override;
     void draw_event() override;
+    void interrupt_when(std::function<bool()> wanted) override;
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override {
         ++report_.frame;

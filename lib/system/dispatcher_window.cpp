@@ -2,6 +2,7 @@
 // l3d_dispatcher_window: the event loop.
 #include "system/dispatcher_window.h"
 
+#include "raster/parallel/workers.h"
 #include "system/frame_pacer.h"
 #include "system/present_p.h"
 #include "system/remark_p.h"
@@ -29,7 +30,14 @@ public:
         : settings_(dispatcher.settings_), writer_(dispatcher.writer_),
           signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
           last_update_(steady_clock::now()),
-          pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {}
+          pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {
+        // Where files are written, the picture at hand is one of them, and is finished.
+        if (settings_.output.empty())
+            pipeline_.interrupt_when([this] { return signals_.caught() || screen_.is_to_close(); });
+    }
+    loop(const loop&) = delete;
+    loop& operator=(const loop&) = delete;
+    ~loop() { pipeline_.interrupt_when({}); }
 
     l3d_exit run();
 
@@ -47,6 +55,7 @@ private:
     void handle_events();
     void handle(const l3d_event& event);
     void show_again();
+    void make_frames();
     void make_frame(steady_clock::time_point now);
 
     const l3d_frame_settings& settings_;
@@ -154,6 +163,19 @@ void l3d_dispatcher_window::loop::make_frame(steady_clock::time_point now) {
 }
 
 l3d_exit l3d_dispatcher_window::loop::run() {
+    try {
+        make_frames();
+    } catch (const l3d_interrupted&) {
+        handle_events(); // of which one says why
+    }
+    l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
+    if (stale_ && !settings_.output.empty())
+        pipeline_.draw_event();
+    writer_.finish(screen_.pixels());
+    return display_lost_ ? l3d_exit::display_lost : l3d_exit::success;
+}
+
+void l3d_dispatcher_window::loop::make_frames() {
     while (!signals_.caught() && !frames_are_made()) {
         handle_events();
         l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
@@ -166,11 +188,6 @@ l3d_exit l3d_dispatcher_window::loop::run() {
         else
             make_frame(now);
     }
-    l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
-    if (stale_ && !settings_.output.empty())
-        pipeline_.draw_event();
-    writer_.finish(screen_.pixels());
-    return display_lost_ ? l3d_exit::display_lost : l3d_exit::success;
 }
 
 l3d_dispatcher_window::l3d_dispatcher_window(const l3d_frame_settings& settings)

@@ -41,6 +41,10 @@ public:
     /// take its place.
     bool is_busy() const { return do_is_busy(); }
 
+    /// Whether a close event has come that next_event has not yet given. Unlike next_event, it may
+    /// be called while somebody draws: the pixels stay as they are.
+    bool is_to_close() { return do_is_to_close(); }
+
     /// Whether somebody sees it: then events come, and time is that of the clock.
     bool is_window() const { return do_is_window(); }
 
@@ -79,6 +83,7 @@ private:
     /// Expects: the part is not empty and lies in the picture.
     virtual void do_show(const l3d_pixel_box& part) = 0;
     virtual bool do_is_busy() const { return false; }
+    virtual bool do_is_to_close() { return false; }
     virtual bool do_is_window() const { return false; }
     virtual double do_usual_fps() const { return 60; }
     virtual double do_text_scale() const { return 1; }

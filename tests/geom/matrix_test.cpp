@@ -2,6 +2,7 @@
 // l3d_matrix: rows and columns where they are said to be, and products in the right order.
 #include "geom/matrix.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -45,6 +46,16 @@ TYPED_TEST(matrix, has_rows_and_columns) {
     EXPECT_EQ(l3d_to_double(m(1, 3)), 13.25);
     EXPECT_EQ(m.row(1), of<T>(10.25, 11.25, 12.25, 13.25));
     EXPECT_EQ(m.column(1), of<T>(1.25, 11.25, 21.25, 31.25));
+}
+
+TYPED_TEST(matrix, is_made_of_glms_and_gives_it_back) {
+    using T = TypeParam;
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), glm::dvec3(2, -3, 4.25));
+    const l3d_matrix<T> m = moved;
+    EXPECT_EQ(m, l3d_translation<T>(2, -3, 4.25));
+    const glm::mat<4, 4, T> back = counting<T>();
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(back[i], counting<T>().column(i));
 }
 
 TYPED_TEST(matrix, multiplies_a_column_vector) {

@@ -2,12 +2,14 @@
 // l3d_vector: one interface for all number types; sums of products rounded once in fixed point.
 #include "geom/vector.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 #include <string>
+#include <type_traits>
 
 namespace {
 
@@ -36,6 +38,21 @@ TYPED_TEST(vector, has_components_sums_and_multiples) {
     EXPECT_EQ((l3d_vector<T, 3>{}), of<T>(0, 0, 0));
     const l3d_vector<T, 4> four{a, b[2]};
     EXPECT_EQ(-four, (l3d_vector<T, 4>{-a, -b[2]}));
+}
+
+TYPED_TEST(vector, is_that_of_glm_in_any_number_type) {
+    using T = TypeParam;
+    static_assert(std::is_same_v<l3d_vector<T, 3>, glm::vec<3, T>>);
+    static_assert(sizeof(l3d_vector<T, 3>) == 3 * sizeof(T));
+    const auto v = of<T>(1.5, -2.25, 3);
+    EXPECT_EQ(v.x, v[0]);
+    EXPECT_EQ(v.z, l3d_from_double<T>(3));
+    if constexpr (!l3d_is_fixed<T>) {
+        const glm::vec<3, T> w(-0.5, 4, 2.75);
+        EXPECT_EQ(glm::dot(v, w), l3d_dot(v, w));
+        EXPECT_EQ(glm::cross(v, w), l3d_cross(v, w));
+        EXPECT_NEAR(glm::length(v), l3d_length(v), 1e-6);
+    }
 }
 
 TYPED_TEST(vector, multiplies) {

@@ -34,8 +34,8 @@ MOST_LINES = {"teapot.cpp": 16, "dot.cpp": 25, "spin.cpp": 40, "even.cpp": 110, 
 # What a file needs beside the tutorial's line.
 LINKS_MORE = {"xloop": " -lX11"}
 WORKERS = os.cpu_count()
-# A pipeline, a surface method and a back-end of one's own.
-BY_CMAKE = ("dot", "even", "terminal_spin")
+# A pipeline, a surface method and a back-end of one's own, and GLM.
+BY_CMAKE = ("dot", "even", "ring", "terminal_spin")
 
 
 def environment():
@@ -326,7 +326,7 @@ def runs_as_told(made):
     expect(0.8 < (max(filled) - min(filled) + 1) / 640 < 0.9, "a framed teapot")
     expect(6000 < drawn(made / "sail.png") < 60000, "the sail")
     expect(8000 < drawn(made / "even.png") < 50000, "a teapot")
-    for name, least in (("three", 20000), ("arrow", 10000), ("turn", 10000), ("heights", 30000),
+    for name, least in (("three", 20000), ("arrow", 10000), ("turn", 10000), ("heights", 30000), ("ring", 15000),
                         ("chart", 10000), ("small/spaceship.obj", 2000)):
         expect(drawn(made / (name + ".png")) > least, name)
     chart = read_png(made / "chart.png")

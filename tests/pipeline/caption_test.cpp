@@ -2,9 +2,11 @@
 // A program's caption: as text, and on the pictures of a window.
 #include "pipeline/captioned_p.h"
 
+#include "sanitized.h"
 #include "sizable_screen.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <vector>
@@ -103,6 +105,25 @@ TEST(caption, says_what_a_lesson_teaches_between_what_it_shows_and_its_keys) {
         end = std::min(text.find('\n', begin), text.size());
         EXPECT_LE(end - begin, 79u);
     }
+}
+
+TEST_F(captioned_row, gives_back_the_memory_of_a_large_picture) {
+    if (sanitized)
+        GTEST_SKIP() << "sanitizers have memory of their own";
+    const auto bytes_in_use = [] {
+        const struct mallinfo2 all = mallinfo2();
+        return all.uordblks + all.hblkhd;
+    };
+    const auto show = [&](l3d_size size) {
+        screen.resize(size);
+        shown.resize_event(size);
+        shown.draw_event();
+    };
+    show({400, 300});
+    const std::size_t before = bytes_in_use();
+    show({4000, 3000});
+    show({400, 300});
+    EXPECT_LT(bytes_in_use(), before + (std::size_t{1} << 20));
 }
 
 TEST_F(captioned_row, shows_a_message_as_long_as_it_is_told_and_tells_where_text_stands) {

@@ -256,7 +256,8 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
         for (const std::size_t i : {0u, 1u}) {
             l3d_detail::painter_knot knot(i == 0 ? 0 : scene.size());
             std::vector<l3d_painter_cut> cuts;
-            knot.untie(window, order.triangles(), members_of(order.pieces()), pieces[i], cuts);
+            knot.untie(worker, window, order.triangles(), members_of(order.pieces()), pieces[i],
+                       cuts);
             canvas on;
             l3d_painter painter(worker);
             painter.paint(on.pixels(), own_colors, {}, order.triangles(), pieces[i], cuts);
@@ -267,6 +268,26 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
     }
     EXPECT_GT(left_out, 1000u);
     std::cout << left_out << " pieces left out\n";
+}
+
+TEST(painter_order, a_knot_that_was_interrupted_is_untied_afterwards) {
+    const auto scene = bush(60, 3);
+    l3d_workers asked(1), worker(1);
+    l3d_painter_order order(worker);
+    order.make(scene, window, {.resolve = false});
+    asked.interrupt_when([] { return true; });
+    l3d_detail::painter_knot knot;
+    std::array<std::vector<l3d_painter_piece>, 2> pieces;
+    std::vector<l3d_painter_cut> cuts;
+    const auto members = members_of(order.pieces());
+    EXPECT_THROW(knot.untie(asked, window, order.triangles(), members, pieces[0], cuts),
+                 l3d_interrupted);
+    pieces[0].clear();
+    cuts.clear();
+    knot.untie(worker, window, order.triangles(), members, pieces[0], cuts);
+    cuts.clear();
+    l3d_detail::painter_knot().untie(worker, window, order.triangles(), members, pieces[1], cuts);
+    EXPECT_EQ(members_of(pieces[0]), members_of(pieces[1]));
 }
 
 /// The slow twin paints.

@@ -91,6 +91,18 @@ TEST(shown_sides, of_a_folded_quad_are_both) {
     });
 }
 
+TEST(shown_sides, of_a_quad_whose_narrow_end_is_folded_are_one) {
+    // Its sides cross in (20, 11), and the piece at that end goes on to (20, 18).
+    const std::array<place, 6> pole{{{21, 10}, {19, 10}, {18, 10}, {4, 26}, {36, 26}, {37, 26}}};
+    const std::array<place, 6> turned{{{19, 10}, {21, 10}, {22, 10}, {36, 26}, {4, 26}, {3, 26}}};
+    for_rasterizers([&](l3d_surface_rasterizer& by, l3d_shade mode) {
+        for (const place where : {place{19, 12}, {20, 12}, {19, 13}, {20, 20}}) {
+            EXPECT_NEAR(level_at(by, grid_of(pole, mode), mode, where), unlit, 1);
+            EXPECT_NEAR(level_at(by, grid_of(turned, mode), mode, where), lit, 1);
+        }
+    });
+}
+
 TEST(shown_sides, of_quads_too_large_for_the_lanes_are_right_too) {
     const std::array<place, 6> large{
         {{-300, -200}, {300, -200}, {301, -200}, {-300, 200}, {300, 200}, {301, 200}}};

@@ -67,6 +67,32 @@ TEST(workers, alone_work_in_order) {
     EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 0, 1, 2}));
 }
 
+/// Other workers hold on to their first item until the caller's has asked.
+TEST(workers, end_work_that_nobody_wants) {
+    for (const int count : all_counts)
+        for (const bool beside : {false, true}) {
+            l3d_workers workers(count);
+            constexpr int items = 100;
+            std::atomic<int> done{0};
+            std::atomic<bool> is_asked{false};
+            const auto work = [&](int, int worker) {
+                while (worker != 0 && !is_asked)
+                    std::this_thread::yield();
+                ++done;
+            };
+            const auto call = [&] {
+                beside ? workers.for_each_beside(items, work) : workers.for_each(items, work);
+            };
+            workers.interrupt_when([&] { return is_asked.exchange(true) || true; });
+            EXPECT_THROW(call(), l3d_interrupted);
+            EXPECT_LT(done, items);
+            workers.interrupt_when({});
+            done = 0;
+            call();
+            EXPECT_EQ(done, items);
+        }
+}
+
 /// Leaves memory for the stacks of some threads, asks for eight, and exits with what came of that:
 /// 0 is well.
 [[noreturn]] void work_in_little_memory() {

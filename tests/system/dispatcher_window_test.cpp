@@ -66,6 +66,36 @@ TEST(dispatcher_window, shows_a_caption_in_windows_alone) {
     }
 }
 
+/// A picture that is also a file is finished.
+TEST(dispatcher_window, a_close_ends_a_long_picture) {
+    for (const bool with_file : {false, true}) {
+        const temporary_folder folder;
+        l3d_frame_settings settings = frames(0);
+        if (with_file)
+            settings.output = folder.file("last.png");
+        window_run run(settings);
+        run.pipeline.on_draw = [&] {
+            run.screen.pending.push_back(make_event(l3d_event_type::close));
+        };
+        EXPECT_EQ(run.dispatcher.start(), l3d_exit::success);
+        EXPECT_EQ(run.log, with_file ? (call_log{"update", "draw", "show", "frame"})
+                                     : (call_log{"update", "draw"}));
+        EXPECT_TRUE(run.pipeline.done);
+    }
+}
+
+TEST(dispatcher_window, a_signal_ends_a_long_picture) {
+    EXPECT_EXIT(
+        {
+            window_run run(frames(0));
+            run.pipeline.on_draw = [] { raise(SIGTERM); };
+            run.dispatcher.start();
+            if (run.log == call_log{"update", "draw"})
+                std::cerr << "as expected";
+        },
+        testing::KilledBySignal(SIGTERM), "as expected");
+}
+
 TEST(dispatcher_window, frames_before_the_first_pass_at_once) {
     l3d_frame_settings settings = frames(4, 1);
     settings.first_frame = 3;

@@ -6,6 +6,7 @@
 #include "tool_2d/image.h"
 #include "tool_2d/screen.h"
 #include "pipeline/pipeline.h"
+#include "raster/parallel/workers.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,6 +62,10 @@ private:
     }
     std::string do_describe() const override { return "fake"; }
     bool do_is_busy() const override { return busy; }
+    bool do_is_to_close() override {
+        return std::ranges::any_of(
+            pending, [](const l3d_event& event) { return event.type == l3d_event_type::close; });
+    }
     bool do_is_window() const override { return window; }
     double do_usual_fps() const override { return fps; }
     bool do_is_fullscreen() const override { return fullscreen_; }
@@ -112,6 +117,7 @@ public:
     std::vector<double> steps;
     std::vector<l3d_frame_times> times;
     std::function<void(int update)> on_update = [](int) {};
+    std::function<void()> on_draw = [] {}; ///< in the middle of a picture
 
     void key_event(int key) override {
         log_.push_back(std::string("key ") + static_cast<char>(key));
@@ -130,8 +136,12 @@ public:
     }
     void draw_event() override {
         log_.push_back("draw");
+        on_draw();
+        if (is_unwanted_ && is_unwanted_())
+            throw l3d_interrupted();
         screen_.pixels().row(3)[5] = ++drawn_;
     }
+    void interrupt_when(std::function<bool()> wanted) override { is_unwanted_ = std::move(wanted); }
     l3d_pixel_box changed() const override { return changes.value_or(l3d_pipeline::changed()); }
     bool skip_event() override {
         log_.push_back("skip");
@@ -154,6 +164,7 @@ public:
 private:
     call_log& log_;
     l3d_screen& screen_;
+    std::function<bool()> is_unwanted_;
     std::uint32_t drawn_ = 0;
 };
 

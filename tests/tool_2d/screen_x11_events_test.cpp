@@ -17,7 +17,10 @@ TEST(screen_x11_events, close_button_is_an_event) {
     L3D_REQUIRE_SERVER(server);
     const auto screen = make();
     const onlooker other;
+    EXPECT_FALSE(screen->is_to_close());
     other.send_protocol("WM_DELETE_WINDOW");
+    EXPECT_TRUE(screen->is_to_close());
+    EXPECT_TRUE(screen->is_to_close()) << "the event was taken";
     EXPECT_NE(next(*screen, l3d_event_type::close), nullptr);
     EXPECT_NE(other.window(), 0U) << "closing is the program's decision";
 }

@@ -44,6 +44,7 @@ template <class Visit> void painter_knot::visit_pairs(const fragments& set, cons
     std::iota(by_left.begin(), by_left.end(), 0u);
     std::ranges::stable_sort(by_left, {}, [&](std::uint32_t i) { return set[i].left; });
     for (const std::uint32_t i : by_left) {
+        workers_->ask();
         std::erase_if(open, [&](std::uint32_t j) { return set[j].right < set[i].left; });
         for (const std::uint32_t j : open)
             if (set[j].top <= set[i].bottom && set[i].top <= set[j].bottom)
@@ -133,6 +134,7 @@ std::size_t painter_knot::best_splitter(const fragments& set) const {
     long least = -1;
     const std::size_t step = std::max<std::size_t>(set.size() / tried, 1);
     for (std::size_t s = 0; s < set.size(); s += step) {
+        workers_->ask();
         long cut = 0, front_more = 0;
         for (const fragment& f : set) {
             const front_parts parts = front_over(f.region, f.plane, set[s].plane, tie(f, set[s]));
@@ -180,10 +182,13 @@ void painter_knot::emit(const fragment& f) {
         cover_.add(f.piece);
 }
 
-void painter_knot::untie(l3d_size size, std::span<const l3d_painter_triangle> triangles,
+void painter_knot::untie(l3d_workers& workers, l3d_size size,
+                         std::span<const l3d_painter_triangle> triangles,
                          std::span<const std::uint32_t> members,
                          std::vector<l3d_painter_piece>& pieces,
                          std::vector<l3d_painter_cut>& cuts) {
+    workers_ = &workers;
+    tasks_.clear(); // some are left of a call that was interrupted
     triangles_ = triangles;
     pieces_ = &pieces;
     cuts_ = &cuts;
@@ -199,6 +204,7 @@ void painter_knot::untie(l3d_size size, std::span<const l3d_painter_triangle> tr
     else
         tasks_.push_back({std::move(set), true});
     while (!tasks_.empty()) {
+        workers.ask();
         task next = std::move(tasks_.back());
         tasks_.pop_back();
         leave_out_hidden(next.set);

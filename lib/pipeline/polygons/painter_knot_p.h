@@ -36,7 +36,8 @@ public:
 
     /// Adds the members' pieces in painting order, and their cuts.
     /// Expects: members name triangles, rising.
-    void untie(l3d_size size, std::span<const l3d_painter_triangle> triangles,
+    /// Errors:  l3d_interrupted, if the workers are.
+    void untie(l3d_workers& workers, l3d_size size, std::span<const l3d_painter_triangle> triangles,
                std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
                std::vector<l3d_painter_cut>& cuts);
 
@@ -69,6 +70,7 @@ private:
     std::span<const l3d_painter_triangle> triangles_;
     std::vector<l3d_painter_piece>* pieces_ = nullptr;
     std::vector<l3d_painter_cut>* cuts_ = nullptr;
+    l3d_workers* workers_ = nullptr; ///< who are asked whether to go on
 
     struct task {
         fragments set;

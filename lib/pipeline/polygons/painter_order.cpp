@@ -248,7 +248,7 @@ struct l3d_painter_order::work_space {
         knot_members.clear();
         for (const order_node member : component)
             knot_members.push_back(items[number_of(member)].triangle);
-        knot.untie(size, given, knot_members, ordered, cuts);
+        knot.untie(workers, size, given, knot_members, ordered, cuts);
     }
 
     /// Emits the items as they need each other.
@@ -262,6 +262,7 @@ struct l3d_painter_order::work_space {
                 return next == late.end() || next->item != node;
             },
             [&](order_node node, bool in_turn, std::vector<order_node>& out) {
+                workers.ask();
                 find_needed(node, in_turn, out, counts);
             },
             [&](std::span<const order_node> component) { emit_component(component, counts); });

@@ -142,6 +142,9 @@ public:
     double rest_left() const override { return controls_.rest_left(); }
     void rest_event(double seconds) override;
     void draw_event() override;
+    void interrupt_when(std::function<bool()> wanted) override {
+        workers_.interrupt_when(std::move(wanted));
+    }
     void frame_event(const l3d_frame_times& times) override;
     bool skip_event() override {
         ++report_.frame;

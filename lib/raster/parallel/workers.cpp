@@ -207,16 +207,31 @@ l3d_workers::l3d_workers(int wanted) {
 
 l3d_workers::~l3d_workers() = default;
 
+void l3d_workers::ask_if_due() {
+    constexpr std::chrono::milliseconds pause{20}; // nobody feels a wait of less than 50
+    const auto now = std::chrono::steady_clock::now();
+    if (now - asked_ < pause)
+        return;
+    asked_ = now;
+    if (is_unwanted_())
+        throw l3d_interrupted();
+}
+
 void l3d_workers::run(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1) {
-        for (int item = 0; item < items; ++item)
+        for (int item = 0; item < items; ++item) {
+            ask();
             call(context, item, 0);
+        }
         return;
     }
     std::atomic<int> next{0};
     const auto take_items = [&](int worker) {
-        for (int item = next++; item < items && !threads_->has_failed; item = next++)
+        for (int item = next++; item < items && !threads_->has_failed; item = next++) {
+            if (worker == 0)
+                ask();
             call(context, item, worker);
+        }
     };
     threads_->run(std::cref(take_items));
 }
@@ -237,8 +252,11 @@ void l3d_workers::run_beside(int items, item_call call, void* context) {
             item_range& range = members[static_cast<std::size_t>(owner)].range;
             const bool first = (2 * owner < count_) == (away == 0);
             for (auto item = range.take(first); item && !threads_->has_failed;
-                 item = range.take(first))
+                 item = range.take(first)) {
+                if (worker == 0)
+                    ask();
                 call(context, *item, worker);
+            }
         }
     };
     threads_->run(std::cref(take_items));

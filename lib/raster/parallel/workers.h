@@ -5,8 +5,11 @@
 
 #include "base/public.h"
 
+#include <chrono>
 #include <concepts>
 #include <cstddef>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -33,6 +36,12 @@ inline constexpr int l3d_most_usual_threads = 8;
 /// How many threads draw unless somebody says otherwise: as many as processors, up to that number.
 L3D_PUBLIC int l3d_usual_threads();
 
+/// Thrown out of work that is to end before it is done.
+class L3D_PUBLIC l3d_interrupted final : public std::exception {
+public:
+    const char* what() const noexcept override { return "interrupted"; }
+};
+
 /// A number of threads that do independent items of work.
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that
@@ -53,6 +62,18 @@ public:
     /// One line, once: how many threads there are, how many were asked for, and the system's
     /// reason; "" if there are as many.
     std::string take_shortage() { return std::exchange(shortage_, {}); }
+
+    /// From now on the caller's thread asks this while it works, some fifty times a second. Once it
+    /// says true, the work ends by l3d_interrupted, as soon as items that were begun are done.
+    void interrupt_when(std::function<bool()> wanted) { is_unwanted_ = std::move(wanted); }
+
+    /// Asks, if it is time to: for long loops of the caller's thread that have no items.
+    /// Errors:  l3d_interrupted.
+    /// Cost:    a look at the clock.
+    void ask() {
+        if (is_unwanted_)
+            ask_if_due();
+    }
 
     /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),
     /// and returns when all are done. Lower items are begun first. No two calls at a time have the
@@ -83,8 +104,12 @@ private:
     void run(int items, item_call call, void* context);
     void run_beside(int items, item_call call, void* context);
 
+    void ask_if_due();
+
     struct threads;
     int count_ = 1;
+    std::function<bool()> is_unwanted_;
+    std::chrono::steady_clock::time_point asked_{};
     std::string shortage_;
     std::unique_ptr<threads> threads_;
 };

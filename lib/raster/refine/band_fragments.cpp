@@ -74,15 +74,15 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
             show_side(corners, turns.area2());
         return add_convex(corners, color, box);
     }
-    const auto add_piece = [&](auto piece) {
+    const auto add_piece = [&](auto piece, std::int64_t area2) {
         if (grid.shows_both)
-            show_side(piece);
+            show_side(piece, area2);
         add_convex(piece, color, reached(piece));
     };
     if (levels)
-        cut_folded_levels(corners, add_piece);
+        cut_folded_levels(corners, turns, add_piece);
     else
-        cut_folded(corners, add_piece);
+        cut_folded(corners, turns, add_piece);
 }
 
 void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t first,

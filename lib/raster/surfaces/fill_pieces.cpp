@@ -72,16 +72,17 @@ void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
         return;
     }
     const quad_corners corners = corners_of(*grid, index);
+    const quad_turns turns(corners);
     piece_maker pieces(to, material);
-    const auto add = [&](auto piece) {
+    const auto add = [&](auto piece, std::int64_t area2) {
         if (grid->shows_both)
-            show_side(piece);
+            show_side(piece, area2);
         pieces.add(piece);
     };
     if (to.shading.mode == l3d_shade::levels)
-        cut_folded_levels(corners, add);
+        cut_folded_levels(corners, turns, add);
     else
-        cut_quad(corners, quad_turns(corners), add);
+        cut_quad(corners, turns, add);
 }
 
 } // namespace l3d_detail

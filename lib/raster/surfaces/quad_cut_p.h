@@ -39,11 +39,6 @@ void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area
                 number = -number;
 }
 
-/// The same of a triangle.
-inline void show_side(std::array<l3d_micro_vertex, 3>& v) {
-    show_side(v, cross(position(v[1]) - position(v[0]), position(v[2]) - position(v[0])));
-}
-
 /// Twice the areas of the triangles that a quad's corners make with their neighbours, positive
 /// where it turns to the right.
 class quad_turns {
@@ -67,6 +62,15 @@ public:
     bool skew() const {
         const std::int64_t skew = std::abs(at_[0] - at_[2]) + std::abs(at_[1] - at_[3]);
         return 2 * skew > std::abs(area2());
+    }
+
+    /// Twice the area between a side and the place where both sides beside it cross; 0 if they do
+    /// not. The place is on the next side, at a part of it that the other's turns tell.
+    double crossed(std::size_t side) const {
+        const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
+        if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)
+            return 0;
+        return std::abs(at(1)) * std::abs(at(0)) / (std::abs(at(0)) + std::abs(at(3)));
     }
 
     /// The corner, 0 or 1, at which the diagonal begins whose smaller half is the larger.
@@ -104,11 +108,49 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners) {
             {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
 }
 
-/// Calls add(triangle) for those round the centre of a folded quad.
-template <class Add> void cut_folded(const quad_corners& v, const Add& add) {
+/// The sides that the triangles round the centre of a folded quad show.
+///
+/// A triangle that is turned over shows its back, as at a contour. If it is the only one, the other
+/// three go once round the centre and cover it again, but for what lies between its outer side and
+/// the place where the sides beside that cross. If this is the lesser half of it, or they do not
+/// cross, it is the end of a quad that is as narrow there as corners are off, as beside a pole.
+/// Then it shows what the others do.
+class folded_sides {
+public:
+    folded_sides(const quad_corners& v, const quad_turns& turns, scan_point centre) {
+        std::int64_t all = 0;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const scan_point from = position(v[i]);
+            area2_[i] = cross(position(v[(i + 1) % v.size()]) - from, centre - from);
+            all += area2_[i];
+        }
+        std::size_t turned = v.size(), others = 0;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            if ((area2_[i] > 0) == (all > 0))
+                others += area2_[i] != 0;
+            else
+                turned = i;
+        }
+        if (turned < v.size() && others == v.size() - 1 &&
+            2 * turns.crossed(turned) < std::abs(static_cast<double>(area2_[turned])))
+            area2_[turned] = all;
+    }
+
+    /// Twice an area that turns as the side does that is shown.
+    std::int64_t area2(std::size_t triangle) const { return area2_[triangle]; }
+
+private:
+    std::array<std::int64_t, 4> area2_{};
+};
+
+/// Calls add(triangle, area2) for those round the centre of a folded quad; area2 turns as the sides
+/// do that they show.
+template <class Add>
+void cut_folded(const quad_corners& v, const quad_turns& turns, const Add& add) {
     const l3d_micro_vertex centre = projective_centre(v);
+    const folded_sides sides(v, turns, position(centre));
     for (std::size_t i = 0; i < v.size(); ++i)
-        add(std::array{v[i], v[(i + 1) % v.size()], centre});
+        add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
 }
 
 /// How far the middles of a quad's sides and diagonals are above the mean of their ends, in mode
@@ -129,13 +171,14 @@ struct quad_bends {
 };
 
 /// cut_folded in mode l3d_shade::levels. Half a diagonal bends by a quarter of what the whole does.
-template <class Add> void cut_folded_levels(const quad_corners& v, const Add& add) {
+template <class Add>
+void cut_folded_levels(const quad_corners& v, const quad_turns& turns, const Add& add) {
     const quad_bends bends(v);
     const std::array<float, 4> sides{bends.ab, bends.bc, bends.dc, bends.ad};
     const std::array<float, 4> to_centre{0.25f * bends.ac, 0.25f * bends.bd, 0.25f * bends.ac,
                                          0.25f * bends.bd};
     std::size_t side = 0;
-    cut_folded(v, [&](std::array<l3d_micro_vertex, 3> piece) {
+    cut_folded(v, turns, [&](std::array<l3d_micro_vertex, 3> piece, std::int64_t area2) {
         auto& [from, to, centre] = piece;
         from.normal[1] = sides[side];
         from.normal[2] = to_centre[side];
@@ -144,17 +187,17 @@ template <class Add> void cut_folded_levels(const quad_corners& v, const Add& ad
         centre.normal[0] += bends.both();
         centre.normal[1] = centre.normal[2] = 0;
         ++side;
-        add(piece);
+        add(piece, area2);
     });
 }
 
-/// Calls add(triangle) for those of a quad that is folded or skew.
+/// Calls add(triangle, area2) for those of a quad that is folded or skew, as cut_folded does.
 template <class Add> void cut_quad(const quad_corners& v, const quad_turns& turns, const Add& add) {
     if (turns.folded())
-        return cut_folded(v, add);
+        return cut_folded(v, turns, add);
     const std::size_t first = turns.diagonal();
-    add(std::array{v[first], v[first + 1], v[first + 2]});
-    add(std::array{v[first], v[first + 2], v[(first + 3) % 4]});
+    add(std::array{v[first], v[first + 1], v[first + 2]}, turns.area2());
+    add(std::array{v[first], v[first + 2], v[(first + 3) % 4]}, turns.area2());
 }
 
 } // namespace l3d_detail

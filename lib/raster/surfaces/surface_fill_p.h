@@ -40,14 +40,14 @@ public:
             show_side(v, turns.area2());
         if (!turns.folded() && !turns.skew())
             return convex(v, turns.area2());
-        const auto fill_triangle = [&](auto piece) {
+        const auto fill_triangle = [&](auto piece, std::int64_t area2) {
             if (shows_both && turns.folded())
-                show_side(piece);
+                show_side(piece, area2);
             triangle(piece);
         };
         if constexpr (has_bends<Shader>) {
             if (turns.folded())
-                return cut_folded_levels(v, fill_triangle);
+                return cut_folded_levels(v, turns, fill_triangle);
             shader_.begin_quad(v);
             cut_quad(v, turns, fill_triangle);
             shader_.end_quad();

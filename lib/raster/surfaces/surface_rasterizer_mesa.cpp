@@ -158,9 +158,9 @@ void l3d_surface_rasterizer_mesa::add_quad(std::array<l3d_micro_vertex, 4> corne
                                            bool shows_both) {
     const quad_turns turns(corners);
     if (turns.folded())
-        return cut_folded(corners, [&](auto piece) {
+        return cut_folded(corners, turns, [&](auto piece, std::int64_t area2) {
             if (shows_both)
-                show_side(piece);
+                show_side(piece, area2);
             add(piece);
         });
     if (shows_both)

@@ -282,6 +282,30 @@ void x11_events::take_motion(const XMotionEvent& event) {
         push(motion);
 }
 
+bool x11_events::has_close() {
+    const auto is_close = [](const l3d_event& event) {
+        return event.type == l3d_event_type::close || event.type == l3d_event_type::display_lost;
+    };
+    if (std::ranges::any_of(queue_, is_close))
+        return true;
+    // Xlib shows the events that wait to a function that may choose one; this one chooses none.
+    struct question {
+        Atom message, protocol;
+        bool found;
+    } close{window_.atoms().wm_protocols, window_.atoms().wm_delete_window, false};
+    const auto look = [](Display*, XEvent* event, XPointer context) -> Bool {
+        question& asked = *reinterpret_cast<question*>(context);
+        asked.found |= event->type == DestroyNotify;
+        asked.found |= event->type == ClientMessage && event->xclient.format == 32 &&
+                       event->xclient.message_type == asked.message &&
+                       static_cast<Atom>(event->xclient.data.l[0]) == asked.protocol;
+        return False;
+    };
+    XEvent none;
+    XCheckIfEvent(window_.display(), &none, look, reinterpret_cast<XPointer>(&close));
+    return close.found;
+}
+
 void x11_events::take_message(XClientMessageEvent& event) {
     const auto& atoms = window_.atoms();
     if (event.message_type != atoms.wm_protocols || event.format != 32)

@@ -67,6 +67,9 @@ public:
                (oldest.type == l3d_event_type::key_press && oldest.key == l3d_key_escape);
     }
 
+    /// Whether one that waits, here or at Xlib, asks for the window to be closed. None is taken.
+    bool has_close();
+
     /// Takes the oldest; false if there is none.
     bool next(l3d_event& event);
 

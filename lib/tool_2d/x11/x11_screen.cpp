@@ -73,6 +73,9 @@ private:
     const l3d_screen_info& do_info() const override { return window_->info(); }
     void do_show(const l3d_pixel_box& part) override;
     bool do_is_busy() const override { return !due_.empty(); }
+    bool do_is_to_close() override {
+        return window_->connection().lost() || events_.has_close() || window_->connection().lost();
+    }
     bool do_is_window() const override { return true; }
     double do_usual_fps() const override;
     double do_text_scale() const override { return window_->text_scale(); }
