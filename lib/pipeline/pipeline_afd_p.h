@@ -9,7 +9,7 @@
 #include "dice/frame_dicer.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"
-#include "raster/refine/light_mix_p.h"
+#include "raster/light_mix_p.h"
 #include "scene/dice_view.h"
 #include "scene/image_transform.h"
 #include "scene/scene_culling.h"

@@ -15,6 +15,7 @@ namespace {
 struct teapot_view {
     l3d_camera camera;
     l3d_fog fog = {};
+    bool framed = true; ///< by an eye that is as far away as it has to be
 
     std::vector<int> greys(l3d_size size, bool smooth) const {
         l3d_afd_settings settings = hard_edged();
@@ -23,7 +24,8 @@ struct teapot_view {
         settings.fog = fog;
         l3d_pipeline_afd pipeline(l3d_memory_canvas(size), l3d_patch_model::teapot(), camera,
                                   settings);
-        pipeline.frame_all();
+        if (framed)
+            pipeline.frame_all();
         pipeline.draw_event();
         return pipeline_tests::greys_drawn(pipeline);
     }
@@ -58,6 +60,14 @@ TEST(steep_light, is_the_mean_of_each_pixel) {
     const int above = teapot_view{from_above}.far_off({400, 300}, 12);
     EXPECT_LE(aside, 100);
     EXPECT_LE(above, 148);
+}
+
+/// Where the body turns away behind the handle, one pixel shows it half, while its middle shows the
+/// handle. There the body is farther than at the middle of any pixel around.
+TEST(steep_slope, goes_on_behind_what_hides_its_middle) {
+    const l3d_camera beside{.eye = {8.927444, 5.778318, 5.456309}, .target = {0.2625, 1.5, 0}};
+    const teapot_view view{beside, {}, false};
+    EXPECT_EQ(view.far_off({160, 120}, 45), 0);
 }
 
 } // namespace

@@ -40,7 +40,8 @@ struct picture {
             const int up = at(1) >= at(0) ? 1 : -1, rise = up * (at(1) - at(0));
             const int before = std::max(up * (at(0) - at(-1)), 0);
             const int after = std::max(up * (at(2) - at(1)), 0);
-            if (rise - 2 * std::min(before, after) > jump_levels)
+            const int kink = std::min(std::max(before, after), most_kink_levels);
+            if (rise - std::max(2 * std::min(before, after), kink) > jump_levels)
                 return true;
         }
         return false;

@@ -66,13 +66,7 @@ bool is_inside(const fragment_polygon& of, std::int64_t x, std::int64_t y) {
 
 fragment_polygon polygon_of(std::span<const l3d_micro_vertex> corners) {
     fragment_polygon result{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
-        result.x[i] = v.x;
-        result.y[i] = v.y;
-        result.inv_w[i] = v.inv_w;
-    }
-    result.corners = static_cast<std::int32_t>(corners.size());
+    result.set_corners(corners);
     result.set_plane();
     return result;
 }
@@ -95,14 +89,9 @@ struct masks {
                 bits.set(x, y);
         pixels.begin(bits, drawn_depth(nullptr, 0, window, coarse), window);
         for (const fragment_polygon& p : polygons) {
-            const polygon_outline outline{{p.x[0], p.x[1], p.x[2], p.x[3], p.x[0]},
-                                          {p.y[0], p.y[1], p.y[2], p.y[3], p.y[0]},
-                                          p.area2,
-                                          1,
-                                          1};
             const std::size_t first = fragments.size();
             fragments.resize(first + pixels.pixels().size() + 1);
-            fragments.resize(first + cover_samples(outline, name++, window, pixels,
+            fragments.resize(first + cover_samples(p, name++, window, pixels,
                                                    fragments.data() + first,
                                                    static_cast<std::uint32_t>(first)));
         }

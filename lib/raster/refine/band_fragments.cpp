@@ -29,7 +29,7 @@ l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
 void band_fragments::begin(const pixel_bits& marks, const drawn_depth& depth,
                            const l3d_pixel_box& band) {
     pixels_.begin(marks, depth, band);
-    polygons_.clear();
+    polygon_count_ = 0;
     count_ = 0;
     most_fragments_ = least_most_fragments;
 }
@@ -56,7 +56,7 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
     boxes_.find(part.grid, first, count, inside_);
     for (std::size_t i = 0; i < count; ++i) {
         const l3d_pixel_box box{boxes_.left[i], boxes_.top[i], boxes_.right[i], boxes_.bottom[i]};
-        if (!box.empty() && pixels_.may_reach(box))
+        if (!box.empty() && pixels_.may_reach(box) && pixels_.has_in(box))
             add_quad(part, first + i, box, levels);
     }
 }
@@ -91,7 +91,7 @@ void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t fir
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
         const l3d_pixel_box box = reached(corners);
-        if (!box.empty() && pixels_.may_reach(box))
+        if (!box.empty() && pixels_.may_reach(box) && pixels_.has_in(box))
             add_convex(corners, color_of(part, part.material_of(i)), box);
     }
 }
@@ -109,40 +109,25 @@ l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners)
 
 void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
                                 const l3d_pixel_box& box) {
-    polygon_outline outline;
-    outline.farthest = outline.nearest = corners[0].inv_w;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
-        outline.x[i] = v.x;
-        outline.y[i] = v.y;
-        outline.farthest = std::min(outline.farthest, v.inv_w);
-        outline.nearest = std::max(outline.nearest, v.inv_w);
-    }
-    outline.x[4] = outline.x[0];
-    outline.y[4] = outline.y[0];
-    outline.area2 = cross({outline.x[2] - outline.x[0], outline.y[2] - outline.y[0]},
-                          {outline.x[3] - outline.x[1], outline.y[3] - outline.y[1]});
-    if (box.empty() || outline.area2 == 0)
+    if (polygons_.size() == polygon_count_)
+        polygons_.resize(2 * polygon_count_ + 1);
+    fragment_polygon& polygon = polygons_[polygon_count_];
+    polygon.set_corners(corners);
+    if (box.empty() || polygon.area2 == 0)
         return;
     const std::size_t room = std::min(static_cast<std::size_t>(box.area()), pixels().size());
     if (fragments_.size() < count_ + room + 1)
         fragments_.resize(2 * count_ + room + 1);
     const std::size_t covered =
-        cover_samples(outline, static_cast<std::uint32_t>(polygons_.size()), box, pixels_,
+        cover_samples(polygon, static_cast<std::uint32_t>(polygon_count_), box, pixels_,
                       fragments_.data() + count_, static_cast<std::uint32_t>(count_));
     if (covered == 0)
         return;
     count_ += covered;
-    fragment_polygon& polygon = polygons_.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-        const l3d_micro_vertex& v = corners[std::min(i, corners.size() - 1)];
-        polygon.x[i] = v.x;
-        polygon.y[i] = v.y;
-        polygon.inv_w[i] = v.inv_w;
+    ++polygon_count_;
+    for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            polygon.light[k][i] = v.normal[k];
-    }
-    polygon.corners = static_cast<std::int32_t>(corners.size());
+            polygon.light[k][i] = corners[std::min(i, corners.size() - 1)].normal[k];
     polygon.color = color;
     polygon.set_plane();
     if (count_ >= most_fragments_)
@@ -152,16 +137,16 @@ void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::
 /// Keeps the fragments that are seen so far, and their polygons, in their order.
 void band_fragments::leave_out_hidden() {
     finish();
-    names_.assign(polygons_.size(), fragment::none);
+    names_.assign(polygon_count_, fragment::none);
     for (const seen_fragment& s : seen_)
         names_[s.polygon] = 0;
     std::uint32_t kept = 0;
-    for (std::size_t i = 0; i < polygons_.size(); ++i)
+    for (std::size_t i = 0; i < polygon_count_; ++i)
         if (names_[i] != fragment::none) {
             polygons_[kept] = polygons_[i];
             names_[i] = kept++;
         }
-    polygons_.resize(kept);
+    polygon_count_ = kept;
     count_ = 0;
     for (std::size_t i = 0; i < pixels().size(); ++i) {
         std::uint32_t& last = pixels_.pixels()[i].last;

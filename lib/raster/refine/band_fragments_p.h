@@ -58,6 +58,11 @@ public:
     }
     const fragment_polygon& polygon(const seen_fragment& of) const { return polygons_[of.polygon]; }
 
+    /// All of them.
+    std::span<const fragment_polygon> polygons() const {
+        return std::span(polygons_).first(polygon_count_);
+    }
+
     /// The fragments for which there is room.
     std::size_t kept_fragments() const { return fragments_.size(); }
 
@@ -79,10 +84,11 @@ private:
     l3d_pixel_box inside_; ///< what of the band the item reaches
     marked_pixels pixels_;
     quad_boxes boxes_;
-    std::vector<fragment_polygon> polygons_;
-    std::vector<fragment> fragments_; ///< with room for more
-    std::size_t count_ = 0;           ///< of these
-    std::size_t most_fragments_ = 0;  ///< before what is hidden is left out
+    std::vector<fragment_polygon> polygons_; ///< with room for more
+    std::size_t polygon_count_ = 0;          ///< of these
+    std::vector<fragment> fragments_;        ///< with room for more
+    std::size_t count_ = 0;                  ///< of these
+    std::size_t most_fragments_ = 0;         ///< before what is hidden is left out
     std::vector<seen_fragment> seen_;
     std::vector<std::uint32_t> begins_, names_;
 };

@@ -32,12 +32,12 @@ float drawn_depth::farthest(std::int32_t x, std::int32_t y) const {
     const neighbourhood near(x, y, window_);
     if (!near.drawn(*coarse_))
         return 0;
+    two_depths depths;
     const float* row = first_ + near.top * pitch_;
-    float result = row[near.left];
     for (std::int32_t i = near.top; i <= near.bottom; ++i, row += pitch_)
         for (std::int32_t column = near.left; column <= near.right; ++column)
-            result = std::min(result, row[column]);
-    return result;
+            depths.add(row[column]);
+    return depths.bound();
 }
 
 bool drawn_depth::drawn_in(const l3d_pixel_box& box) const {

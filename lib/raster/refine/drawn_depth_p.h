@@ -7,8 +7,10 @@
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace l3d_detail {
 
@@ -20,7 +22,9 @@ public:
                 const coarse_depth& coarse)
         : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
 
-    /// The farthest depth of a pixel and those around it; 0 if nothing is in one of them.
+    /// What is farther than this is hidden in a pixel; 0 if nothing is in it or in one around it.
+    /// The farthest surface there may go on behind the others, as much farther as it is than the
+    /// second farthest depth.
     float farthest(std::int32_t x, std::int32_t y) const;
 
     /// Whether something may be in all tiles around and in a box, and these lie in the window.
@@ -28,13 +32,12 @@ public:
 
     /// The same as farthest. Expects: drawn_in of a box with the pixel.
     float farthest_inside(std::int32_t x, std::int32_t y) const {
-        const float* const above = first_ + (y - 1) * pitch_ + x;
-        const float* const here = above + pitch_;
-        const float* const below = here + pitch_;
-        const auto least = [](const float* row) {
-            return std::min(std::min(row[-1], row[0]), row[1]);
-        };
-        return std::min(std::min(least(above), least(here)), least(below));
+        two_depths depths;
+        const float* row = first_ + (y - 1) * pitch_ + x;
+        for (int i = 0; i < 3; ++i, row += pitch_)
+            for (int column = -1; column < 2; ++column)
+                depths.add(row[column]);
+        return depths.bound();
     }
 
     /// Whether all pixels around one, and itself, show what is nearer than `inv_w`. It is fastest
@@ -49,6 +52,21 @@ public:
     }
 
 private:
+    /// The two farthest of some depths.
+    struct two_depths {
+        float first = HUGE_VALF, second = HUGE_VALF;
+
+        void add(float depth) {
+            second = std::min(second, std::max(first, depth));
+            first = std::min(first, depth);
+        }
+        float bound() const {
+            if (first == 0)
+                return 0;
+            return std::max(first - (second - first), std::numeric_limits<float>::min());
+        }
+    };
+
     bool hides_around(std::int32_t x, std::int32_t y, float inv_w) const;
 
     const float* first_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// find_jumps: all channels of some pixels at once, as the bytes of their words.
+// find_jumps: the few pixels that are far from a neighbour, by vectors of channels.
 #include "raster/refine/find_jumps_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,6 +14,29 @@
 #include <cstddef>
 #include <cstring>
 
+#ifndef L3D_RASTER_FIND_JUMPS_ONCE
+#define L3D_RASTER_FIND_JUMPS_ONCE
+namespace l3d_detail {
+
+/// Whether there is a jump from the second to the third of four pixels in a line.
+inline bool is_jump(const std::uint32_t (&words)[4]) {
+    for (const int shift : {0, 8, 16}) {
+        const auto rise = [&](std::size_t i) {
+            return static_cast<int>(words[i + 1] >> shift & 255) -
+                   static_cast<int>(words[i] >> shift & 255);
+        };
+        const int way = rise(1) < 0 ? -1 : 1;
+        const int before = std::max(way * rise(0), 0), after = std::max(way * rise(2), 0);
+        const int kink = std::min(std::max(before, after), most_kink_levels);
+        if (way * rise(1) - std::max(2 * std::min(before, after), kink) > jump_levels)
+            return true;
+    }
+    return false;
+}
+
+} // namespace l3d_detail
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
@@ -21,141 +44,98 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Channels are bytes of pixel words, in the order of memory.
-constexpr std::int32_t channels = sizeof(std::uint32_t), most_bytes = 64;
-constexpr hn::CappedTag<std::uint8_t, most_bytes> levels;
+/// Channels are bytes of pixel words, in the order of memory: that of how transparent a pixel is,
+/// is the last one of four.
+constexpr std::int32_t channels = sizeof(std::uint32_t);
+constexpr hn::CappedTag<std::uint8_t, 64> levels;
+constexpr auto vector_pixels = static_cast<std::int32_t>(hn::MaxLanes(levels)) / channels;
 using level_lanes = hn::Vec<decltype(levels)>;
+static_assert(std::endian::native == std::endian::little);
 
-/// What each channel has to be beyond. How transparent a pixel is does not count.
-struct least_jumps {
-    std::uint8_t at[most_bytes + channels];
-
-    constexpr least_jumps() : at() {
-        constexpr std::size_t clear = std::endian::native == std::endian::little ? 3 : 0;
-        for (std::size_t i = 0; i < sizeof at; ++i)
-            at[i] = i % channels == clear ? 255 : jump_levels;
-    }
-};
-constexpr least_jumps least;
-
-/// The same channels of four pixels in a line, of several lines side by side.
-struct four_levels {
-    level_lanes a, b, c, e;
-};
-
-/// A bit for each channel that jumps from b to c.
-HWY_ATTR HWY_INLINE std::uint64_t jumps_at(const four_levels& of, level_lanes least_jump) {
-    const auto rest = [](auto rise, auto before, auto after) HWY_ATTR {
-        const auto steady = hn::Min(before, after);
-        return hn::SaturatedSub(hn::SaturatedSub(rise, steady), steady);
-    };
-    const auto [a, b, c, e] = of;
-    const auto up = rest(hn::SaturatedSub(c, b), hn::SaturatedSub(b, a), hn::SaturatedSub(e, c));
-    const auto down = rest(hn::SaturatedSub(b, c), hn::SaturatedSub(a, b), hn::SaturatedSub(c, e));
-    const auto over = hn::SaturatedSub(hn::Max(up, down), least_jump);
-    std::uint8_t bytes[sizeof(std::uint64_t)] = {};
-    hn::StoreMaskBits(levels, hn::Ne(over, hn::Zero(levels)), bytes);
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
+HWY_ATTR HWY_INLINE level_lanes load(const std::uint32_t* from) {
+    return hn::LoadU(levels, reinterpret_cast<const std::uint8_t*>(from));
 }
 
-/// Sets the bits of pixels from x up to `end` that have such channels. The first channel is x's.
+/// A bit for each channel that is beyond levels of no jump.
+HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
+    const auto most = hn::Set(levels, std::uint8_t{jump_levels});
+    std::uint8_t bytes[sizeof(std::uint64_t)] = {};
+    hn::StoreMaskBits(levels, hn::Ne(hn::Max(of, most), most), bytes);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits & 0x7777777777777777;
+}
+
+/// Whether a channel of some pixels may be that far from the one on the right, or below. Here, how
+/// transparent they are counts, too.
+HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
+    const auto here = load(row), beside = load(row + 1), below = load(next);
+    const auto range =
+        hn::Sub(hn::Max(hn::Max(here, beside), below), hn::Min(hn::Min(here, beside), below));
+    const auto most = hn::Set(levels, std::uint8_t{jump_levels});
+    return !hn::AllTrue(levels, hn::Eq(hn::Max(range, most), most));
+}
+
+/// As is_jump, of some pixels side by side: a bit for each channel that jumps.
+HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, level_lanes c,
+                                                level_lanes e) {
+    const auto most_kink = hn::Set(levels, std::uint8_t{most_kink_levels});
+    const auto rest = [&](auto rise, auto before, auto after) HWY_ATTR {
+        const auto steady = hn::Min(before, after);
+        const auto kink = hn::Min(hn::Max(before, after), most_kink);
+        return hn::SaturatedSub(rise, hn::Max(hn::SaturatedAdd(steady, steady), kink));
+    };
+    return far_channels(
+        hn::Max(rest(hn::SaturatedSub(c, b), hn::SaturatedSub(b, a), hn::SaturatedSub(e, c)),
+                rest(hn::SaturatedSub(b, c), hn::SaturatedSub(a, b), hn::SaturatedSub(c, e))));
+}
+
+/// Sets the bits of pixels from x up to `end` that have such channels.
 HWY_INLINE void add_pixels(std::uint64_t bits, std::int32_t x, std::int32_t end,
                            std::uint64_t* to) {
     constexpr std::uint64_t first_channels = 0x1111111111111111;
-    bits = (bits | bits >> 1 | bits >> 2 | bits >> 3) & first_channels;
-    for (; bits != 0; bits &= bits - 1) {
-        const std::int32_t at = x + std::countr_zero(bits) / channels;
-        if (at < end)
+    bits = (bits | bits >> 1 | bits >> 2) & first_channels;
+    for (; bits != 0; bits &= bits - 1)
+        if (const std::int32_t at = x + std::countr_zero(bits) / channels; at < end)
             to[pixel_bits::word_of(at)] |= std::uint64_t{1} << pixel_bits::bit_of(at);
-    }
-}
-
-using row_bytes = const std::uint8_t*;
-
-/// Pixels of a row of which some lie beyond its ends: it goes on with its first and last pixel.
-struct row_end {
-    std::uint32_t at[1 + most_bytes / channels + 2];
-
-    void load(const std::uint32_t* row, std::int32_t width, std::int32_t first,
-              std::int32_t count) {
-        for (std::int32_t i = 0; i < count; ++i)
-            at[i] = row[std::clamp(first + i, 0, width - 1)];
-    }
-};
-
-/// Where jumps of pixels before `end` are written: bits of a row.
-struct row_jumps {
-    std::int32_t end;
-    std::uint64_t *right, *down;
-};
-
-/// Finds the jumps of the vector of channels whose first one is of pixel x. It has the place `at`
-/// in the rows: one above, the row itself, and two below.
-HWY_ATTR HWY_NOINLINE void add_jumps(const row_bytes (&rows)[4], std::ptrdiff_t at, std::int32_t x,
-                                     const row_jumps& to) {
-    const auto load = [&](std::size_t row, std::ptrdiff_t pixels) HWY_ATTR {
-        return hn::LoadU(levels, rows[row] + at + channels * pixels);
-    };
-    const auto here = load(1, 0), least_jump = hn::LoadU(levels, least.at + at % channels);
-    add_pixels(jumps_at({load(1, -1), here, load(1, 1), load(1, 2)}, least_jump), x, to.end,
-               to.right);
-    add_pixels(jumps_at({load(0, 0), here, load(2, 0), load(3, 0)}, least_jump), x, to.end,
-               to.down);
-}
-
-/// Finds the jumps of pixels from x on, whose channels have the places [begin, end) in the rows.
-/// Few are far from a neighbour, and only for these it matters what is around both.
-HWY_ATTR HWY_INLINE void find_between(const row_bytes (&rows)[4], std::ptrdiff_t begin,
-                                      std::ptrdiff_t end, std::int32_t x, const row_jumps& to) {
-    const row_bytes row = rows[1], next = rows[2];
-    for (std::ptrdiff_t at = begin; at < end; at += static_cast<int>(hn::Lanes(levels))) {
-        const auto here = hn::LoadU(levels, row + at), below = hn::LoadU(levels, next + at);
-        const auto beside = hn::LoadU(levels, row + at + channels);
-        const auto rise_to = [&](level_lanes of)
-                                 HWY_ATTR { return hn::Sub(hn::Max(here, of), hn::Min(here, of)); };
-        const auto least_jump = hn::LoadU(levels, least.at + at % channels);
-        const auto most = hn::Max(hn::Max(rise_to(beside), rise_to(below)), least_jump);
-        if (HWY_UNLIKELY(!hn::AllTrue(levels, hn::Eq(most, least_jump))))
-            add_jumps(rows, at, x + static_cast<std::int32_t>((at - begin) / channels), to);
-    }
-}
-
-/// As find_between, for some pixels at an end of the rows.
-HWY_ATTR HWY_NOINLINE void find_at_end(const std::uint32_t* const (&rows)[4], std::int32_t width,
-                                       std::int32_t x, std::int32_t pixels, const row_jumps& to) {
-    row_end ends[4];
-    row_bytes bytes[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-        ends[i].load(rows[i], width, x - 1, pixels + 3);
-        bytes[i] = reinterpret_cast<row_bytes>(ends[i].at);
-    }
-    find_between(bytes, channels, channels * (1 + pixels), x, to);
 }
 
 void find_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(levels));
-    const std::int32_t pixels = std::max(lanes / channels, 1);
+    const auto row_at = [&](std::int32_t y) {
+        return picture.row(std::clamp(y, 0, picture.height - 1)).data();
+    };
     for (std::int32_t y = where.top; y < where.bottom; ++y) {
-        const std::uint32_t* rows[4];
-        row_bytes bytes[4];
-        for (std::int32_t i = 0; i < 4; ++i) {
-            rows[i] = picture.row(std::clamp(y + i - 1, 0, picture.height - 1)).data();
-            bytes[i] = reinterpret_cast<row_bytes>(rows[i]);
+        const std::uint32_t *const above = row_at(y - 1), *const here = row_at(y),
+                                   *const below = row_at(y + 1), *const last = row_at(y + 2);
+        std::uint64_t *const right = jumps.right.row(y), *const down = jumps.down.row(y);
+        // Whole vectors before here, with two pixels behind the last.
+        const std::int32_t inside = std::min(where.right, picture.width - vector_pixels - 1);
+        for (std::int32_t x = where.left; x < where.right;) {
+            if (vector_pixels > 0 && x > 0 && x < inside) {
+                while (x < inside && !any_far(here + x, below + x))
+                    x += vector_pixels;
+                if (x < inside) {
+                    const auto middle = load(here + x);
+                    add_pixels(jumps_between(load(here + x - 1), middle, load(here + x + 1),
+                                             load(here + x + 2)),
+                               x, where.right, right);
+                    add_pixels(
+                        jumps_between(load(above + x), middle, load(below + x), load(last + x)), x,
+                        where.right, down);
+                    x += vector_pixels;
+                }
+                continue;
+            }
+            // A row goes on beyond its ends with its first and last pixel.
+            const auto at = [&](std::int32_t i) {
+                return here[std::clamp(i, 0, picture.width - 1)];
+            };
+            if (is_jump({at(x - 1), here[x], at(x + 1), at(x + 2)}))
+                jumps.right.set(x, y);
+            if (is_jump({above[x], here[x], below[x], last[x]}))
+                jumps.down.set(x, y);
+            ++x;
         }
-        const row_jumps to{where.right, jumps.right.row(y), jumps.down.row(y)};
-        std::int32_t x = where.left;
-        if (x == 0) {
-            find_at_end(rows, picture.width, x, pixels, to);
-            x += pixels;
-        }
-        // Whole vectors, with two pixels behind the last.
-        const std::int32_t room = std::min(where.right + pixels - 1, picture.width - 2) - x;
-        const std::int32_t inside = x + std::max(room / pixels, 0) * pixels;
-        find_between(bytes, std::ptrdiff_t{channels} * x, std::ptrdiff_t{channels} * inside, x, to);
-        for (x = inside; x < where.right; x += pixels)
-            find_at_end(rows, picture.width, x, pixels, to);
     }
 }
 

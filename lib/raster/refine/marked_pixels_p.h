@@ -7,6 +7,7 @@
 #include "raster/refine/pixel_bits_p.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -46,7 +47,7 @@ public:
     /// them as well. The others take nothing more. Returns whether there are any.
     bool reopen();
 
-    /// Whether a box that is not empty may reach a marked pixel: one of the tiles that it meets, or
+    /// Whether a box that is not empty may have a marked pixel: one of the tiles that it meets, or
     /// of those next to these. Expects: it lies in the band.
     bool may_reach(const l3d_pixel_box& box) const {
         for (std::int32_t y = box.top / side; y * side < box.bottom; y += 2)
@@ -54,6 +55,42 @@ public:
                 if (at(x, y).is_near)
                     return true;
         return false;
+    }
+
+    /// Calls visit(tile, its column, its row, its marked pixels that lie in a box) for each tile
+    /// that has such, until one of the calls is true. Returns: whether one was.
+    /// Expects: the box lies in the band, and is not empty.
+    template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
+        constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
+                                a_column = 0x0101010101010101;
+        const auto first = static_cast<std::uint32_t>(box.left),
+                   end = static_cast<std::uint32_t>(box.right);
+        const std::uint32_t last_column = (end - 1) / side,
+                            last_row = static_cast<std::uint32_t>(box.bottom - 1) / side;
+        for (auto y = static_cast<std::uint32_t>(box.top) / side; y <= last_row; ++y) {
+            const auto top = static_cast<std::int32_t>(y * side);
+            const std::uint64_t rows = all << side * std::max(box.top - top, 0) &
+                                       all >> side * std::max(top + side - box.bottom, 0);
+            for (std::uint32_t x = first / side; x <= last_column; ++x) {
+                const auto left = static_cast<std::int32_t>(x * side);
+                const tile& here = at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
+                std::uint64_t bits = here.bits & rows;
+                if (bits == 0)
+                    continue;
+                bits &= (a_row << std::max(box.left - left, 0) &
+                         a_row >> std::max(left + side - box.right, 0)) *
+                        a_column;
+                if (bits != 0 && visit(here, left, top, bits))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// Whether a box has a marked pixel. Expects: as visit.
+    bool has_in(const l3d_pixel_box& box) const {
+        return visit(box,
+                     [](const tile&, std::int32_t, std::int32_t, std::uint64_t) { return true; });
     }
 
     /// A tile, by the numbers of its column and row in the picture.

@@ -31,22 +31,25 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
                pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };
-    const auto pixel = [](double place) {
-        return (static_cast<std::int32_t>(std::floor(place)) - 1) >> l3d_subpixel_bits;
-    };
     const std::int32_t to_x = sign(edge.to.y - edge.from.y), to_y = sign(edge.from.x - edge.to.x);
     scan_point high = edge.from, low = edge.to;
     if (high.y > low.y)
         std::swap(high, low);
     const std::int32_t first = std::max((high.y - 1) >> l3d_subpixel_bits, box.top);
     const std::int32_t last = std::min((low.y - 1) >> l3d_subpixel_bits, box.bottom - 1);
-    const double slope = low.y > high.y ? double(low.x - high.x) / double(low.y - high.y) : 0.0;
+    // How far the edge goes to the right from row to row, in parts of 2^32.
+    const std::int64_t slope =
+        low.y > high.y ? (std::int64_t{low.x - high.x} << 32) / (low.y - high.y) : 0;
+    const auto place_at = [&](std::int32_t y) {
+        return high.x + static_cast<std::int32_t>(slope * (y - high.y) >> 32);
+    };
     for (std::int32_t y = first; y <= last; ++y) {
         const std::int32_t top = y * l3d_subpixel_one, bottom = top + l3d_subpixel_one;
-        const double a = top > high.y ? high.x + slope * double(top - high.y) : high.x;
-        const double b = bottom < low.y ? high.x + slope * double(bottom - high.y) : low.x;
-        const std::int32_t left = std::max(pixel(std::min(a, b)), box.left);
-        const std::int32_t right = std::min(pixel(std::max(a, b)), box.right - 1);
+        const std::int32_t a = top > high.y ? place_at(top) : high.x;
+        const std::int32_t b = bottom < low.y ? place_at(bottom) : low.x;
+        const std::int32_t left = std::max((std::min(a, b) - 1) >> l3d_subpixel_bits, box.left);
+        const std::int32_t right =
+            std::min((std::max(a, b) - 1) >> l3d_subpixel_bits, box.right - 1);
         for (std::int32_t x = left; x <= right; ++x)
             if (!marks.has(x, y) && !depth.hides(x, y, edge.nearest, to_x, to_y))
                 marks.set(x, y);

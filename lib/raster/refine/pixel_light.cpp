@@ -2,7 +2,7 @@
 // pixel_light: the light of polygons at places, in linear light.
 #include "raster/refine/pixel_light_p.h"
 
-#include "raster/refine/linear_light_p.h"
+#include "raster/linear_light_p.h"
 #include "raster/refine/sample_places_p.h"
 #include "raster/shaders/shader_choice_p.h"
 #include "raster/shapes/attribute_plane_p.h"
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace l3d_detail {
 
@@ -42,33 +43,64 @@ struct light_sum {
     }
 };
 
-float held(float part) {
-    return std::min(std::max(part, 0.0f), 1.0f);
-}
-
-/// The level of a polygon of mode l3d_shade::levels at a place: that of levels_shader, at the
-/// parameters that a parallelogram would have. Units: pixels.
-float level_at(const fragment_polygon& of, float x, float y) {
-    const float per_area = l3d_subpixel_one / static_cast<float>(of.area2);
-    const auto ax = static_cast<float>(of.x[2] - of.x[0]),
-               ay = static_cast<float>(of.y[2] - of.y[0]);
-    const auto bx = static_cast<float>(of.x[3] - of.x[1]),
-               by = static_cast<float>(of.y[3] - of.y[1]);
-    const float right = x - of.middle_x, down = y - of.middle_y;
-    // In parts of the diagonals from the mean of the corners.
-    const float s = (by * right - bx * down) * per_area, t = (ax * down - ay * right) * per_area;
-    const auto& [a, b, c, d] = of.light[0];
-    const float ab = of.light[1][0], ad = of.light[2][0], bc = of.light[2][1], dc = of.light[1][3];
-    if (of.corners == 4) {
-        const float u = held(0.5f + s - t), v = held(0.5f + s + t), u1 = 1 - u, v1 = 1 - v;
-        return v1 * (u1 * a + u * b) + v * (u1 * d + u * c) +
-               4 * (u * u1 * (v1 * ab + v * dc) + v * v1 * (u1 * ad + u * bc));
+/// The level of a polygon of mode l3d_shade::levels: that of levels_shader, at the parameters that
+/// a parallelogram would have.
+class level_surface {
+public:
+    level_surface() = default;
+    explicit level_surface(const fragment_polygon& of)
+        : middle_x_(of.middle_x), middle_y_(of.middle_y) {
+        const float per_area = l3d_subpixel_one / static_cast<float>(of.area2);
+        const float ax = per_area * static_cast<float>(of.x[2] - of.x[0]),
+                    ay = per_area * static_cast<float>(of.y[2] - of.y[0]),
+                    bx = per_area * static_cast<float>(of.x[3] - of.x[1]),
+                    by = per_area * static_cast<float>(of.y[3] - of.y[1]);
+        // In parts of the diagonals from the mean of the corners, a place is
+        // s = by right - bx down and t = ax down - ay right.
+        const auto& [a, b, c, d] = of.light[0];
+        const float ab = 4 * of.light[1][0], ad = 4 * of.light[2][0], bc = 4 * of.light[2][1];
+        level_ = a;
+        per_uu_ = -ab;
+        per_vv_ = -ad;
+        per_u_ = b - a + ab;
+        v_ = {0.5f, by - ay, ax - bx}; // 1/2 + s + t
+        if (of.corners == 4) {
+            // Between opposite sides, level and bend change steadily.
+            const float along_v = 4 * of.light[1][3] - ab, along_u = bc - ad;
+            u_ = {0.5f, by + ay, -ax - bx}; // 1/2 + s - t
+            per_v_ = d - a + ad;
+            per_uv_ = a - b + c - d + along_v + along_u;
+            per_uuv_ = -along_v;
+            per_uvv_ = -along_u;
+        } else {                   // with d = c; u is the part of b, v that of c
+            u_ = {0.25f, ay, -ax}; // 1/4 - t
+            per_v_ = c - a + ad;
+            per_uv_ = bc - ab - ad;
+        }
     }
-    // With d = c, the place is (1/4 - s) a + (1/4 - t) b + (1/2 + s + t) c.
-    const float of_b = held(0.25f - t), of_c = held(0.5f + s + t), of_a = 1 - of_b - of_c;
-    return of_a * a + of_b * b + of_c * c +
-           4 * (of_a * of_b * ab + of_a * of_c * ad + of_b * of_c * bc);
-}
+
+    /// Units: pixels.
+    float at(float x, float y) const {
+        const float right = x - middle_x_, down = y - middle_y_;
+        const float u = u_.at(right, down), v = v_.at(right, down);
+        return level_ + u * (per_u_ + u * per_uu_ + v * (per_uv_ + u * per_uuv_ + v * per_uvv_)) +
+               v * (per_v_ + v * per_vv_);
+    }
+
+private:
+    /// A parameter, held from 0 to 1.
+    struct parameter {
+        float middle, per_right, per_down;
+
+        float at(float right, float down) const {
+            return std::min(std::max(middle + (per_right * right + per_down * down), 0.0f), 1.0f);
+        }
+    };
+
+    float middle_x_, middle_y_;
+    parameter u_, v_;
+    float level_, per_u_, per_v_, per_uu_, per_uv_, per_vv_, per_uuv_ = 0, per_uvv_ = 0;
+};
 
 /// Planes of `Count` numbers of a polygon's corners.
 template <std::size_t Corners, std::size_t Count, class NumbersOf>
@@ -107,7 +139,7 @@ private:
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(level_at(polygon, x, y), polygon.color);
+            return of_level(level_surface(polygon).at(x, y), polygon.color);
         else
             return of_word(word_at(polygon, double{x}, double{y}), polygon.color);
     }
@@ -163,6 +195,8 @@ private:
 /// The word of light before what is behind all surfaces, which fills `empty` of the pixel.
 std::uint32_t word_before(light_sum light, std::uint32_t behind, float empty,
                           const linear_light& tables) {
+    if (!(empty > 0))
+        return light.word(tables);
     if (behind != l3d_pixels::transparent) {
         light.add(light_sum::of_word(behind, tables), empty);
         return light.word(tables);
@@ -184,20 +218,33 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, has_color, target.height);
+        const bool is_grey = has_bends<decltype(shader)> && !has_color && !shading.fog.is_on();
+        std::vector<level_surface> levels;
+        if (is_grey)
+            for (const fragment_polygon& polygon : band.polygons())
+                levels.emplace_back(polygon);
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             light_sum sum;
             int count = 0;
             for (const seen_fragment& of : band.seen_in(i)) {
-                sum.add(light(band.polygon(of), of.x, of.y), static_cast<float>(of.count));
+                const auto samples = static_cast<float>(of.count);
+                if (is_grey)
+                    sum.of[0] += samples * tables.light_between(levels[of.polygon].at(of.x, of.y));
+                else
+                    sum.add(light(band.polygon(of), of.x, of.y), samples);
                 count += of.count;
             }
+            if (is_grey)
+                sum.of[1] = sum.of[2] = sum.of[0];
             const std::int32_t x = pixels[i].x, y = pixels[i].y;
             std::uint32_t& word = target.row(y)[static_cast<std::size_t>(x)];
             const bool shares = band.closed(i) && count > 0;
             light_sum mean;
             mean.add(sum, shares ? 1 / static_cast<float>(count) : part);
             const float empty = shares ? 0.0f : 1 - part * static_cast<float>(count);
-            word = word_before(mean, shading.background.word(y, target.height), empty, tables);
+            const std::uint32_t behind =
+                empty > 0 ? shading.background.word(y, target.height) : 0; // it does not matter
+            word = word_before(mean, behind, empty, tables);
         }
     };
     with_shader(shading, materials, 0, light_by);

@@ -9,10 +9,13 @@
 
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/refine/sample_places_p.h"
+#include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #ifndef L3D_RASTER_PIXEL_SAMPLES_ONCE
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
@@ -31,6 +34,21 @@ struct sample_offsets {
     }
 };
 inline constexpr sample_offsets offsets;
+
+/// Samples in the order of pairs of vectors: the first of a pair has the even ones of those that
+/// both have, the second the odd ones. So bytes of both, next to each other, are in order.
+template <std::size_t Lanes> struct paired_samples {
+    alignas(64) std::array<std::int16_t, sample_places::count> x{}, y{};
+
+    constexpr paired_samples() {
+        for (std::size_t i = 0; i < sample_places::count; ++i) {
+            const std::size_t pair = i / (2 * Lanes) * (2 * Lanes);
+            const std::size_t from = pair + i % Lanes * 2 + i / Lanes % 2;
+            x[i] = the_samples.x[from];
+            y[i] = the_samples.y[from];
+        }
+    }
+};
 
 /// A fragment that is seen so far, and its plane of depth in the pixel's middle.
 struct seen_so_far {
@@ -55,28 +73,42 @@ constexpr hn::CappedTag<double, 4> doubles;
 constexpr hn::Rebind<std::int32_t, decltype(doubles)> side_ints;
 constexpr hn::Rebind<std::int16_t, decltype(doubles)> side_shorts;
 constexpr hn::CappedTag<std::int32_t, 16> ints;
+constexpr std::size_t tile_side = marked_pixels::side;
+constexpr hn::CappedTag<std::int32_t, tile_side> row_ints;
+constexpr std::size_t row_lanes = hn::MaxLanes(row_ints);
 using double_vec = hn::Vec<decltype(doubles)>;
 using short_vec = hn::Vec<decltype(shorts)>;
 constexpr std::size_t short_lanes = hn::MaxLanes(shorts), float_lanes = hn::MaxLanes(floats);
-[[maybe_unused]] constexpr std::size_t short_vectors = sample_places::count / short_lanes;
+constexpr paired_samples<short_lanes> paired;
 
 /// Lane i is bit i.
 template <class D> HWY_ATTR HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
+    std::uint8_t in_bytes[sizeof(std::uint64_t)] = {};
+    hn::StoreMaskBits(d, mask, in_bytes);
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < (hn::MaxLanes(D()) + 7) / 8; ++i)
-        bits |= std::uint64_t{bytes[i]} << (8 * i);
+    std::memcpy(&bits, in_bytes, sizeof bits);
     return bits;
+}
+
+/// The bits of a pair of vectors of paired_samples.
+template <class Mask> HWY_ATTR HWY_INLINE std::uint64_t bits_of_pair(Mask even, Mask odd) {
+    if constexpr (short_lanes == 1) {
+        return bits_of(shorts, even) | bits_of(shorts, odd) << 1;
+    } else {
+        const hn::Repartition<std::int8_t, decltype(shorts)> bytes;
+        const auto both = hn::OddEven(hn::BitCast(bytes, hn::VecFromMask(shorts, odd)),
+                                      hn::BitCast(bytes, hn::VecFromMask(shorts, even)));
+        return bits_of(bytes, hn::MaskFromVec(both));
+    }
 }
 
 /// A polygon's sides, in the way round that has the inside on the right.
 ///
 /// With E = dx (y - y0) - dy (x - x0) a sample is inside if E > 0, or if E = 0 at a left or an
-/// upper side. Let c = dy (x - x0) - dx (y - y0) at sample (0, 0) of a pixel, less 1 at these
-/// sides, and let t be c / 16 rounded down. Sample (i, j) is inside if dx j - dy i > t. The polygon
-/// beside the same side has -dx, -dy and -c - 1, so -t - 1, and its samples are exactly the others.
-/// Places are less than 2^24 and c less than 2^50, so that all of it is exact in double.
+/// upper side. Let c be E at sample (0, 0) of a pixel, and 1 more at these sides, and let t be c /
+/// 16 rounded up. Sample (i, j) is inside if dy i - dx j < t. The polygon beside the same side has
+/// -dx, -dy and 1 - c, so 1 - t, and its samples are exactly the others. Places are less than 2^24
+/// and c less than 2^50, so that all of it is exact in double.
 ///
 /// 15 (|dx| + |dy|) fits 16 bits if the sum is no more than 2184, eight pixels and a half. Longer
 /// sides are halved until they are, towards 0, and c with them. Again both polygons do the same. A
@@ -85,15 +117,17 @@ template <class D> HWY_ATTR HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> ma
 /// off by 16/1092 of a cell.
 class polygon_sides {
 public:
-    HWY_ATTR HWY_INLINE void begin(const polygon_outline& of) {
+    HWY_ATTR HWY_INLINE void begin(const fragment_polygon& of) {
         const double_vec way_round = hn::Set(doubles, of.area2 > 0 ? 1.0 : -1.0);
+        const std::int32_t next_x[4] = {of.x[1], of.x[2], of.x[3], of.x[0]};
+        const std::int32_t next_y[4] = {of.y[1], of.y[2], of.y[3], of.y[0]};
         for (std::size_t at = 0; at < 4; at += hn::MaxLanes(doubles)) {
             const auto load = [&](const std::int32_t* from) HWY_ATTR {
                 return hn::PromoteTo(doubles, hn::LoadU(side_ints, from + at));
             };
             const double_vec x = load(of.x), y = load(of.y);
-            const double_vec dx = hn::Mul(way_round, hn::Sub(load(of.x + 1), x));
-            const double_vec dy = hn::Mul(way_round, hn::Sub(load(of.y + 1), y));
+            const double_vec dx = hn::Mul(way_round, hn::Sub(load(next_x), x));
+            const double_vec dy = hn::Mul(way_round, hn::Sub(load(next_y), y));
             const double_vec zero = hn::Zero(doubles), one = hn::Set(doubles, 1.0);
             const auto takes_side =
                 hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Ge(dx, zero)));
@@ -111,19 +145,23 @@ public:
             hn::Store(whole(hn::Mul(scale, dx)), side_ints, short_x_ + at);
             hn::Store(whole(hn::Mul(scale, dy)), side_ints, short_y_ + at);
             const double_vec last = hn::Mul(scale, hn::Set(doubles, sample_places::cells - 1.0));
-            hn::Store(whole(hn::Add(hn::Max(hn::Mul(last, dx), zero),
-                                    hn::Max(hn::Mul(last, hn::Neg(dy)), zero))),
-                      side_ints, most_ + at);
-            hn::Store(whole(hn::Mul(cells, dy)), side_ints, right_ + at);
-            hn::Store(whole(hn::Mul(cells, hn::Neg(dx))), side_ints, down_ + at);
+            hn::Store(whole(hn::Add(hn::Min(hn::Mul(last, dy), zero),
+                                    hn::Min(hn::Mul(last, hn::Neg(dx)), zero))),
+                      side_ints, least_ + at);
+            hn::Store(whole(hn::Mul(cells, hn::Neg(dy))), side_ints, right_ + at);
+            hn::Store(whole(hn::Mul(cells, dx)), side_ints, down_ + at);
         }
         for (std::size_t side = 0; side < 4; ++side) {
             const short_vec dx = hn::Set(shorts, static_cast<std::int16_t>(short_x_[side])),
                             dy = hn::Set(shorts, static_cast<std::int16_t>(short_y_[side]));
             for (std::size_t at = 0; at < sample_places::count; at += short_lanes)
-                hn::Store(hn::Sub(hn::Mul(dx, hn::Load(shorts, the_samples.y.data() + at)),
-                                  hn::Mul(dy, hn::Load(shorts, the_samples.x.data() + at))),
+                hn::Store(hn::Sub(hn::Mul(dy, hn::Load(shorts, paired.x.data() + at)),
+                                  hn::Mul(dx, hn::Load(shorts, paired.y.data() + at))),
                           shorts, products_[side] + at);
+            for (std::size_t at = 0; at < tile_side; at += row_lanes)
+                hn::Store(hn::Mul(hn::Set(row_ints, right_[side]),
+                                  hn::Iota(row_ints, static_cast<std::int32_t>(at))),
+                          row_ints, columns_[side] + at);
         }
     }
 
@@ -137,40 +175,51 @@ public:
         for (std::size_t at = 0; at < 4; at += hn::MaxLanes(doubles)) {
             const auto load = [&](const double* from)
                                   HWY_ATTR { return hn::Load(doubles, from + at); };
-            const double_vec c = hn::Sub(hn::Sub(hn::Mul(load(dy_), hn::Sub(column, load(x_))),
-                                                 hn::Mul(load(dx_), hn::Sub(row, load(y_)))),
+            const double_vec c = hn::Add(hn::Sub(hn::Mul(load(dx_), hn::Sub(row, load(y_))),
+                                                 hn::Mul(load(dy_), hn::Sub(column, load(x_)))),
                                          load(takes_side_));
-            const double_vec t = hn::Floor(hn::Mul(c, load(scale_)));
+            const double_vec t = hn::Ceil(hn::Mul(c, load(scale_)));
             const double_vec held =
-                hn::Min(hn::Max(t, hn::Set(doubles, -most)), hn::Set(doubles, most - 1));
+                hn::Min(hn::Max(t, hn::Set(doubles, 1 - most)), hn::Set(doubles, most));
             hn::Store(hn::DemoteTo(side_ints, held), side_ints, t_ + at);
         }
     }
 
-    /// The samples of a pixel of the tile.
-    HWY_ATTR HWY_INLINE std::uint64_t samples(std::int32_t column, std::int32_t row) const {
-        alignas(16) std::int16_t t[4] = {};
-        const auto columns = hn::Set(side_ints, column), rows = hn::Set(side_ints, row);
-        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(doubles)) {
-            const auto load = [&](const std::int32_t* from)
-                                  HWY_ATTR { return hn::Load(side_ints, from + at); };
-            const auto there = hn::Add(
-                load(t_), hn::Add(hn::Mul(load(right_), columns), hn::Mul(load(down_), rows)));
-            if (!hn::AllTrue(side_ints, hn::Gt(load(most_), there)))
-                return 0; // all samples are beyond a side
-            hn::Store(hn::DemoteTo(side_shorts, there), side_shorts, t + at);
+    /// Goes to a row of the tile. Returns: a bit for each pixel not all of whose samples are beyond
+    /// one side.
+    HWY_ATTR HWY_INLINE std::uint64_t begin_row(std::int32_t row) {
+        alignas(16) std::int32_t first[4];
+        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(doubles))
+            hn::Store(hn::Add(hn::Load(side_ints, t_ + at),
+                              hn::Mul(hn::Load(side_ints, down_ + at), hn::Set(side_ints, row))),
+                      side_ints, first + at);
+        const auto most = hn::Set(row_ints, std::numeric_limits<std::int16_t>::max());
+        std::uint64_t reached = 0;
+        for (std::size_t at = 0; at < tile_side; at += row_lanes) {
+            auto all = hn::FirstN(row_ints, row_lanes);
+            for (std::size_t side = 0; side < 4; ++side) {
+                const auto there = hn::Add(hn::Set(row_ints, first[side]),
+                                           hn::Load(row_ints, columns_[side] + at));
+                hn::Store(hn::Min(there, most), row_ints, here_[side] + at);
+                all = hn::And(all, hn::Gt(there, hn::Set(row_ints, least_[side])));
+            }
+            reached |= bits_of(row_ints, all) << at;
         }
-        const short_vec t0 = hn::Set(shorts, t[0]), t1 = hn::Set(shorts, t[1]),
-                        t2 = hn::Set(shorts, t[2]), t3 = hn::Set(shorts, t[3]);
-        std::uint64_t samples = 0;
-        for (std::size_t at = 0; at < sample_places::count; at += short_lanes) {
-            const auto beyond = [&](std::size_t side, short_vec least) HWY_ATTR {
-                return hn::Gt(hn::Load(shorts, products_[side] + at), least);
+        return reached;
+    }
+
+    /// The samples of one of these.
+    HWY_ATTR HWY_INLINE std::uint64_t samples(std::size_t column) const {
+        const auto inside = [&](std::size_t at) HWY_ATTR {
+            const auto before = [&](std::size_t side) HWY_ATTR {
+                return hn::Gt(hn::Set(shorts, static_cast<std::int16_t>(here_[side][column])),
+                              hn::Load(shorts, products_[side] + at));
             };
-            samples |= bits_of(shorts, hn::And(hn::And(beyond(0, t0), beyond(1, t1)),
-                                               hn::And(beyond(2, t2), beyond(3, t3))))
-                       << at;
-        }
+            return hn::And(hn::And(before(0), before(1)), hn::And(before(2), before(3)));
+        };
+        std::uint64_t samples = 0;
+        for (std::size_t at = 0; at < sample_places::count; at += 2 * short_lanes)
+            samples |= bits_of_pair(inside(at), inside(at + short_lanes)) << at;
         return samples;
     }
 
@@ -191,53 +240,49 @@ private:
     }
 
     alignas(64) std::int16_t products_[4][sample_places::count];
+    alignas(64) std::int32_t columns_[4][tile_side], here_[4][tile_side]; ///< t added, and t
     alignas(32) double x_[4], y_[4], dx_[4], dy_[4], takes_side_[4], scale_[4];
-    alignas(16) std::int32_t short_x_[4], short_y_[4], most_[4], right_[4], down_[4], t_[4];
+    alignas(16) std::int32_t short_x_[4], short_y_[4], least_[4], right_[4], down_[4], t_[4];
 };
 
-std::size_t cover(const polygon_outline& of, std::uint32_t name, const l3d_pixel_box& box,
+std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                   marked_pixels& pixels, fragment* to, std::uint32_t first) {
     constexpr std::int32_t side = marked_pixels::side;
-    constexpr std::uint64_t a_row = (1u << side) - 1, a_column = 0x0101010101010101;
+    constexpr std::uint64_t a_row = (1u << side) - 1;
+    const auto [farthest, nearest] =
+        std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
     std::uint32_t count = 0;
     polygon_sides sides;
-    bool has_sides = false;
-    for (std::int32_t y = box.top / side; y * side < box.bottom; ++y) {
-        const std::int32_t above = std::max(box.top - y * side, 0),
-                           below = std::max((y + 1) * side - box.bottom, 0);
-        const std::uint64_t rows =
-            (~std::uint64_t{0} << side * above) & (~std::uint64_t{0} >> side * below);
-        for (std::int32_t x = box.left / side; x * side < box.right; ++x) {
-            const marked_pixels::tile& tile = pixels.at(x, y);
-            const std::int32_t before = std::max(box.left - x * side, 0),
-                               beyond = std::max((x + 1) * side - box.right, 0);
-            const std::uint64_t columns = (a_row << before & a_row >> beyond) * a_column;
-            bool is_begun = false;
-            for (std::uint64_t bits = tile.bits & rows & columns; bits != 0; bits &= bits - 1) {
-                const std::uint64_t earlier = tile.bits & ((bits & -bits) - 1);
+    sides.begin(of);
+    pixels.visit(box, [&](const marked_pixels::tile& tile, std::int32_t left, std::int32_t top,
+                          std::uint64_t bits) HWY_ATTR {
+        sides.begin_tile(left, top);
+        while (bits != 0) {
+            const int row = std::countr_zero(bits) / side;
+            const std::uint64_t in_row = a_row << (row * side);
+            std::uint64_t reached = bits & sides.begin_row(row) << (row * side);
+            bits &= ~in_row;
+            for (; reached != 0; reached &= reached - 1) {
+                const std::uint64_t earlier = tile.bits & ((reached & -reached) - 1);
                 marked_pixel& pixel =
                     pixels.pixels()[tile.first +
                                     static_cast<std::uint32_t>(__builtin_popcountll(earlier))];
-                if (!(of.nearest >= pixel.farthest))
+                if (!(nearest >= pixel.farthest))
                     continue;
-                if (!has_sides)
-                    sides.begin(of);
-                if (!is_begun)
-                    sides.begin_tile(x * side, y * side);
-                has_sides = is_begun = true;
-                const int bit = std::countr_zero(bits);
-                const std::uint64_t samples = sides.samples(bit % side, bit / side);
+                const std::uint64_t samples =
+                    sides.samples(static_cast<std::size_t>(std::countr_zero(reached)) % tile_side);
                 if (samples == 0)
                     continue;
                 to[count] = {samples, name, pixel.last};
                 pixel.last = first + count++;
                 pixel.covered |= samples;
-                pixel.least = std::min(pixel.least, of.farthest);
+                pixel.least = std::min(pixel.least, farthest);
                 if (pixel.covered == ~std::uint64_t{0})
                     pixel.farthest = std::max(pixel.farthest, pixel.least);
             }
         }
-    }
+        return false;
+    });
     return count;
 }
 
@@ -390,11 +435,21 @@ L3D_SIMD_TABLE(cover);
 L3D_SIMD_TABLE(find_boxes);
 L3D_SIMD_TABLE(see_all);
 
+void fragment_polygon::set_corners(std::span<const l3d_micro_vertex> of) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const l3d_micro_vertex& v = of[std::min(i, of.size() - 1)];
+        x[i] = v.x;
+        y[i] = v.y;
+        inv_w[i] = v.inv_w;
+    }
+    corners = static_cast<std::int32_t>(of.size());
+    area2 = cross({x[2] - x[0], y[2] - y[0]}, {x[3] - x[1], y[3] - y[1]});
+}
+
 void fragment_polygon::set_plane() {
     const double unit = 1.0 / l3d_subpixel_one;
     const std::int64_t ax = std::int64_t{x[2]} - x[0], ay = std::int64_t{y[2]} - y[0];
     const std::int64_t bx = std::int64_t{x[3]} - x[1], by = std::int64_t{y[3]} - y[1];
-    area2 = ax * by - ay * bx;
     middle_x = static_cast<float>(0.25 * unit * (double(x[0]) + x[1] + x[2] + x[3]));
     middle_y = static_cast<float>(0.25 * unit * (double(y[0]) + y[1] + y[2] + y[3]));
     depth = 0.25f * ((inv_w[0] + inv_w[1]) + (inv_w[2] + inv_w[3]));
@@ -404,7 +459,7 @@ void fragment_polygon::set_plane() {
     depth_down = static_cast<float>((b * double(ax) - a * double(bx)) * per_area);
 }
 
-std::size_t cover_samples(const polygon_outline& of, std::uint32_t name, const l3d_pixel_box& box,
+std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first) {
     return L3D_SIMD_CALL(cover)(of, name, box, pixels, to, first);
 }

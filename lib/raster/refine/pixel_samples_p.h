@@ -28,7 +28,10 @@ struct fragment_polygon {
     /// add. Units: pixels.
     float middle_x, middle_y, depth, depth_right, depth_down;
 
-    /// Sets the area and the plane from the corners.
+    /// Sets places and depths of corners, and the area.
+    void set_corners(std::span<const l3d_micro_vertex> of);
+
+    /// Sets the plane from these.
     void set_plane();
 
     l3d_micro_vertex corner(std::size_t i) const {
@@ -54,19 +57,13 @@ struct seen_fragment {
     float x, y;
 };
 
-/// The corners of a convex polygon in the order of fragment_polygon, the first one once more; twice
-/// its area, as there, and the least and the largest inv_w.
-struct polygon_outline {
-    std::int32_t x[5], y[5];
-    std::int64_t area2;
-    float farthest, nearest;
-};
-
 /// Adds what a polygon covers in marked pixels of a box, unless all that is there is nearer. It has
-/// the number `name`. A sample belongs to a polygon by the picture's fill rule. So it belongs to
-/// exactly one of two that share a side. Returns: the number of fragments, from `to` on. Expects: a
-/// box in the band, not empty; `to`, whose place is `first`, has room for all its pixels.
-std::size_t cover_samples(const polygon_outline& of, std::uint32_t name, const l3d_pixel_box& box,
+/// the number `name`; light and plane need not be set. A sample belongs to a polygon by the
+/// picture's fill rule. So it belongs to exactly one of two that share a side.
+/// Returns: the number of fragments, from `to` on.
+/// Expects: a box in the band, not empty; `to`, whose place is `first`, has room for all its
+/// pixels.
+std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
 /// The boxes of some quads that are next to each other in a row of a grid, so far as they are in a

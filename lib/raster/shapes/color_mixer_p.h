@@ -4,7 +4,7 @@
 #define L3D_RASTER_SHAPES_COLOR_MIXER_P_H
 
 #include "raster/rasterizer_2d.h"
-#include "raster/refine/linear_light_p.h"
+#include "raster/linear_light_p.h"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // linear_light: the tables.
-#include "raster/refine/linear_light_p.h"
+#include "raster/linear_light_p.h"
 
 #include "raster/srgb_light.h"
 

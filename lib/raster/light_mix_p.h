@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // light_mix: the mean light of several pictures.
-#ifndef L3D_RASTER_REFINE_LIGHT_MIX_P_H
-#define L3D_RASTER_REFINE_LIGHT_MIX_P_H
+#ifndef L3D_RASTER_LIGHT_MIX_P_H
+#define L3D_RASTER_LIGHT_MIX_P_H
 
 #include "raster/parallel/workers.h"
 #include "tool_2d/pixels.h"

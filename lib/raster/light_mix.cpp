@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // light_mix: words to linear light, and back.
-#include "raster/refine/light_mix_p.h"
+#include "raster/light_mix_p.h"
 
 #include "raster/background.h"
-#include "raster/refine/linear_light_p.h"
+#include "raster/linear_light_p.h"
 
 #include <cstddef>
 #include <cstdint>

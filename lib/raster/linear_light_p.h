@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // linear_light: levels of a picture to amounts of light, and back.
-#ifndef L3D_RASTER_REFINE_LINEAR_LIGHT_P_H
-#define L3D_RASTER_REFINE_LINEAR_LIGHT_P_H
+#ifndef L3D_RASTER_LINEAR_LIGHT_P_H
+#define L3D_RASTER_LINEAR_LIGHT_P_H
 
 #include <array>
 #include <cstddef>
