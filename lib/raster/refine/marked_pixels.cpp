@@ -31,10 +31,10 @@ void marked_pixels::begin(const pixel_bits& marks, const drawn_depth& depth,
     }
 }
 
-void marked_pixels::see_near(std::size_t tile) {
-    const std::size_t left = tile % columns_ > 0 ? 1 : 0, above = tile >= columns_ ? columns_ : 0;
+void marked_pixels::see_near(std::size_t of) {
+    const std::size_t left = of % columns_ > 0 ? 1 : 0, above = of >= columns_ ? columns_ : 0;
     for (const std::size_t before : {std::size_t{0}, left, above, above + left})
-        tiles_[tile - before].is_near = true;
+        tiles_[of - before].is_near = true;
 }
 
 bool marked_pixels::reopen() {

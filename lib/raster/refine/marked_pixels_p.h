@@ -106,7 +106,7 @@ public:
 
 private:
     void gather_bits(const pixel_bits& marks);
-    void see_near(std::size_t tile);
+    void see_near(std::size_t of);
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;
