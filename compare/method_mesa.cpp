@@ -88,6 +88,7 @@ private:
     };
 
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
+    std::string do_renderer() const override { return target_.describe(); }
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_counts_; }
 
@@ -276,7 +277,7 @@ void method_mesa::do_draw(const l3d_method_frame& frame, l3d_stage_times& times)
 
 std::unique_ptr<l3d_surface_method> l3d_create_method_mesa() {
     std::string why;
-    auto context = mesa_context::open(why);
+    auto context = mesa_context::open("", why);
     if (!context)
         throw l3d_error(l3d_exit::no_backend, "--method: mesa: " + why);
     return std::make_unique<method_mesa>(std::move(context));

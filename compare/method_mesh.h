@@ -45,6 +45,7 @@ private:
         times.dice += dicing.milliseconds();
         l3d_fill_parts(*surface_, frame, parts, times);
     }
+    std::string do_renderer() const override { return surface_->describe(); }
     const l3d_dice_counts& do_counts() const override { return patches_.counts(); }
     const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }
 

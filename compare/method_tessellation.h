@@ -40,6 +40,7 @@ public:
 
 private:
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
+    std::string do_renderer() const override { return surface_->describe(); }
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return surface_->counts(); }
 

@@ -44,7 +44,7 @@ function action(flag) {
     if (choice[flag] == "FOLDER")
         return shell == "zsh" ? "_files -/" : "compgen -d -- \"$word\""
     if (flag == "--backend")
-        return shell == "zsh" ? "(auto xshm ximage mesa memory)" : "compgen -W 'auto xshm ximage mesa memory' -- \"$word\""
+        return shell == "zsh" ? "(auto xshm ximage mesa mesa\\:egl mesa\\:osmesa memory)" : "compgen -W 'auto xshm ximage mesa mesa:egl mesa:osmesa memory' -- \"$word\""
     if (choice[flag] == "OTHER")
         return shell == "zsh" ? " " : ":"
     return shell == "zsh" ? "(" choice[flag] ")" : "compgen -W '" choice[flag] "' -- \"$word\""

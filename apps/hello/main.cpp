@@ -20,7 +20,8 @@ std::string name_of(const l3d_event& event) {
     const std::string button = " button " + std::to_string(event.button);
     const std::string key = event.key > ' ' && event.key < 127
                                 ? std::string(1, static_cast<char>(event.key))
-                                : "code " + std::to_string(event.key);
+                            : event.key == 0 ? event.text
+                                             : "code " + std::to_string(event.key);
     switch (event.type) {
     case l3d_event_type::key_press:
         return "KeyPress " + key;

@@ -4,7 +4,6 @@
 #include <l3d/pipeline_zbuffer.h>
 #include <l3d/pipeline_zsort.h>
 #include <l3d/rasterizer_factory_mesa.h>
-#include <l3d/rasterizer_factory_sw.h>
 #include <l3d/part_options.h>
 #include <l3d/polygon_options.h>
 #include <l3d/program.h>
@@ -57,13 +56,19 @@ private:
             case l3d_pipeline_kind::zsort:
                 return show<l3d_pipeline_zsort>(model, camera, settings);
             case l3d_pipeline_kind::mesa:
-                return show<l3d_pipeline_zbuffer>(model, camera, settings,
-                                                  l3d_rasterizer_factory_mesa(), "mesa");
-            default:
-                return show<l3d_pipeline_zbuffer>(model, camera, settings,
-                                                  l3d_rasterizer_factory_sw());
+                return show<l3d_pipeline_zbuffer>(model, camera, settings, gl(), "mesa");
+            default: // by the back-end's rasterizers
+                return show<l3d_pipeline_zbuffer>(model, camera, settings);
             }
         };
+    }
+
+    /// That of the back-end, if it draws by GL; else the first one that is found.
+    const l3d_rasterizer_factory_mesa& gl() {
+        const l3d_rasterizer_factory* const chosen =
+            program_.factories().chosen().rasterizer_factory.get();
+        const auto* const by_gl = dynamic_cast<const l3d_rasterizer_factory_mesa*>(chosen);
+        return by_gl ? *by_gl : any_gl_;
     }
 
     /// `arguments` are those of the Pipeline's constructor after the canvas.
@@ -81,6 +86,7 @@ private:
                          "Draws models of polygons or patches from files of many formats. "
                          "In the window, h lists the keys.",
                          {1024, 768}};
+    l3d_rasterizer_factory_mesa any_gl_;
     l3d_afd_options afd_;
     l3d_polygon_options polygons_;
     l3d_part_options parts_;

@@ -64,6 +64,22 @@ public:
         return result;
     }
 
+    /// The map whose images are the sums of both maps' images.
+    friend l3d_matrix operator+(const l3d_matrix& a, const l3d_matrix& b) noexcept {
+        l3d_matrix result;
+        for (int i = 0; i < 4; ++i)
+            result.columns_[i] = a.columns_[i] + b.columns_[i];
+        return result;
+    }
+
+    /// The map whose images are the differences of both maps' images.
+    friend l3d_matrix operator-(const l3d_matrix& a, const l3d_matrix& b) noexcept {
+        l3d_matrix result;
+        for (int i = 0; i < 4; ++i)
+            result.columns_[i] = a.columns_[i] - b.columns_[i];
+        return result;
+    }
+
     friend bool operator==(const l3d_matrix&, const l3d_matrix&) = default;
 
 private:

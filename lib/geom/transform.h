@@ -199,6 +199,41 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
     return result;
 }
 
+/// m with axes of length 1 at right angles: the first keeps its direction, the second its side of
+/// the first. So rounding is undone that long products of turns gather. Column 3, the origin, and
+/// row 3 stay.
+///
+/// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
+/// Cost:    in double for every T, then rounded.
+/// Source:  Gram and Schmidt.
+template <class T>
+std::optional<l3d_matrix<T>> l3d_orthonormalized(const l3d_matrix<T>& m) noexcept {
+    // Of an angle whose sine is smaller, the rounding of floats, 2^-24, takes more than a 16th.
+    constexpr double least_sine = 0x1p-20;
+    l3d_matrix<T> result = m;
+    l3d_vector<double, 3> axes[3];
+    for (int i = 0; i < 3; ++i) {
+        l3d_vector<double, 3>& axis = axes[i];
+        double largest = 0;
+        for (int k = 0; k < 3; ++k) {
+            axis[k] = l3d_to_double(m(k, i));
+            largest = std::max(largest, std::abs(axis[k]));
+        }
+        if (!(largest > 0) || !std::isfinite(largest))
+            return std::nullopt;
+        axis =
+            l3d_normalized(axis / largest); // squares of what is left neither overflow nor vanish
+        for (int earlier = 0; earlier < i; ++earlier)
+            axis = axis - axes[earlier] * l3d_dot(axes[earlier], axis);
+        if (!(l3d_length(axis) > least_sine))
+            return std::nullopt;
+        axis = l3d_normalized(axis);
+        for (int k = 0; k < 3; ++k)
+            result(k, i) = l3d_from_double<T>(axis[k]);
+    }
+    return result;
+}
+
 /// From coordinates of the system `from` to those of the system `to`, each given by the matrix
 /// that leads from it to the world.
 /// Errors:  nothing if `to` is singular.

@@ -22,6 +22,7 @@ public:
     l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
 
 private:
+    std::string do_renderer() const override { return used_->describe(); }
     bool do_certifies_depth() const override { return true; }
     bool do_certifies_shade(const l3d_shading& shading) const override {
         return shading.mode == l3d_shade::lambert && surface_->takes_levels();

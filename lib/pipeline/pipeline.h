@@ -37,7 +37,8 @@ public:
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
     /// A key was pressed: ASCII code or l3d_key. With Alt or Super held, or a character with Ctrl,
-    /// only any_event tells of it.
+    /// only any_event tells of it; and so it is with Shift, Ctrl and Alt alone, and with keys that
+    /// only type.
     virtual void key_event(int key) { static_cast<void>(key); }
 
     /// A button, the pointer or the wheel moved.

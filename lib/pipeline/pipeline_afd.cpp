@@ -286,6 +286,7 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
                                  .part = of.part,
                                  .outlines = settings_.outlines};
     stages_->method->draw(frame, times);
+    report_.renderer = stages_->method->renderer();
     report_.dice.add(stages_->method->counts());
     report_.surface.add(stages_->method->surface_counts());
 }
@@ -376,6 +377,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     }
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
+    report_.renderer = {};
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;
     report_.pixels_kept = 0;

@@ -13,12 +13,15 @@ json counts_json(std::span<const left_out> reasons) {
 }
 
 json head_json(const l3d_common_report& report) {
-    return {{"frame", report.frame},
-            {"method", report.method},
-            {"real", report.real},
-            {"simd", report.simd},
-            {"size", std::to_string(report.size.width) + 'x' + std::to_string(report.size.height)},
-            {"threads", report.threads}};
+    json head{{"frame", report.frame}, {"method", report.method}};
+    if (!report.renderer.empty())
+        head["renderer"] = report.renderer;
+    head.update(
+        {{"real", report.real},
+         {"simd", report.simd},
+         {"size", std::to_string(report.size.width) + 'x' + std::to_string(report.size.height)},
+         {"threads", report.threads}});
+    return head;
 }
 
 void add_times(json& times, const l3d_common_times& more) {

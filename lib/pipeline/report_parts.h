@@ -23,6 +23,7 @@ struct L3D_PUBLIC l3d_common_times {
 struct L3D_PUBLIC l3d_common_report {
     int frame = 0;              ///< its number, from 0; skipped frames count
     std::string method;         ///< the name of the method that filled surfaces
+    std::string renderer;       ///< the GL that filled surfaces; empty if processors did
     std::string real;           ///< the number type of the library, l3d_real_name()
     std::string simd;           ///< vector instructions, as l3d_simd_target names them
     l3d_size size;              ///< of the picture, in pixels

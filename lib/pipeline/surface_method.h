@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 class l3d_outline_mask;
 struct l3d_dice_view;
@@ -58,6 +59,9 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
+    /// One line on what fills, for reports; empty if that is the processors.
+    std::string renderer() const { return do_renderer(); }
+
     /// Whether counts() bound the error of depth.
     bool certifies_depth() const { return do_certifies_depth(); }
     /// Whether counts() bound the error of greys, in frames shaded like this.
@@ -86,6 +90,7 @@ protected:
     }
 
 private:
+    virtual std::string do_renderer() const { return {}; }
     virtual bool do_certifies_depth() const { return false; }
     virtual bool do_certifies_shade(const l3d_shading&) const { return false; }
     virtual bool do_draws_parts() const { return false; }

@@ -30,7 +30,7 @@ double height_share(l3d_size size) {
 
 l3d_view_steering::l3d_view_steering(l3d_screen& screen, l3d_camera& camera, l3d_viewed viewed)
     : screen_(screen), camera_(camera), viewed_(std::move(viewed)), first_(camera), kept_(camera),
-      up_(camera.up), size_(screen.pixels().size()) {}
+      upright_(camera.up), up_(camera.up), size_(screen.pixels().size()) {}
 
 void l3d_view_steering::set_home(std::function<l3d_camera()> home) {
     home_ = std::move(home);
@@ -40,7 +40,7 @@ void l3d_view_steering::set_home(std::function<l3d_camera()> home) {
 void l3d_view_steering::go_home() {
     camera_ = home_ ? home_() : first_;
     kept_ = camera_;
-    up_ = camera_.up;
+    upright_ = up_ = camera_.up;
     is_home_ = true;
     is_framed_ = false;
 }
@@ -71,6 +71,17 @@ void l3d_view_steering::turn(double around_up, double around_right) {
     camera_.orbit(around_up, around_right);
 }
 
+void l3d_view_steering::roll(double angle) {
+    leave_pole();
+    const l3d_camera::frame axes = camera_.axes();
+    camera_.up = up_ = axes.up * std::cos(angle) - axes.right * std::sin(angle);
+}
+
+void l3d_view_steering::pan(double right, double down) {
+    grabbed_ = camera_.target;
+    move(right, down);
+}
+
 void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
@@ -82,7 +93,7 @@ void l3d_view_steering::approach(double factor, const vector& place) {
 
 /// Seen from above or below, the model's back or front is upright in the picture.
 void l3d_view_steering::look_from(double right, double up, double front) {
-    const l3d_upright stands(up_);
+    const l3d_upright stands(up_ = upright_);
     const double distance = l3d_length(camera_.eye - camera_.target);
     camera_.eye = camera_.target + l3d_normalized(stands.at(right, up, front)) * distance;
     camera_.up = right == 0 && front == 0 ? stands.front * (up > 0 ? -1.0 : 1.0) : up_;
@@ -175,7 +186,7 @@ bool l3d_view_steering::go_on(const l3d_event& motion) {
     y_ = motion.y;
     switch (motion.button == 0 ? drag::none : drag_) {
     case drag::turn:
-        turn(-right * drag_turn, -down * drag_turn);
+        turn(-right * drag_turn * turn_speed_, -down * drag_turn * turn_speed_);
         return true;
     case drag::move:
         move(right, down);

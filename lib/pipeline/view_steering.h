@@ -56,9 +56,17 @@ public:
     /// placed itself stays as it is.
     void resized();
 
+    /// How much more keys and the pointer turn than usual. Expects: more than 0.
+    void set_turn_speed(double factor) { turn_speed_ = factor; }
+
     /// The eye circles the target. Units: radians, about what is upright and about the picture's
     /// right.
     void turn(double around_up, double around_right);
+    /// Turns the picture about its middle, clockwise. What is up in it then is upright for turn()
+    /// until look_from or go_home. Units: radians.
+    void roll(double angle);
+    /// Moves what is at the target's depth so many pixels to the right and down.
+    void pan(double right, double down);
     /// Multiplies the distance from the target, unless that leads too near or too far.
     void approach(double factor) { approach(factor, camera_.target); }
     /// Moves the eye to this direction from the target, at the same distance. The three numbers are
@@ -99,7 +107,9 @@ private:
     l3d_camera first_; ///< the program's own view, without a home
     l3d_camera kept_;  ///< as a home or a frame left it; differs from camera_ if that was moved
     bool is_home_ = false, is_framed_ = false; ///< what kept_ is
-    vector up_;                                ///< what is upright, whatever the picture shows
+    vector upright_;                           ///< of the model, whatever the picture shows
+    vector up_;                                ///< what the eye turns about: that, unless rolled
+    double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;
     vector grabbed_{0.0, 0.0, 0.0};

@@ -22,6 +22,7 @@ using l3d_detail::formatted;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double key_turn = 5 * degree;
 constexpr double zoom_factor = 1.1;
+constexpr double pan_share = 0.05; // of the picture's smaller side
 /// The key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
@@ -55,20 +56,25 @@ void l3d_viewer_controls::add(l3d_viewer_row row) {
 
 /// Of the eye.
 std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
-    const auto turn = [this](double around_up, double around_right) {
-        return [this, around_up, around_right] { steering_.turn(around_up, around_right); };
+    const auto towards = [this](int right, int down) {
+        return [this, right, down] { arrow(right, down); };
     };
     const auto approach = [this](double factor) {
         return [this, factor] { steering_.approach(factor); };
     };
-    return {{"arrows, drag",
+    return {{"arrows, 4 6 8 2, drag",
              "turn",
-             {{l3d_key_left, turn(key_turn, 0)},
-              {l3d_key_right, turn(-key_turn, 0)},
-              {l3d_key_up, turn(0, -key_turn)},
-              {l3d_key_down, turn(0, key_turn)}}},
-            {"Shift+drag", "move, as the middle button does"},
-            {"wheel, Page",
+             {{l3d_key_left, towards(-1, 0)},
+              {l3d_key_right, towards(1, 0)},
+              {l3d_key_up, towards(0, -1)},
+              {l3d_key_down, towards(0, 1)},
+              {'4', towards(-1, 0)},
+              {'6', towards(1, 0)},
+              {'8', towards(0, -1)},
+              {'2', towards(0, 1)}}},
+            {"Ctrl+arrows, Shift+drag", "move, as the middle button does"},
+            {"Shift+left, right", "roll"},
+            {"wheel, Page, Ctrl++, -",
              "zoom, as a drag with the right button",
              {{l3d_key_page_up, approach(1 / zoom_factor)},
               {l3d_key_page_down, approach(zoom_factor)}}},
@@ -140,6 +146,28 @@ void l3d_viewer_controls::switch_headlight(bool& is_on) {
     say(is_on ? "light: goes with the eye" : "light: stays where it is in the world");
 }
 
+/// An arrow, or its digit on the number pad.
+void l3d_viewer_controls::arrow(int right, int down) {
+    const double angle = key_turn * turn_speed_;
+    if (control_) {
+        const l3d_size size = screen_.pixels().size();
+        const double step = pan_share * std::min(size.width, size.height);
+        steering_.pan(right * step, down * step);
+    } else if (shift_ && right != 0) {
+        steering_.roll(right * angle);
+    } else {
+        steering_.turn(-right * angle, down * angle);
+    }
+}
+
+/// With Ctrl, signs that mean another thing alone.
+bool l3d_viewer_controls::zoom_key(int key) {
+    if (!control_ || (key != '+' && key != '-'))
+        return false;
+    steering_.approach(key == '+' ? 1 / zoom_factor : zoom_factor);
+    return true;
+}
+
 bool l3d_viewer_controls::key(int key) {
     const bool has_marks = !measured_ && !marks_.empty();
     const bool said = !message_.empty() || hint_seconds_ > 0 || has_marks;
@@ -147,6 +175,8 @@ bool l3d_viewer_controls::key(int key) {
     hint_seconds_ = 0;
     if (!measured_)
         marks_.clear();
+    if (zoom_key(key))
+        return true;
     for (const l3d_viewer_row& row : rows_)
         for (const auto& [code, action] : row.actions)
             if (code == key) {

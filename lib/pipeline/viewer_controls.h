@@ -58,6 +58,12 @@ public:
         turntable_degrees_ = degrees_per_frame * fps;
     }
 
+    /// How much more keys and the pointer turn than usual. Expects: more than 0.
+    void set_turn_speed(double factor) {
+        turn_speed_ = factor;
+        steering_.set_turn_speed(factor);
+    }
+
     /// Called by the key s with the picture; without it the key does nothing. The function returns
     /// a line to show, such as the file's name.
     void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
@@ -81,8 +87,11 @@ public:
     /// The picture has another size.
     void resized() { steering_.resized(); }
 
-    /// Learns whether Ctrl is held: called with each event, before key() or pointer().
-    void note(const l3d_event& event) { control_ = event.control; }
+    /// Learns whether Ctrl and Shift are held: called with each event, before key() or pointer().
+    void note(const l3d_event& event) {
+        control_ = event.control;
+        shift_ = event.shift;
+    }
 
     /// Does what the key means. Expects: an ASCII code or an l3d_key.
     bool key(int key);
@@ -155,6 +164,8 @@ private:
     l3d_panel status_panel(std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
     std::vector<l3d_viewer_row> side_rows();
+    void arrow(int right, int down);
+    bool zoom_key(int key);
     void measure(double x, double y);
     std::vector<l3d_viewer_row> last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                           std::function<void()> reset);
@@ -168,7 +179,8 @@ private:
     std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
     std::vector<l3d_camera::vector> marks_;     ///< places that were clicked on
-    bool control_ = false;
+    bool control_ = false, shift_ = false;
+    double turn_speed_ = 1;
     double turntable_degrees_ = 0; ///< per second
     bool first_frame_ = true;
     bool paused_ = false;

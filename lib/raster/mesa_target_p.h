@@ -37,6 +37,8 @@ public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the program.
     mesa_target(std::unique_ptr<mesa_context> context, const program_text& text, bool with_depth);
 
+    std::string describe() const { return context_->describe(); }
+
     /// The GL calls, after which the context is current.
     const mesa_gl& gl() { return context_->make_current(); }
 

@@ -9,6 +9,7 @@
 #include "raster/parallel/workers.h"
 
 #include <memory>
+#include <string>
 
 /// Makes what draws points, lines and polygons, and what fills surfaces, both of one kind.
 class L3D_PUBLIC l3d_rasterizer_factory {
@@ -17,6 +18,10 @@ public:
     l3d_rasterizer_factory(const l3d_rasterizer_factory&) = delete;
     l3d_rasterizer_factory& operator=(const l3d_rasterizer_factory&) = delete;
     virtual ~l3d_rasterizer_factory() = default;
+
+    /// One line for --verbose on what draws; empty if that is the processors.
+    /// Errors:  as create_2d.
+    std::string describe() const { return do_describe(); }
 
     /// Makes what draws into these pixels; never null.
     /// Errors:  l3d_error(no_backend); a kind whose screen factory can serve throws none.
@@ -32,6 +37,7 @@ public:
     }
 
 private:
+    virtual std::string do_describe() const { return {}; }
     virtual std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const = 0;
     virtual std::unique_ptr<l3d_surface_rasterizer>
     do_create_surface(l3d_workers& workers) const = 0;

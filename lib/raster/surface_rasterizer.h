@@ -144,6 +144,9 @@ public:
     l3d_surface_rasterizer& operator=(const l3d_surface_rasterizer&) = delete;
     virtual ~l3d_surface_rasterizer() = default;
 
+    /// One line on what fills, for reports; empty if that is the processors.
+    std::string describe() const { return do_describe(); }
+
     /// Whether mode `levels` may be asked for.
     bool takes_levels() const { return do_takes_levels(); }
 
@@ -238,6 +241,7 @@ protected:
 
 private:
     virtual void do_begin(l3d_pixels, l3d_depth_buffer*, const l3d_shading&, bool untouched) = 0;
+    virtual std::string do_describe() const { return {}; }
     virtual bool do_takes_levels() const { return false; }
     virtual bool do_draws_parts() const { return false; }
     virtual bool do_antialiases() const { return false; }

@@ -118,6 +118,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
     options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
                 360.0);
+    options.add("--turn-speed", turn_speed_,
+                "how much more keys and the mouse turn than usual: 5 degrees a key, 1 a pixel",
+                0.01, 100.0);
     options.begin_group("Accuracy");
     // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
     // takes 0.0069: finer ones only add quads.

@@ -65,6 +65,8 @@ public:
 
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
+    /// How much more keys and the mouse turn than usual: --turn-speed.
+    double turn_speed() const { return turn_speed_; }
     /// The file that the last frame's distances go to; empty for none.
     const std::string& depth_output() const { return depth_output_; }
     /// The file that the last frame's bounds of pixels go to; empty for none.
@@ -102,7 +104,7 @@ private:
     std::optional<double> near_;
     std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
-    double turntable_ = 0;
+    double turntable_ = 0, turn_speed_ = 1;
     std::string depth_output_, error_output_, report_;
     bool explain_ = false, statistics_ = false, keep_all_ = false;
     std::optional<double> tolerance_;

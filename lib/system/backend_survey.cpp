@@ -23,8 +23,8 @@ std::string without_blanks_around(const std::string& text) {
     return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-void put_name(std::ostream& out, const std::string& name) {
-    out << std::left << std::setw(name_column) << name << ' ';
+void put_name(std::ostream& out, const std::string& name, int column = name_column) {
+    out << std::left << std::setw(column) << name << ' ';
 }
 
 } // namespace
@@ -44,8 +44,11 @@ const l3d_service& backend_survey::service(std::size_t i) {
 }
 
 void backend_survey::list(std::ostream& out) {
+    int column = name_column;
+    for (const l3d_backend& row : rows_)
+        column = std::max(column, static_cast<int>(row.name.size()));
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        put_name(out, rows_[i].name);
+        put_name(out, rows_[i].name, column);
         if (serves_fully(i))
             out << "yes  " << rows_[i].purpose << '\n';
         else
@@ -57,7 +60,8 @@ void backend_survey::list(std::ostream& out) {
 void backend_survey::diagnose(std::ostream& out) {
     l3d_probes probes;
     for (const l3d_backend& row : rows_)
-        row.screen_factory->diagnose(probes);
+        if (!row.variant)
+            row.screen_factory->diagnose(probes);
     for (const l3d_probe& probe : probes) {
         // Asked again, it would say the same, and so would libraries on stderr.
         if (probe.what == l3d_display_probe && probe.outcome == l3d_probe::verdict::bad)
@@ -110,7 +114,7 @@ const l3d_backend& backend_survey::automatic() {
 const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
     std::vector<std::size_t> serving;
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (serves(i))
+        if (!rows_[i].variant && serves(i))
             serving.push_back(i);
     if (serving.empty())
         fail_with_all_reasons();
@@ -124,7 +128,7 @@ const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
             << (k == usual ? "  (default)" : "") << '\n';
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (!serves(i)) {
+        if (!rows_[i].variant && !serves(i)) {
             out << "  -  ";
             put_name(out, rows_[i].name);
             out << "cannot serve here: " << service(i).why << '\n';
@@ -169,7 +173,7 @@ void backend_survey::fail(const std::string& what, const l3d_service& answer) {
 void backend_survey::fail_with_all_reasons() {
     std::string text = "no back-end can serve here";
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (!serves(i))
+        if (!rows_[i].variant && !serves(i))
             text += "; " + rows_[i].name + ": " + service(i).why;
     throw l3d_error(l3d_exit::no_backend, text);
 }

@@ -32,8 +32,12 @@ l3d_exit l3d_dispatcher::start_with_caption() {
 namespace {
 
 /// A letter with Ctrl, Alt or Super held is another key than the letter, and none of ours. With
-/// digits and keys that are no character, Ctrl is for the pipeline: any_event told it.
+/// digits and keys that are no character, Ctrl is for the pipeline: any_event told it. A modifier
+/// alone changes what other keys do, and is none itself; nor is what only types.
 bool is_plain(const l3d_event& press) {
+    if (press.key == 0 || press.key == l3d_key_shift || press.key == l3d_key_control ||
+        press.key == l3d_key_alt)
+        return false;
     const bool is_letter =
         (press.key >= 'a' && press.key <= 'z') || (press.key >= 'A' && press.key <= 'Z');
     return !press.alt && !press.logo && !(press.control && is_letter);

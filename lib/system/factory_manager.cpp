@@ -59,8 +59,18 @@ l3d_factory_manager::l3d_factory_manager() {
     ximage.on_display = true;
     add(std::move(ximage));
 
-    add(row<l3d_screen_factory_mesa, l3d_rasterizer_factory_mesa, l3d_dispatcher_factory_fitting>(
-        "mesa", "Mesa software GL: polygons, a second opinion on every picture"));
+    for (const char* const library : {"", "egl", "osmesa"}) {
+        l3d_backend mesa;
+        mesa.variant = *library != 0;
+        mesa.name = mesa.variant ? std::string("mesa:") + library : "mesa";
+        mesa.purpose = "Mesa software GL: polygons, a second opinion on every picture";
+        if (mesa.variant)
+            mesa.purpose = std::string("the same, by lib") + (*library == 'e' ? "EGL" : "OSMesa");
+        mesa.screen_factory = std::make_unique<l3d_screen_factory_mesa>(library);
+        mesa.rasterizer_factory = std::make_shared<l3d_rasterizer_factory_mesa>(library);
+        mesa.dispatcher_factory = std::make_unique<l3d_dispatcher_factory_fitting>();
+        add(std::move(mesa));
+    }
 
     auto memory =
         row<l3d_screen_factory_memory, l3d_rasterizer_factory_sw, l3d_dispatcher_factory_script>(
@@ -148,8 +158,11 @@ l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
         refusal.how = l3d_service::level::display_lost;
     if (!screen)
         l3d_detail::backend_survey::fail("back-end '" + chosen().name + "'", refusal);
-    if (verbose_)
+    if (verbose_) {
         std::cerr << chosen().name << ": " << screen->describe() << '\n';
+        if (const std::string drawn_by = chosen().rasterizer_factory->describe(); !drawn_by.empty())
+            std::cerr << chosen().name << ": " << drawn_by << '\n';
+    }
     return screen;
 }
 

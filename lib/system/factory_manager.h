@@ -24,6 +24,8 @@ struct L3D_PUBLIC l3d_backend {
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< it knows itself where its pictures go
+    /// It is another row that a wish was added to: lists have it, and the prompt does not.
+    bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
     std::unique_ptr<l3d_dispatcher_factory>
@@ -35,7 +37,8 @@ struct L3D_PUBLIC l3d_backend {
 /// The only place that names concrete kinds. Not a global: each program has one in main.
 class L3D_PUBLIC l3d_factory_manager {
 public:
-    /// The rows of the library: xshm, ximage, mesa, memory.
+    /// The rows of the library: xshm, ximage, mesa and its variants mesa:egl and mesa:osmesa,
+    /// memory.
     l3d_factory_manager();
     l3d_factory_manager(const l3d_factory_manager&) = delete;
     l3d_factory_manager& operator=(const l3d_factory_manager&) = delete;

@@ -2,6 +2,7 @@
 // l3d_program: step 1, and the way out.
 #include "system/program.h"
 
+#include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 
 #include <iostream>
@@ -64,6 +65,7 @@ void l3d_program::check_transparency(bool in_window) const {
     if (in_window)
         refuse("is for files, and a window was asked for; --backend memory --output FILE.png "
                "writes one");
-    if (factories_.chosen().name == "mesa")
+    if (dynamic_cast<const l3d_rasterizer_factory_mesa*>(
+            factories_.chosen().rasterizer_factory.get()))
         refuse("is not drawn by --backend mesa; --backend memory draws it");
 }

@@ -44,6 +44,7 @@ public:
             });
         this->controls().set_turntable(asked.turntable(),
                                        1 / program.options().frame_settings().step());
+        this->controls().set_turn_speed(asked.turn_speed());
         this->controls().set_screenshot(l3d_save_screenshot);
         this->controls().set_view_teller([this] { return told_view(); });
         suit_onlooker(program);

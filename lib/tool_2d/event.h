@@ -7,6 +7,7 @@
 #include "tool_2d/pixels.h"
 
 #include <chrono>
+#include <string>
 
 /// Keys that have no printable character. Printable keys are their ASCII code.
 enum l3d_key : int {
@@ -14,6 +15,7 @@ enum l3d_key : int {
     l3d_key_tab = 9,
     l3d_key_return = 13,
     l3d_key_escape = 27,
+    l3d_key_delete = 127,
     l3d_key_left = 0x100,
     l3d_key_right,
     l3d_key_up,
@@ -23,6 +25,10 @@ enum l3d_key : int {
     l3d_key_home,
     l3d_key_end,
     l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
+    l3d_key_insert = l3d_key_f1 + 10,
+    l3d_key_shift,   ///< either of them, alone; only l3d_pipeline::any_event tells of it
+    l3d_key_control, ///< likewise
+    l3d_key_alt,     ///< likewise
 };
 
 /// The things that can happen to a window.
@@ -35,7 +41,7 @@ enum class L3D_PUBLIC l3d_event_type {
     button_press,
     /// A button of the mouse came up.
     button_release,
-    /// The pointer has moved.
+    /// The pointer has moved, with a button held unless l3d_screen::set_pointer asked for more.
     pointer_motion,
     /// The wheel turned.
     wheel,
@@ -59,9 +65,10 @@ enum class L3D_PUBLIC l3d_event_type {
 struct L3D_PUBLIC l3d_event {
     /// What happened.
     l3d_event_type type{};
-    /// key_*: the key's ASCII code or l3d_key.
+    /// key_*: the key's ASCII code or l3d_key. 0 for a key that only types, as a letter of another
+    /// script may; it comes without a release.
     int key = 0;
-    /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held.
+    /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held, 0 for none.
     int button = 0;
     /// key_*, button_*, pointer_motion, wheel: the pointer's column, in pixels.
     int x = 0;
@@ -77,7 +84,7 @@ struct L3D_PUBLIC l3d_event {
     int notches = 0;
     /// button_press: 2 if another one came shortly before at the same place, else 1.
     int clicks = 0;
-    /// key_press, button_*, pointer_motion, wheel: the key Shift was held.
+    /// key_*, button_*, pointer_motion, wheel: the key Shift was held before.
     bool shift = false;
     /// The key Ctrl was held, for the same types.
     bool control = false;
@@ -85,6 +92,18 @@ struct L3D_PUBLIC l3d_event {
     bool alt = false;
     /// The key with the sign of a system or a maker was held, for the same types.
     bool logo = false;
+    /// key_press: the key was down already, and repeats.
+    bool repeat = false;
+    /// key_press: what it types, in UTF-8; empty for keys that type nothing, and with Ctrl, Alt or
+    /// the logo. A dead key types nothing itself, and changes what the next one does.
+    std::string text{};
+    /// pointer_motion: how far a held pointer has moved to the right since the last such event;
+    /// 0 if the pointer is not held. Units: pixels.
+    double right = 0;
+    /// The same, downwards.
+    double down = 0;
+    /// key_*, button_*, pointer_motion, wheel: when it happened, since some moment of the display.
+    std::chrono::milliseconds time{};
 };
 
 /// A thing that a dispatcher pulls events from.

@@ -14,6 +14,15 @@
 #include <utility>
 #include <vector>
 
+/// What a program hears of the pointer.
+enum class L3D_PUBLIC l3d_pointer {
+    dragged,  ///< its motion while a button is held
+    followed, ///< all its motion over the window
+    /// It is hidden and kept in the window, and its motion has no end: l3d_event::right and down.
+    /// So views of a first person turn. Without the keyboard the window lets it go.
+    held,
+};
+
 /// A passive output device: it owns pixels and shows them; it draws nothing itself.
 ///
 /// Expects: all calls from one thread, which for a window owns the connection to the display.
@@ -65,6 +74,10 @@ public:
     /// line these parts go first, and exactly.
     void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
 
+    /// What is heard of the pointer from now on; at first it is `dragged`. A screen that is no
+    /// window has no pointer.
+    void set_pointer(l3d_pointer how) { do_set_pointer(how); }
+
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
     /// Whether it covers the whole display now.
@@ -89,6 +102,7 @@ private:
     virtual double do_text_scale() const { return 1; }
     virtual bool do_is_slow() const { return false; }
     virtual void do_set_text(std::vector<l3d_pixel_box>) {}
+    virtual void do_set_pointer(l3d_pointer) {}
     virtual void do_set_fullscreen(bool) {}
     virtual bool do_is_fullscreen() const { return false; }
     virtual std::string do_describe() const = 0;

@@ -115,4 +115,12 @@ TEST(fixed_matrix, rounds_each_component_of_a_product_once) {
     EXPECT_EQ((m * b)(2, 1).raw(), 2);
 }
 
+TYPED_TEST(matrix, adds_and_subtracts) {
+    using T = TypeParam;
+    const auto m = counting<T>(), one = l3d_identity<T>();
+    EXPECT_EQ(l3d_to_double((m + one)(2, 2)), 23.25);
+    EXPECT_EQ(l3d_to_double((m - one)(2, 2)), 21.25);
+    EXPECT_EQ(m + one - m, one);
+}
+
 } // namespace

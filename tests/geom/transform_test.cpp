@@ -230,4 +230,24 @@ TYPED_TEST(book_transform, normals_by_inverse_transpose) {
     EXPECT_FALSE(l3d_transformed_normal(l3d_scaling<T>(0, 1, 1), normal).has_value());
 }
 
+/// Some thousand turns in floats, one after another.
+TYPED_TEST(book_transform, axes_are_made_orthonormal_again) {
+    using T = TypeParam;
+    l3d_matrix<T> m = l3d_translation<T>(2, 3, 4);
+    for (int i = 0; i < 2000; ++i)
+        m = m * l3d_rotation_x<T>(7) * l3d_rotation_y<T>(11);
+    const auto better = l3d_orthonormalized(m);
+    ASSERT_TRUE(better.has_value());
+    const double unit = 8 * (l3d_real_traits<T>::half_ulp + l3d_real_traits<T>::unit_roundoff);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            double dot = 0;
+            for (int k = 0; k < 3; ++k)
+                dot += l3d_to_double((*better)(k, i)) * l3d_to_double((*better)(k, j));
+            EXPECT_NEAR(dot, i == j, unit) << i << ", " << j;
+        }
+    EXPECT_EQ(better->column(3), m.column(3));
+    EXPECT_FALSE(l3d_orthonormalized(l3d_scaling<T>(1, 0, 1)).has_value());
+}
+
 } // namespace

@@ -337,6 +337,7 @@ def runs_as_told(made):
     for channel in (16, 0): # the first is red, the last blue
         expect(any(color >> channel & 255 > 2 * (color >> (16 - channel) & 255) + 40 for color in three), "colours")
     worlds_are_whole(made)
+    walks_by_keys_and_mouse(made)
     shows_by_xlib(made)
     leaf = read_png(made / "leaf.png")
     expect(16000 < sum(color != 0 for row in leaf for color in row) < 19000, "a leaf on its ground")
@@ -364,6 +365,29 @@ def worlds_are_whole(made):
     green = [(x, y) for y, row in enumerate(rooms) for x, c in enumerate(row)
              if (c >> 8 & 255) > 1.3 * max(c >> 16, c & 255) and y > 150]
     expect(500 < len(green) < 5000 and all(250 < x < 340 for x, _ in green), "cone seen through the door", len(green))
+
+
+def walks_by_keys_and_mouse(made):
+    """A held key walks, the pointer looks around, and each alone changes the picture."""
+    expect(len({color for row in read_png(made / "walk.png") for color in row}) > 5, "no hall")
+    with x_server() as server:
+        where = {**environment(), "DISPLAY": server.display}
+        process = subprocess.Popen([str(made / "walk"), "--backend", "ximage"], env=where)
+        try:
+            named = ("search", "--onlyvisible", "--name", "walk")
+            window = int(wait_for(lambda: xdotool(server.display, *named).split(), "the window")[0])
+            with Onlooker(server.display) as eyes:
+                seen = lambda: eyes.picture(window, 640, 480)
+                wait_for(lambda: has_picture(seen()), "a hall")
+                for deed in (("keydown", "w", "sleep", "0.3", "keyup", "w"), ("mousemove_relative", "60", "0"),
+                             ("mousemove_relative", "0", "30")):
+                    before = seen()
+                    xdotool(server.display, *deed)
+                    wait_for(lambda: seen() != before, deed)
+                xdotool(server.display, "key", "q")
+                expect_equal(process.wait(20), 0)
+        finally:
+            process.kill()
 
 
 def shows_by_xlib(made):

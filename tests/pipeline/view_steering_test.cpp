@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -305,6 +306,46 @@ TEST(view_steering, a_window_of_another_size_keeps_the_view) {
     it.screen.resize({900, 300});
     it.controls.resized();
     EXPECT_NEAR(l3d_length(it.camera.eye - it.camera.target), before / 3, 1e-9);
+}
+
+/// An arrow to the right, with keys held.
+l3d_event arrow(int key, bool control, bool shift) {
+    return {.type = type::key_press, .key = key, .shift = shift, .control = control};
+}
+
+TEST(view_steering, keys_roll_move_and_zoom) {
+    ball_viewer rolled;
+    const auto axes = rolled.camera.axes();
+    const vector eye = rolled.camera.eye, target = rolled.camera.target;
+    rolled.send(arrow(l3d_key_right, false, true));
+    EXPECT_EQ(rolled.camera.eye, eye);
+    const auto right_one = rolled.seen(target + axes.right);
+    EXPECT_NEAR(std::atan2(right_one[1] - 150, right_one[0] - 200), 5 * std::numbers::pi / 180,
+                1e-9)
+        << "not clockwise";
+
+    ball_viewer moved;
+    moved.send(arrow(l3d_key_right, true, false));
+    EXPECT_NEAR(moved.seen(target)[0], 200 + 0.05 * 300, 1e-9);
+    EXPECT_NEAR(moved.seen(target)[1], 150, 1e-9);
+
+    ball_viewer nearer;
+    nearer.send(arrow('+', true, false));
+    EXPECT_LT(l3d_length(nearer.camera.eye - target), l3d_length(eye - target));
+}
+
+TEST(view_steering, digits_turn_as_arrows_do_and_as_fast_as_is_wished) {
+    for (const auto& [digit, key] : {std::pair('4', l3d_key_left), std::pair('6', l3d_key_right),
+                                     std::pair('8', l3d_key_up), std::pair('2', l3d_key_down)}) {
+        ball_viewer by_digit, by_arrow, fast;
+        by_digit.send(arrow(digit, false, false));
+        by_arrow.send(arrow(key, false, false));
+        EXPECT_EQ(by_digit.camera, by_arrow.camera);
+        fast.controls.set_turn_speed(2);
+        fast.send(arrow(key, false, false));
+        by_arrow.send(arrow(key, false, false));
+        EXPECT_NEAR(l3d_length(fast.camera.eye - by_arrow.camera.eye), 0, 1e-9);
+    }
 }
 
 } // namespace

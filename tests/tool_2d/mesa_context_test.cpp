@@ -62,7 +62,7 @@ TEST(MesaContext, IsChosenByTheEnvironment) {
     const auto way_of = [](const char* value) -> std::optional<mesa_way> {
         const environment scope("L3D_MESA", value);
         std::string why;
-        const auto context = mesa_context::open(why);
+        const auto context = mesa_context::open("", why);
         return context ? std::optional(context->way()) : std::nullopt;
     };
     EXPECT_EQ(way_of(nullptr), mesa_way::egl_surfaceless);
@@ -75,7 +75,7 @@ TEST(MesaContext, IsChosenByTheEnvironment) {
 TEST(MesaContext, RefusesAnUnknownChoiceByName) {
     const environment scope("L3D_MESA", "glx");
     std::string why;
-    EXPECT_FALSE(mesa_context::open(why));
+    EXPECT_FALSE(mesa_context::open("", why));
     EXPECT_EQ(why, "L3D_MESA: 'glx' is none of auto egl osmesa");
 }
 
@@ -119,12 +119,12 @@ TEST(MesaContext, MayEndBeforeAnotherOfItsKind) {
 
 TEST(MesaContext, ServesAThreadOfItsOwn) {
     std::string why;
-    const auto here = mesa_context::open(why);
+    const auto here = mesa_context::open("", why);
     ASSERT_TRUE(here) << why;
     std::string renderer;
     std::thread([&renderer] {
         std::string reason;
-        if (const auto there = mesa_context::open(reason))
+        if (const auto there = mesa_context::open("", reason))
             renderer = there->renderer();
     }).join();
     EXPECT_EQ(renderer, here->renderer());

@@ -3,6 +3,7 @@
 #include "onlooker_x11.h"
 
 #include <array>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -91,6 +92,77 @@ TEST(screen_x11_events, buttons_wheel_and_motion) {
                                  row(wheel, 0, 5, 6)}));
     EXPECT_EQ(notches, (std::vector{0, 0, 0, 1, -1}));
     EXPECT_EQ(turns, (std::vector<double>{0, 0, 0, 1, -1}));
+}
+
+/// The motion that comes until the pointer has gone so far to the right, all added up.
+l3d_event moved(l3d_screen& screen, double right) {
+    l3d_event sum, event;
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (sum.right < right && std::chrono::steady_clock::now() < deadline) {
+        while (screen.next_event(event))
+            if (event.type == pointer_motion) {
+                sum.right += event.right;
+                sum.down += event.down;
+            }
+        screen.wait(10ms);
+    }
+    return sum;
+}
+
+TEST(screen_x11_events, motion_without_a_button_is_told_to_who_wants_it) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    show_for_certain(*screen);
+    screen->set_pointer(l3d_pointer::followed);
+    drop_events(*screen);
+    ASSERT_EQ(std::system("xdotool mousemove 30 20"), 0);
+    const auto event = next(*screen, pointer_motion);
+    ASSERT_NE(event, nullptr);
+    EXPECT_EQ(event->button, 0);
+    EXPECT_EQ(event->right, 0);
+    screen->set_pointer(l3d_pointer::dragged);
+    drop_events(*screen);
+    ASSERT_EQ(std::system("xdotool mousemove 40 30 key x"), 0);
+    l3d_event other;
+    while (!screen->next_event(other) || other.type == key_release)
+        screen->wait(10ms);
+    EXPECT_EQ(other.type, key_press) << "motion that nobody asked for";
+}
+
+/// The way is twice as wide as the display.
+TEST(screen_x11_events, a_held_pointer_moves_without_end) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    show_for_certain(*screen);
+    screen->set_pointer(l3d_pointer::held);
+    const auto is_held = [&] {
+        const int answer = XGrabPointer(other.display(), other.root(), False, 0, GrabModeAsync,
+                                        GrabModeAsync, None, None, CurrentTime);
+        XUngrabPointer(other.display(), CurrentTime);
+        XSync(other.display(), False);
+        return answer == AlreadyGrabbed;
+    };
+    for (int i = 0; i < 500 && !is_held(); ++i) {
+        drop_events(*screen);
+        screen->wait(10ms);
+    }
+    ASSERT_TRUE(is_held());
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_EQ(std::system("xdotool mousemove_relative 30 5"), 0);
+        const l3d_event way = moved(*screen, 30);
+        ASSERT_EQ(way.right, 30) << i;
+        ASSERT_EQ(way.down, 5) << i;
+    }
+    XSetInputFocus(other.display(), other.root(), RevertToParent, CurrentTime);
+    XSync(other.display(), False);
+    for (int i = 0; i < 500 && is_held(); ++i) {
+        drop_events(*screen);
+        screen->wait(10ms);
+    }
+    EXPECT_FALSE(is_held()) << "without the keyboard";
 }
 
 TEST(screen_x11_events, two_clicks_soon_at_one_place_are_a_double_click) {

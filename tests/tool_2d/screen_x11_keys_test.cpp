@@ -62,15 +62,88 @@ TEST(screen_x11_keys, keys) {
     EXPECT_EQ(pressed(XK_F10, 0), l3d_key_f1 + 9);
 }
 
-TEST(screen_x11_keys, a_modifier_alone_is_no_key) {
+TEST(screen_x11_keys, a_modifier_alone_is_a_key) {
     const xvfb server("301x207x24");
     L3D_REQUIRE_SERVER(server);
     const auto screen = make();
     const onlooker other;
-    other.send_key(KeyPress, XK_Shift_L);
-    other.send_key(KeyPress, XK_F12);
-    other.send_key(KeyPress, XK_x);
-    EXPECT_EQ(next(*screen, l3d_event_type::key_press)->key, 'x');
+    drop_events(*screen);
+    other.send_keys({{KeyPress, XK_Shift_L, 100},
+                     {KeyRelease, XK_Shift_L, 110},
+                     {KeyPress, XK_Control_R, 120},
+                     {KeyPress, XK_Alt_L, 130},
+                     {KeyPress, XK_F12, 140}, // none of ours
+                     {KeyPress, XK_Delete, 150},
+                     {KeyPress, XK_Insert, 160}});
+    EXPECT_EQ(drained(*screen, 6), (told{{key_press, l3d_key_shift},
+                                         {key_release, l3d_key_shift},
+                                         {key_press, l3d_key_control},
+                                         {key_press, l3d_key_alt},
+                                         {key_press, l3d_key_delete},
+                                         {key_press, l3d_key_insert}}));
+}
+
+TEST(screen_x11_keys, tell_what_they_type_whether_they_repeat_and_when) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    const auto pressed = [&](KeySym keysym, unsigned state, Time time) {
+        other.send_key(KeyPress, keysym, state, time);
+        const auto event = next(*screen, key_press);
+        return event ? *event : l3d_event{};
+    };
+    const l3d_event a = pressed(XK_a, 0, 1000), again = pressed(XK_a, 0, 1500);
+    EXPECT_EQ(a.text, "a");
+    EXPECT_FALSE(a.repeat);
+    EXPECT_TRUE(again.repeat);
+    EXPECT_EQ(again.time - a.time, std::chrono::milliseconds(500));
+    EXPECT_EQ(pressed(XK_b, ShiftMask, 1600).text, "B");
+    EXPECT_EQ(pressed(XK_c, ControlMask, 1700).text, "");
+    EXPECT_TRUE(pressed(XK_c, ControlMask, 1800).control);
+    EXPECT_EQ(pressed(XK_Return, 0, 1900).text, "");
+    EXPECT_EQ(pressed(XK_Left, 0, 2000).text, "");
+}
+
+/// The milliseconds of X begin anew after 49.7 days.
+TEST(screen_x11_keys, their_time_goes_on_where_that_of_x_begins_anew) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const auto screen = make();
+    const onlooker other;
+    const auto time_of = [&](Time time) {
+        other.send_key(KeyPress, XK_a, 0, time);
+        const auto event = next(*screen, key_press);
+        return event ? event->time : std::chrono::milliseconds(-1);
+    };
+    const auto before = time_of(0xFFFFFF00);
+    EXPECT_EQ(time_of(0x100) - before, std::chrono::milliseconds(0x200));
+}
+
+TEST(screen_x11_keys, of_other_scripts_and_dead_keys_type_in_utf_8) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    setenv("LC_ALL", "en_US.UTF-8", 1); // names the table of sequences
+    const auto screen = make();
+    const onlooker other;
+    drop_events(*screen);
+    std::array<KeySym, 2> dead{XK_dead_acute, XK_dead_acute}, euro{XK_EuroSign, XK_EuroSign};
+    XChangeKeyboardMapping(other.display(), XKeysymToKeycode(other.display(), XK_y), 2, dead.data(),
+                           1);
+    XChangeKeyboardMapping(other.display(), XKeysymToKeycode(other.display(), XK_z), 2, euro.data(),
+                           1);
+    XSync(other.display(), False);
+    drop_events(*screen);
+    const auto typed = [&](KeySym keysym) {
+        other.send_key(KeyPress, keysym);
+        const auto event = next(*screen, key_press);
+        return event ? event->text : "nothing";
+    };
+    EXPECT_EQ(typed(XK_EuroSign), "\u20ac");
+    EXPECT_EQ(typed(XK_dead_acute), "");
+    EXPECT_EQ(typed(XK_e), "\u00e9");
+    EXPECT_EQ(typed(XK_e), "e");
+    unsetenv("LC_ALL");
 }
 
 TEST(screen_x11_keys, a_held_key_is_released_once) {

@@ -3,6 +3,7 @@
 """The mesa back-end: with both of its libraries, with either and with none; and its pictures."""
 
 import array
+import json
 import os
 import re
 import shutil
@@ -84,8 +85,10 @@ def does_without(program):
         expect(harness.has_picture(picture(program, env, backend="memory")), "one colour only")
         status, out, messages = run(program.command("--list-backends"), env)
         expect_equal((status, messages), (0, ""))
-        (line,) = [line for line in out.decode().splitlines() if line.startswith("mesa")]
-        expect(re.match(r"mesa +no +no software GL; install libegl1 ", line), line)
+        lines = [line for line in out.decode().splitlines() if line.startswith("mesa")]
+        expect_equal(len(lines), 3)
+        for line, name in zip(lines, ("mesa", "mesa:egl", "mesa:osmesa")):
+            expect(re.match(name + r" +no +no software GL; install libegl1 ", line), line)
 
 
 def does_without_a_driver(program):
@@ -148,6 +151,43 @@ def tells_the_renderer(program):
         expect(re.search(r"^ok +%s: llvmpipe" % way, out.decode(), re.M), way, out)
     _, out, _ = run(program.command("--diagnose"), environment(GALLIUM_DRIVER="softpipe"))
     expect(re.search(r"^ok +EGL surfaceless: softpipe$", out.decode(), re.M), out)
+
+
+def goes_the_way_that_is_named(program):
+    """By --backend, whatever the environment says; --verbose names the GL."""
+    with folder() as path:
+        for way, name in (("egl", "EGL surfaceless"), ("osmesa", "OSMesa")):
+            env = environment(L3D_MESA="egl" if way == "osmesa" else "osmesa")
+            command = program.command("--backend", "mesa:" + way, "--verbose", "--output", "o.png")
+            status, _, messages = run(command, env, cwd=path)
+            expect_equal(status, 0, messages)
+            expect(re.search(r"^mesa:%s: GL by %s: llvmpipe" % (way, name), messages, re.M), messages)
+        without = hidden(path, "osmesa")
+        status, _, messages = run(program.command("--backend", "mesa:osmesa", "--output", "-"), without)
+        expect_equal((status, messages.count("\n")), (4, 1), messages)
+        expect("libOSMesa.so.8" in messages and "libEGL" not in messages, messages)
+
+
+# ---- polygons -----------------------------------------------------------------------------------
+
+
+def modelview_draws_by_the_backend():
+    """At most 0.5 % of the pixels differ by more than a level: those at edges and where faces cross."""
+    modelview = os.path.join(os.environ["L3D_BIN"], "modelview")
+    with folder() as path:
+        pictures = {}
+        for backend, renderer in (("memory", None), ("mesa:egl", "EGL"), ("mesa:osmesa", "OSMesa"), ("mesa", "EGL")):
+            command = [modelview, "--no-input", "--backend", backend, "--pipeline", "zbuffer", "--antialias", "off",
+                       "--size", "320x240", "--report", "r.json", "--output", "o.png", "torus"]
+            status, _, messages = run(command, environment(), cwd=path)
+            expect_equal((status, messages), (0, ""))
+            with open(os.path.join(path, "r.json")) as file:
+                told = json.loads(file.readline()).get("renderer")
+            expect(told.startswith("GL by " + renderer) if renderer else told is None, backend, told)
+            pictures[backend] = harness.read_png(os.path.join(path, "o.png"))
+        for backend, drawn in pictures.items():
+            levels = differences(drawn, pictures["memory"])
+            expect(above(levels, 1) <= 0.005, backend, above(levels, 1))
 
 
 # ---- the pictures -------------------------------------------------------------------------------
@@ -241,6 +281,7 @@ for each in harness.PROGRAMS:
         needs_no_environment,
         refuses_a_graphics_card,
         tells_the_renderer,
+        goes_the_way_that_is_named,
         draws_what_the_cpu_draws,
         shows_it_in_a_window,
     ):
@@ -248,4 +289,5 @@ for each in harness.PROGRAMS:
     if each.name == "teapot_afd":
         for check in (is_a_second_opinion, has_the_same_depth, agrees_with_itself):
             checks.run(check.__name__ + name, check, each)
+checks.run("modelview_draws_by_the_backend", modelview_draws_by_the_backend)
 checks.finish()

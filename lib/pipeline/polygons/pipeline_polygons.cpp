@@ -63,6 +63,7 @@ void l3d_pipeline_polygons::draw_event() {
     const stopwatch whole;
     controls_.pace().begin();
     report_.method = name();
+    report_.renderer = {};
     report_.size = screen_->pixels().size();
     report_.time_ms = {};
     report_.order = {};

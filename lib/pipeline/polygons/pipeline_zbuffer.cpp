@@ -20,6 +20,17 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
+l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
+                                           const l3d_camera& camera,
+                                           const l3d_polygon_settings& settings)
+    : l3d_pipeline_zbuffer(canvas.rasterizers, std::move(canvas), std::move(model), camera,
+                           settings) {}
+
+l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(
+    const std::shared_ptr<const l3d_rasterizer_factory>& surfaces, l3d_canvas&& canvas,
+    l3d_polygon_model&& model, const l3d_camera& camera, const l3d_polygon_settings& settings)
+    : l3d_pipeline_zbuffer(std::move(canvas), std::move(model), camera, settings, *surfaces) {}
+
 l3d_pipeline_zbuffer::~l3d_pipeline_zbuffer() = default;
 
 void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
@@ -31,6 +42,7 @@ void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
     rasterizer.draw(what.frame.parts());
     rasterizer.finish();
     report.surface = rasterizer.counts();
+    report.renderer = rasterizer.describe();
 }
 
 /// GL has no fog as ours is: processors draw such frames.

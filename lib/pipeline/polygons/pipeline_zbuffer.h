@@ -18,17 +18,24 @@ struct l3d_painter_triangle;
 /// rasterizer is the CPU's or Mesa's.
 class L3D_PUBLIC l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
-    /// A pipeline that draws this model on this canvas. `surfaces` makes the rasterizer that fills,
-    /// and may be of another kind than the canvas has; without it, processors fill. `method` is its
-    /// name in reports.
+    /// A pipeline that draws this model on this canvas, by the canvas's own rasterizers.
+    /// Errors:  as l3d_rasterizer_factory::create_surface.
+    l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
+                         const l3d_polygon_settings& settings);
+
+    /// The same, filled by what `surfaces` makes, which may be of another kind than the canvas has.
+    /// `method` is its name in reports.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,
-                         const l3d_rasterizer_factory& surfaces = l3d_rasterizer_factory_sw(),
-                         const char* method = "zbuffer");
+                         const l3d_rasterizer_factory& surfaces, const char* method = "zbuffer");
     ~l3d_pipeline_zbuffer() override;
 
 private:
+    l3d_pipeline_zbuffer(const std::shared_ptr<const l3d_rasterizer_factory>& surfaces,
+                         l3d_canvas&& canvas, l3d_polygon_model&& model, const l3d_camera& camera,
+                         const l3d_polygon_settings& settings);
+
     void draw_solid(const scene& what, l3d_polygon_report& report) override;
     void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return method_; }

@@ -45,9 +45,9 @@ const char* packages_of(mesa_way way) {
                                    : "install libegl1 libegl-mesa0 libgl1-mesa-dri";
 }
 
-bool may_try(mesa_way way) {
-    const std::string wish = wished_way();
-    return wish == "auto" || wish == (way == mesa_way::osmesa ? "osmesa" : "egl");
+bool may_try(mesa_way way, const std::string& wish) {
+    const std::string meant = wish.empty() ? wished_way() : wish;
+    return meant == "auto" || meant == (way == mesa_way::osmesa ? "osmesa" : "egl");
 }
 
 bool is_software_renderer(std::string_view renderer) {
@@ -90,14 +90,16 @@ std::unique_ptr<mesa_context> mesa_context::open(mesa_way way, std::string& why)
     return context->load(why) ? std::move(context) : nullptr;
 }
 
-std::unique_ptr<mesa_context> mesa_context::open(std::string& why) {
-    if (std::ranges::none_of(mesa_ways, may_try)) {
-        why = "L3D_MESA: '" + wished_way() + "' is none of auto egl osmesa";
+std::unique_ptr<mesa_context> mesa_context::open(const std::string& wish, std::string& why) {
+    const auto is_wished = [&wish](mesa_way way) { return may_try(way, wish); };
+    if (std::ranges::none_of(mesa_ways, is_wished)) {
+        why = (wish.empty() ? "L3D_MESA: '" + wished_way() : "GL by '" + wish) +
+              "' is none of auto egl osmesa";
         return nullptr;
     }
     std::string reasons;
     for (const mesa_way way : mesa_ways) {
-        if (!may_try(way))
+        if (!is_wished(way))
             continue;
         std::string reason;
         if (auto context = open(way, reason))

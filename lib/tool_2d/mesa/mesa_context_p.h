@@ -21,8 +21,9 @@ inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_d
 
 const char* name_of(mesa_way way);
 
-/// Whether L3D_MESA (auto, egl or osmesa; unset and empty are auto) lets a way be tried.
-bool may_try(mesa_way way);
+/// Whether a wish lets a way be tried. It is auto, egl or osmesa; an empty one is that of L3D_MESA,
+/// where unset and empty are auto.
+bool may_try(mesa_way way, const std::string& wish);
 
 /// Whether a GL_RENDERER draws on the CPU.
 bool is_software_renderer(std::string_view renderer);
@@ -36,11 +37,11 @@ const char* packages_of(mesa_way way);
 /// until it ends.
 class mesa_context {
 public:
-    /// The first way that serves, of those that L3D_MESA allows.
+    /// The first way that serves, of those that the wish allows; it is as of may_try.
     /// Errors:  null, with one line in `why` that has all reasons and the packages, or says that
-    ///          L3D_MESA has an unknown value.
+    ///          the wish, or L3D_MESA, has an unknown value.
     /// Cost:    10 to 60 ms.
-    static std::unique_ptr<mesa_context> open(std::string& why);
+    static std::unique_ptr<mesa_context> open(const std::string& wish, std::string& why);
 
     /// Errors:  null, with the reason in `why`: no library, no context, a graphics card, no GL 3.
     static std::unique_ptr<mesa_context> open(mesa_way way, std::string& why);
@@ -55,6 +56,11 @@ public:
 
     /// GL_RENDERER.
     const std::string& renderer() const { return renderer_; }
+
+    /// The renderer, and by which way it was found.
+    std::string describe() const {
+        return "GL by " + std::string(name_of(way_)) + ": " + renderer_;
+    }
 
 private:
     mesa_context(std::unique_ptr<mesa_platform> platform, mesa_way way)

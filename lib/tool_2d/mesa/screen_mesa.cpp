@@ -10,7 +10,7 @@ using level = l3d_service::level;
 
 l3d_service l3d_screen_factory_mesa::do_service() const {
     l3d_service service;
-    if (!l3d_detail::mesa_context::open(service.why)) {
+    if (!l3d_detail::mesa_context::open(library_, service.why)) {
         service.how = level::not_here;
         return service;
     }
@@ -35,7 +35,7 @@ void l3d_screen_factory_mesa::do_diagnose(l3d_probes& probes) const {
     bool any = false;
     for (const l3d_detail::mesa_way way : l3d_detail::mesa_ways) {
         l3d_probe probe{name_of(way), {}, verdict::good, {}};
-        if (!may_try(way)) {
+        if (!may_try(way, library_)) {
             probe.result = std::string("left out by L3D_MESA=") + std::getenv("L3D_MESA");
             probe.outcome = verdict::limited;
         } else if (const auto context = l3d_detail::mesa_context::open(way, probe.result)) {

@@ -7,11 +7,18 @@
 #include "tool_2d/screen_memory.h"
 #include "tool_2d/x11/screen_x11.h"
 
+#include <string>
+#include <utility>
+
 /// Makes windows where a display can show them, else screens that nobody sees.
 ///
 /// GL draws off-screen and its picture is copied, so any screen serves; what this kind asks for is
-/// a software GL. L3D_MESA (auto, egl, osmesa) says by which way.
+/// a software GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
+public:
+    /// Asks for the GL of this library: auto, egl or osmesa; empty: what L3D_MESA says.
+    explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
+
 private:
     /// Errors:  not_here, with one line that has all reasons and what to install; display_lost.
     /// Cost:    a GL context, closed again, and what windows cost.
@@ -27,6 +34,7 @@ private:
     /// One probe for each way to GL, with the renderer. The display is for others to tell of.
     void do_diagnose(l3d_probes& probes) const override;
 
+    std::string library_;
     l3d_screen_factory_xshm windows_;
     l3d_screen_factory_memory memory_;
 };

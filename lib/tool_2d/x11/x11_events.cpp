@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -62,6 +63,7 @@ bool x11_events::waits_for_keyboard(const XEvent& event) const {
     case ButtonPress:
     case ButtonRelease:
     case MotionNotify:
+    case FocusIn:
     case FocusOut:
         return !waiting_.empty();
     default:
@@ -75,8 +77,9 @@ void x11_events::take_now(XEvent& event) {
         return take_press(event.xkey);
     case KeyRelease:
         return take_release(event.xkey);
+    case FocusIn:
     case FocusOut:
-        return release_all();
+        return take_focus(event.xfocus);
     case ButtonPress:
         return take_button(event.xbutton, l3d_event_type::button_press);
     case ButtonRelease:
@@ -169,9 +172,40 @@ void x11_events::look() {
 /// The server itself tells of each new size. What others send tells of places; its size may be
 /// anything.
 void x11_events::take_size(const XConfigureEvent& event) {
-    if (event.send_event == 0)
+    if (event.send_event == 0) {
         size_ = window_.ours({event.width, event.height});
+        pointer_.set_size({event.width, event.height});
+    }
     tell_size();
+}
+
+/// X counts milliseconds in 32 bits, which are over after 49.7 days. Programs may send events
+/// without a time.
+std::chrono::milliseconds x11_events::since_start(Time time) {
+    const auto now = static_cast<std::uint32_t>(time);
+    if (time_.count() == 0)
+        time_ = std::chrono::milliseconds(now);
+    else if (now != CurrentTime)
+        time_ += std::chrono::milliseconds(
+            static_cast<std::int32_t>(now - static_cast<std::uint32_t>(time_.count())));
+    return time_;
+}
+
+/// What all that users do has.
+template <class Event> l3d_event x11_events::at(const Event& event) {
+    l3d_event ours{.x = window_.ours(event.x), .y = window_.ours(event.y)};
+    ours.time = since_start(event.time);
+    take_modifiers(event.state, ours);
+    return ours;
+}
+
+/// Words about the pointer say nothing of the keyboard.
+void x11_events::take_focus(const XFocusChangeEvent& event) {
+    if (event.detail == NotifyPointer || event.detail == NotifyInferior)
+        return;
+    pointer_.set_focus(event.type == FocusIn);
+    if (event.type == FocusOut)
+        release_all();
 }
 
 void x11_events::take_press(XKeyEvent& event) {
@@ -180,15 +214,16 @@ void x11_events::take_press(XKeyEvent& event) {
     if (is_fullscreen_key(event, XLookupKeysym(&event, 0), key)) {
         if (std::exchange(held, untold) == 0)
             push({.type = l3d_event_type::fullscreen});
-    } else if (key != 0) {
-        held = key;
-        l3d_event press{.type = l3d_event_type::key_press,
-                        .key = key,
-                        .x = window_.ours(event.x),
-                        .y = window_.ours(event.y)};
-        take_modifiers(event.state, press);
-        push(press);
+        return;
     }
+    l3d_event press = at(event);
+    press.type = l3d_event_type::key_press;
+    press.key = key;
+    press.text = text_.typed(event);
+    if (key == 0 && press.text.empty())
+        return;
+    press.repeat = std::exchange(held, key == 0 ? untold : key) != 0;
+    push(press);
 }
 
 /// The key that was pressed, whatever modifiers are held now.
@@ -196,18 +231,22 @@ void x11_events::take_release(const XKeyEvent& event) {
     if (is_autorepeat(event))
         return;
     const int key = std::exchange(held_.at(event.keycode & 255), 0);
-    if (key != 0 && key != untold)
-        push({.type = l3d_event_type::key_release,
-              .key = key,
-              .x = window_.ours(event.x),
-              .y = window_.ours(event.y)});
+    if (key == 0 || key == untold)
+        return;
+    l3d_event release = at(event);
+    release.type = l3d_event_type::key_release;
+    release.key = key;
+    push(release);
 }
 
 /// Without the keyboard we do not hear of its keys.
 void x11_events::release_all() {
     for (int& held : held_)
-        if (const int key = std::exchange(held, 0); key != 0 && key != untold)
-            push({.type = l3d_event_type::key_release, .key = key});
+        if (const int key = std::exchange(held, 0); key != 0 && key != untold) {
+            l3d_event release{.type = l3d_event_type::key_release, .key = key};
+            release.time = time_;
+            push(release);
+        }
 }
 
 /// Servers without detectable autorepeat send a release with each repeated press, at one time.
@@ -222,8 +261,8 @@ bool x11_events::is_autorepeat(const XKeyEvent& release) const {
 
 void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
     // X has no wheel: a notch is a click of button 4 or 5. Above these are sideways wheels.
-    l3d_event ours{.type = type, .x = window_.ours(event.x), .y = window_.ours(event.y)};
-    take_modifiers(event.state, ours);
+    l3d_event ours = at(event);
+    ours.type = type;
     const bool is_press = type == l3d_event_type::button_press;
     if (event.button == Button4 || event.button == Button5) {
         // The server makes a click of each full notch of a fine wheel, too, at the same time.
@@ -237,8 +276,7 @@ void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
 }
 
 void x11_events::take_turn(const XMotionEvent& place, double notches) {
-    l3d_event ours{.x = window_.ours(place.x), .y = window_.ours(place.y)};
-    take_modifiers(place.state, ours);
+    const l3d_event ours = at(place);
     turned_at_ = place.time;
     push_turn(ours, notches);
 }
@@ -267,19 +305,23 @@ int x11_events::clicks_of(const XButtonEvent& press) {
 }
 
 void x11_events::take_motion(const XMotionEvent& event) {
+    const auto way = pointer_.way_of(event);
     const int button = held_button(event.state);
-    if (button == 0)
+    if (!way || (button == 0 && pointer_.how() == l3d_pointer::dragged))
         return;
-    l3d_event motion{.type = l3d_event_type::pointer_motion,
-                     .button = button,
-                     .x = window_.ours(event.x),
-                     .y = window_.ours(event.y)};
-    take_modifiers(event.state, motion);
+    l3d_event motion = at(event);
+    motion.type = l3d_event_type::pointer_motion;
+    motion.button = button;
+    motion.right = way->right;
+    motion.down = way->down;
     if (!queue_.empty() && queue_.back().type == motion.type &&
-        queue_.back().button == motion.button)
+        queue_.back().button == motion.button) {
+        motion.right += queue_.back().right;
+        motion.down += queue_.back().down;
         queue_.back() = motion;
-    else
+    } else {
         push(motion);
+    }
 }
 
 bool x11_events::has_close() {

@@ -5,6 +5,8 @@
 
 #include "tool_2d/event.h"
 #include "tool_2d/x11/x11_echo_p.h"
+#include "tool_2d/x11/x11_pointer_p.h"
+#include "tool_2d/x11/x11_text_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
 #include <array>
@@ -27,8 +29,8 @@ namespace l3d_detail {
 class x11_events {
 public:
     /// `size` is that which the window was made with.
-    x11_events(const x11_window& window, l3d_size size)
-        : window_(window), size_(size), keyboard_echo_(window) {}
+    x11_events(const x11_window& window, l3d_size size, x11_pointer& pointer)
+        : window_(window), size_(size), pointer_(pointer), keyboard_echo_(window) {}
 
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
@@ -86,28 +88,34 @@ private:
     void take_size(const XConfigureEvent& event);
     void take_press(XKeyEvent& event);
     void take_release(const XKeyEvent& event);
+    void take_focus(const XFocusChangeEvent& event);
     void release_all();
     void take_button(const XButtonEvent& event, l3d_event_type type);
     void push_turn(l3d_event event, double notches);
     int clicks_of(const XButtonEvent& press);
     void take_motion(const XMotionEvent& event);
+    std::chrono::milliseconds since_start(Time time);
+    template <class Event> l3d_event at(const Event& event);
     void take_message(XClientMessageEvent& event);
     bool is_autorepeat(const XKeyEvent& release) const;
 
     const x11_window& window_;
     l3d_size size_; ///< as the server told it
+    x11_pointer& pointer_;
+    x11_text text_;
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
     x11_echo keyboard_echo_; ///< whose answer says that the keyboard can be read
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
     std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
     bool covered_ = false, unmapped_ = false, away_ = false;
-    Time turned_at_ = 0;           ///< when a fine wheel last did
-    double turned_ = 0;            ///< since the last full notch
-    bool hidden_ = false;          ///< for one of these reasons
-    bool exposure_is_due_ = false; ///< is told as soon as the window can be seen
-    std::array<int, 256> held_{};  ///< by key code: the key told pressed; 0: it is up
-    XButtonEvent last_press_{};    ///< that a next one may make a double click with; button 0: none
+    Time turned_at_ = 0;               ///< when a fine wheel last did
+    double turned_ = 0;                ///< since the last full notch
+    bool hidden_ = false;              ///< for one of these reasons
+    bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
+    std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
+    std::chrono::milliseconds time_{}; ///< of the last event that had one; 0: none had
+    XButtonEvent last_press_{}; ///< that a next one may make a double click with; button 0: none
 };
 
 } // namespace l3d_detail

@@ -12,17 +12,6 @@ constexpr std::chrono::seconds longest_rest{2};
 // Managers act within some pictures; meanwhile keys count as if they had.
 constexpr std::chrono::seconds longest_grant{1};
 
-/// A cursor without any pixel. The server keeps it while a window uses it.
-void define_empty_cursor(Display* display, Window window) {
-    const char no_bits = 0;
-    const Pixmap shape = XCreateBitmapFromData(display, window, &no_bits, 1, 1);
-    XColor black{};
-    const Cursor cursor = XCreatePixmapCursor(display, shape, shape, &black, &black, 0, 0);
-    XFreePixmap(display, shape);
-    XDefineCursor(display, window, cursor);
-    XFreeCursor(display, cursor);
-}
-
 } // namespace
 
 bool x11_fullscreen::is_on() const {
@@ -58,7 +47,7 @@ void x11_fullscreen::follow() {
         awaited_.reset();
     if (std::exchange(on_, on) == on)
         return;
-    window_.watch_pointer(on);
+    window_.watch_pointer(x11_window::watcher::fullscreen, on);
     show_pointer();
 }
 
@@ -160,7 +149,9 @@ void x11_fullscreen::rest(clock::time_point now) {
         now - pointer_moved_ < longest_rest)
         return;
     pointer_hidden_ = true;
-    define_empty_cursor(window_.display(), window_.id());
+    const Cursor cursor = window_.make_empty_cursor();
+    XDefineCursor(window_.display(), window_.id(), cursor);
+    XFreeCursor(window_.display(), cursor); // the server keeps it while the window uses it
 }
 
 x11_fullscreen::clock::time_point x11_fullscreen::next_rest() const {

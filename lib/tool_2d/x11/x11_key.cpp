@@ -16,7 +16,7 @@
 namespace l3d_detail {
 namespace {
 
-constexpr std::array<std::pair<KeySym, int>, 22> named_keys{{
+constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
     {XK_BackSpace, l3d_key_backspace},
     {XK_Tab, l3d_key_tab},
     {XK_Return, l3d_key_return},
@@ -39,6 +39,18 @@ constexpr std::array<std::pair<KeySym, int>, 22> named_keys{{
     {XK_KP_Home, l3d_key_home},
     {XK_KP_End, l3d_key_end},
     {XK_ISO_Left_Tab, l3d_key_tab},
+    {XK_Delete, l3d_key_delete},
+    {XK_KP_Delete, l3d_key_delete},
+    {XK_Insert, l3d_key_insert},
+    {XK_KP_Insert, l3d_key_insert},
+    {XK_Shift_L, l3d_key_shift},
+    {XK_Shift_R, l3d_key_shift},
+    {XK_Control_L, l3d_key_control},
+    {XK_Control_R, l3d_key_control},
+    {XK_Alt_L, l3d_key_alt},
+    {XK_Alt_R, l3d_key_alt},
+    {XK_Meta_L, l3d_key_alt}, // what Alt is with Shift held
+    {XK_Meta_R, l3d_key_alt},
 }};
 
 /// The key of a keysym, 0 if it is none of ours.

@@ -58,8 +58,10 @@ public:
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm,
                    bool sparing)
-        : window_(std::move(window)), events_(*window_, size), state_(*window_),
-          resolution_(*window_), scroll_(*window_), sync_(*window_),
+        : window_(std::move(window)),
+          pointer_(*window_, {size.width * window_->scale(), size.height * window_->scale()}),
+          events_(*window_, size, pointer_), state_(*window_), resolution_(*window_),
+          scroll_(*window_), sync_(*window_),
           fullscreen_(*window_, state_,
                       {size.width * window_->scale(), size.height * window_->scale()}),
           no_shm_(std::move(no_shm)), is_sparing_(sparing), image_(make_image(size)),
@@ -84,6 +86,7 @@ private:
         text_ = std::move(boxes);
         image_->set_text(text_);
     }
+    void do_set_pointer(l3d_pointer how) override { pointer_.set(how); }
     void do_set_fullscreen(bool on) override { fullscreen_.set(on); }
     bool do_is_fullscreen() const override { return fullscreen_.is_on(); }
     std::string do_describe() const override;
@@ -111,7 +114,8 @@ private:
     bool replaced_failed_image();
 
     std::unique_ptr<x11_window> window_;
-    x11_events events_;
+    x11_pointer pointer_;
+    x11_events events_; // after the pointer, whose ways it tells
     x11_state state_;
     x11_resolution resolution_;
     x11_scroll scroll_;
@@ -230,6 +234,7 @@ void l3d_screen_x11::look_around() {
     if (image_->is_sending())
         return;
     events_.look_after();
+    pointer_.look_after();
     if (is_forgotten_)
         return;
     if (std::exchange(ground_is_due_, false))
@@ -259,6 +264,8 @@ void l3d_screen_x11::take_events(steady_clock::time_point put_deadline) {
 }
 
 void l3d_screen_x11::take(XEvent& event) {
+    if (pointer_.take(event))
+        return;
     if (state_.take(event)) {
         events_.set_away(state_.facts().away);
         fullscreen_.follow();

@@ -191,8 +191,22 @@ void x11_window::set_ground(std::uint32_t word) {
         XSetWindowBackground(display(), window_, pixel);
 }
 
-void x11_window::watch_pointer(bool always) const {
-    XSelectInput(display(), window_, always ? events_always | PointerMotionMask : events_always);
+void x11_window::watch_pointer(watcher who, bool always) {
+    const auto bit = static_cast<unsigned>(who);
+    const bool was_watched = watchers_ != 0;
+    watchers_ = always ? watchers_ | bit : watchers_ & ~bit;
+    if (was_watched != (watchers_ != 0))
+        XSelectInput(display(), window_,
+                     watchers_ != 0 ? events_always | PointerMotionMask : events_always);
+}
+
+Cursor x11_window::make_empty_cursor() const {
+    const char no_bits = 0;
+    const Pixmap shape = XCreateBitmapFromData(display(), window_, &no_bits, 1, 1);
+    XColor black{};
+    const Cursor cursor = XCreatePixmapCursor(display(), shape, shape, &black, &black, 0, 0);
+    XFreePixmap(display(), shape);
+    return cursor;
 }
 
 void x11_window::take_focus() {

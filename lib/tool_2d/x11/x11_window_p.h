@@ -68,8 +68,14 @@ public:
     /// What new parts of a window that grows show until their picture comes: a pixel word.
     void set_ground(std::uint32_t word);
 
-    /// Hears of the pointer at all times, or only while a button is held.
-    void watch_pointer(bool always) const;
+    /// Who may want to hear of the pointer at all times.
+    enum class watcher : unsigned { fullscreen = 1, program = 2 };
+
+    /// Hears of the pointer at all times, or for this one only while a button is held.
+    void watch_pointer(watcher who, bool always);
+
+    /// A cursor without any pixel. Lives: until it is freed, or the connection ends.
+    Cursor make_empty_cursor() const;
 
     /// Takes the keyboard and shows our colours, as a window manager would do it for us.
     /// Expects: the window is on the screen.
@@ -99,6 +105,7 @@ private:
     int scale_;
     double text_scale_ = 1;
     bool managed_ = false;
+    unsigned watchers_ = 0; ///< the bits of those who hear of the pointer at all times
     Window window_ = 0;
     GC graphics_ = nullptr;
     unsigned long ground_ = 0; ///< of the window, a pixel of the display's
