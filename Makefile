@@ -294,11 +294,20 @@ packages: packages-build packages-run packages-test packages-lint ## install the
 packages-%:
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
+# Compilers' commands for clangd and other tools, which look for them at the top.
+comma   := ,
+quoted   = "$(subst ",\",$(subst \,\\,$(strip $(1))))"
+compiled = {"directory": $(call quoted,$(CURDIR)), "file": $(call quoted,$(1)), "command": $(call quoted,$(CXX) $(FLAGS) \
+           $(FLAGS_$(call kind,$(1))) $(call include_paths,$(1)) -c $(1))}
+compile_commands.json: $(DOOR) FORCE ## how each source is compiled, for clangd and editors; of the variant that is named
+	$(file >$@,[$(subst } {,}$(comma) {,$(foreach s,$(SOURCES),$(call compiled,$(s))))])
+	@echo $@
+
 hooks: ## run the quicker of these checks before every commit
 	git config core.hooksPath .githooks
 
 clean: ## remove everything made
-	rm -rf $(BUILD)
+	rm -rf $(BUILD) compile_commands.json
 
 help: ## this list
 	@awk -F':.*## ' '/^[a-z$$].*:.*## /{sub(/^\$$\(CHECKS\)/, "$(CHECKS)", $$1); \

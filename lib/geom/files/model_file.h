@@ -98,21 +98,22 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_fil
 /// Errors: as those of l3d_read_model, whose cost it has, too.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
-l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
-    l3d_read_obj,              ///< Wavefront
-    l3d_read_off,              ///< geomview's polygons
-    l3d_read_ply,              ///< Stanford's polygons
-    l3d_read_videoscape,       ///< 3DG1
-    l3d_read_bez,              ///< geomview's patches
-    l3d_read_stl;              ///< triangles
+L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
+    l3d_read_obj,                         ///< Wavefront
+    l3d_read_off,                         ///< geomview's polygons
+    l3d_read_ply,                         ///< Stanford's polygons
+    l3d_read_videoscape,                  ///< 3DG1
+    l3d_read_bez,                         ///< geomview's patches
+    l3d_read_stl;                         ///< triangles
 
 /// The reader of glTF 2.0.
 /// Errors:  as those of l3d_read_model; the place is one in the document, such as
 ///          "accessors[3].count", or line and column where that is no JSON.
 /// Cost:    as that of l3d_read_model; memory is counted for each byte of this text and of the
 ///          other files.
-std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
-                                            std::string& why, const l3d_other_files& files = {});
+L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
+                                                       std::string& why,
+                                                       const l3d_other_files& files = {});
 
 /// A material by its name.
 struct L3D_PUBLIC l3d_named_material {

@@ -51,6 +51,6 @@ public:
 ///
 /// A pixel's centre is where our camera samples, 1/2 beyond the book's in x and y.
 /// Expects: square pixels: fovx * width = fovy * height.
-template <class T> l3d_camera l3d_right_handed(const l3d_camera_left_handed<T>& camera);
+template <class T> L3D_PUBLIC l3d_camera l3d_right_handed(const l3d_camera_left_handed<T>& camera);
 
 #endif
