@@ -253,15 +253,17 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
         std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
     std::uint32_t count = 0;
     polygon_sides sides;
-    sides.begin(of);
+    bool has_sides = false;
     pixels.visit(box, [&](const marked_pixels::tile& tile, std::int32_t left, std::int32_t top,
                           std::uint64_t bits) HWY_ATTR {
+        if (!has_sides)
+            sides.begin(of);
+        has_sides = true;
         sides.begin_tile(left, top);
         while (bits != 0) {
             const int row = std::countr_zero(bits) / side;
-            const std::uint64_t in_row = a_row << (row * side);
             std::uint64_t reached = bits & sides.begin_row(row) << (row * side);
-            bits &= ~in_row;
+            bits &= ~(a_row << (row * side));
             for (; reached != 0; reached &= reached - 1) {
                 const std::uint64_t earlier = tile.bits & ((reached & -reached) - 1);
                 marked_pixel& pixel =
@@ -281,7 +283,6 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
                     pixel.farthest = std::max(pixel.farthest, pixel.least);
             }
         }
-        return false;
     });
     return count;
 }
