@@ -71,7 +71,6 @@ constexpr hn::CappedTag<std::int16_t, 32> shorts;
 constexpr hn::CappedTag<float, 16> floats;
 constexpr hn::CappedTag<double, 4> doubles;
 constexpr hn::Rebind<std::int32_t, decltype(doubles)> side_ints;
-constexpr hn::Rebind<std::int16_t, decltype(doubles)> side_shorts;
 constexpr hn::CappedTag<std::int32_t, 16> ints;
 constexpr std::size_t tile_side = marked_pixels::side;
 constexpr hn::CappedTag<std::int32_t, tile_side> row_ints;
@@ -249,8 +248,8 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
                   marked_pixels& pixels, fragment* to, std::uint32_t first) {
     constexpr std::int32_t side = marked_pixels::side;
     constexpr std::uint64_t a_row = (1u << side) - 1;
-    const auto [farthest, nearest] =
-        std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
+    const auto depths = std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
+    const float farthest = depths.first, nearest = depths.second;
     std::uint32_t count = 0;
     polygon_sides sides;
     bool has_sides = false;
