@@ -56,7 +56,7 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
     boxes_.find(part.grid, first, count, inside_);
     for (std::size_t i = 0; i < count; ++i) {
         const l3d_pixel_box box{boxes_.left[i], boxes_.top[i], boxes_.right[i], boxes_.bottom[i]};
-        if (!box.empty() && pixels_.may_reach(box) && pixels_.has_in(box))
+        if (!box.empty() && pixels_.may_reach(box))
             add_quad(part, first + i, box, levels);
     }
 }
@@ -91,7 +91,7 @@ void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t fir
         const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                                  part.triangles.vertex(i, 2)};
         const l3d_pixel_box box = reached(corners);
-        if (!box.empty() && pixels_.may_reach(box) && pixels_.has_in(box))
+        if (!box.empty() && pixels_.may_reach(box))
             add_convex(corners, color_of(part, part.material_of(i)), box);
     }
 }

@@ -57,10 +57,9 @@ public:
         return false;
     }
 
-    /// Calls visit(tile, its column, its row, its marked pixels that lie in a box) for each tile
-    /// that has such, until one of the calls is true. Returns: whether one was.
-    /// Expects: the box lies in the band, and is not empty.
-    template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
+    /// Calls visit(tile, left, top, its marked pixels that lie in a box) for each tile that has
+    /// such. Expects: the box lies in the band, and is not empty.
+    template <class Visit> void visit(const l3d_pixel_box& box, const Visit& visit) const {
         constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
                                 a_column = 0x0101010101010101;
         const auto first = static_cast<std::uint32_t>(box.left),
@@ -80,17 +79,10 @@ public:
                 bits &= (a_row << std::max(box.left - left, 0) &
                          a_row >> std::max(left + side - box.right, 0)) *
                         a_column;
-                if (bits != 0 && visit(here, left, top, bits))
-                    return true;
+                if (bits != 0)
+                    visit(here, left, top, bits);
             }
         }
-        return false;
-    }
-
-    /// Whether a box has a marked pixel. Expects: as visit.
-    bool has_in(const l3d_pixel_box& box) const {
-        return visit(box,
-                     [](const tile&, std::int32_t, std::int32_t, std::uint64_t) { return true; });
     }
 
     /// A tile, by the numbers of its column and row in the picture.

@@ -114,14 +114,30 @@ attribute_planes<Count> planes_of(const fragment_polygon& polygon, const Numbers
     return {places, numbers, polygon.area2};
 }
 
-/// The light of polygons behind fog. Lives: borrows the shading.
+/// The light of a band's polygons behind fog. Lives: borrows the polygons and the shading.
 template <class Shader> class polygon_light {
 public:
-    polygon_light(const Shader& shader, const l3d_shading& shading, bool has_color, int height)
-        : shader_(shader), shading_(shading), has_color_(has_color), height_(height) {}
+    polygon_light(const Shader& shader, const l3d_shading& shading, bool has_color, int height,
+                  std::span<const fragment_polygon> polygons)
+        : shader_(shader), shading_(shading), has_color_(has_color), height_(height),
+          polygons_(polygons) {
+        if constexpr (has_bends<Shader>)
+            for (const fragment_polygon& polygon : polygons)
+                levels_.emplace_back(polygon);
+    }
 
-    light_sum operator()(const fragment_polygon& polygon, float x, float y) {
-        const light_sum light = clear(polygon, x, y);
+    /// Whether no light has a hue.
+    bool is_grey() const { return has_bends<Shader> && !has_color_ && !shading_.fog.is_on(); }
+
+    /// The amount of all channels, if they are the same.
+    float grey_of(const seen_fragment& seen) const {
+        return tables_.light_between(levels_[seen.polygon].at(seen.x, seen.y));
+    }
+
+    light_sum of(const seen_fragment& seen) {
+        const fragment_polygon& polygon = polygons_[seen.polygon];
+        const float x = seen.x, y = seen.y;
+        const light_sum light = clear(polygon, seen);
         const l3d_fog& fog = shading_.fog;
         if (!fog.is_on())
             return light;
@@ -135,13 +151,13 @@ public:
     }
 
 private:
-    light_sum clear(const fragment_polygon& polygon, float x, float y) {
+    light_sum clear(const fragment_polygon& polygon, const seen_fragment& seen) {
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(level_surface(polygon).at(x, y), polygon.color);
+            return of_level(levels_[seen.polygon].at(seen.x, seen.y), polygon.color);
         else
-            return of_word(word_at(polygon, double{x}, double{y}), polygon.color);
+            return of_word(word_at(polygon, double{seen.x}, double{seen.y}), polygon.color);
     }
 
     light_sum of_level(float lit, std::uint32_t color) const {
@@ -190,6 +206,8 @@ private:
     const linear_light& tables_ = linear_light_tables();
     bool has_color_;
     int height_; ///< of the picture
+    std::span<const fragment_polygon> polygons_;
+    std::vector<level_surface> levels_; ///< of the polygons, if the shader takes levels
 };
 
 /// The word of light before what is behind all surfaces, which fills `empty` of the pixel.
@@ -217,21 +235,17 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
     constexpr float part = 1.0f / sample_places::count;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
-        polygon_light light(shader, shading, has_color, target.height);
-        const bool is_grey = has_bends<decltype(shader)> && !has_color && !shading.fog.is_on();
-        std::vector<level_surface> levels;
-        if (is_grey)
-            for (const fragment_polygon& polygon : band.polygons())
-                levels.emplace_back(polygon);
+        polygon_light light(shader, shading, has_color, target.height, band.polygons());
+        const bool is_grey = light.is_grey();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             light_sum sum;
             int count = 0;
             for (const seen_fragment& of : band.seen_in(i)) {
                 const auto samples = static_cast<float>(of.count);
                 if (is_grey)
-                    sum.of[0] += samples * tables.light_between(levels[of.polygon].at(of.x, of.y));
+                    sum.of[0] += samples * light.grey_of(of);
                 else
-                    sum.add(light(band.polygon(of), of.x, of.y), samples);
+                    sum.add(light.of(of), samples);
                 count += of.count;
             }
             if (is_grey)

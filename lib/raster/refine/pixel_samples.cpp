@@ -71,7 +71,6 @@ constexpr hn::CappedTag<std::int16_t, 32> shorts;
 constexpr hn::CappedTag<float, 16> floats;
 constexpr hn::CappedTag<double, 4> doubles;
 constexpr hn::Rebind<std::int32_t, decltype(doubles)> side_ints;
-constexpr hn::Rebind<std::int16_t, decltype(doubles)> side_shorts;
 constexpr hn::CappedTag<std::int32_t, 16> ints;
 constexpr std::size_t tile_side = marked_pixels::side;
 constexpr hn::CappedTag<std::int32_t, tile_side> row_ints;
@@ -249,19 +248,21 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
                   marked_pixels& pixels, fragment* to, std::uint32_t first) {
     constexpr std::int32_t side = marked_pixels::side;
     constexpr std::uint64_t a_row = (1u << side) - 1;
-    const auto [farthest, nearest] =
-        std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
+    const auto depths = std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
+    const float farthest = depths.first, nearest = depths.second;
     std::uint32_t count = 0;
     polygon_sides sides;
-    sides.begin(of);
+    bool has_sides = false;
     pixels.visit(box, [&](const marked_pixels::tile& tile, std::int32_t left, std::int32_t top,
                           std::uint64_t bits) HWY_ATTR {
+        if (!has_sides)
+            sides.begin(of);
+        has_sides = true;
         sides.begin_tile(left, top);
         while (bits != 0) {
             const int row = std::countr_zero(bits) / side;
-            const std::uint64_t in_row = a_row << (row * side);
             std::uint64_t reached = bits & sides.begin_row(row) << (row * side);
-            bits &= ~in_row;
+            bits &= ~(a_row << (row * side));
             for (; reached != 0; reached &= reached - 1) {
                 const std::uint64_t earlier = tile.bits & ((reached & -reached) - 1);
                 marked_pixel& pixel =
@@ -281,7 +282,6 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
                     pixel.farthest = std::max(pixel.farthest, pixel.least);
             }
         }
-        return false;
     });
     return count;
 }
