@@ -43,11 +43,15 @@ const l3d_service& backend_survey::service(std::size_t i) {
     return *services_[i];
 }
 
-void backend_survey::list(std::ostream& out) {
+void backend_survey::list(std::ostream& out, bool with_variants) {
+    const auto is_wanted = [&](const l3d_backend& row) { return with_variants || !row.variant; };
     int column = name_column;
     for (const l3d_backend& row : rows_)
-        column = std::max(column, static_cast<int>(row.name.size()));
+        if (is_wanted(row))
+            column = std::max(column, static_cast<int>(row.name.size()));
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (!is_wanted(rows_[i]))
+            continue;
         put_name(out, rows_[i].name, column);
         if (serves_fully(i))
             out << "yes  " << rows_[i].purpose << '\n';
@@ -74,7 +78,7 @@ void backend_survey::diagnose(std::ostream& out) {
         if (!probe.remedy.empty())
             out << "     " << probe.remedy << '\n';
     }
-    list(out);
+    list(out, false);
 }
 
 const l3d_backend& backend_survey::named(const std::string& name, const std::string& named_by) {

@@ -23,8 +23,9 @@ public:
     explicit backend_survey(std::span<const l3d_backend> rows)
         : rows_(rows), services_(rows.size()) {}
 
-    /// One line per row: its name, whether it can serve, and why not.
-    void list(std::ostream& out);
+    /// One line per row, and per variant if these are wanted: its name, whether it can serve, and
+    /// why not.
+    void list(std::ostream& out, bool with_variants);
 
     /// A line for each thing that the rows depend on, with what to do about it; then the rows.
     void diagnose(std::ostream& out);

@@ -110,7 +110,7 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
         return false;
     }
     if (common.list_backends) {
-        survey.list(out);
+        survey.list(out, true);
         l3d_detail::check_written(out);
         return false;
     }

@@ -57,7 +57,7 @@ TEST(backend_survey, automatic_prefers_what_serves_fully) {
     EXPECT_EQ(l3d_detail::backend_survey(table.rows).automatic().name, "paper");
     EXPECT_EQ(l3d_detail::backend_survey(table.rows).named("slate", "--backend").name, "slate");
     std::ostringstream out;
-    l3d_detail::backend_survey(table.rows).list(out);
+    l3d_detail::backend_survey(table.rows).list(out, true);
     EXPECT_NE(out.str().find("slate   yes, but scratched\n"), std::string::npos) << out.str();
 }
 

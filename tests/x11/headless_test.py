@@ -114,7 +114,7 @@ def tells_about_itself(program):
     for option, text in (
         ("--help", b"--backend"),
         ("--version", program.name.encode()),
-        ("--list-backends", b"memory  yes"),
+        ("--list-backends", b"memory      yes"),
         ("--diagnose", b"DISPLAY=''"),
     ):
         status, out, messages = run(program.command(option), environment())
