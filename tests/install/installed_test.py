@@ -437,7 +437,7 @@ def drawing_is_the_picture(made):
 def terminal_shows(made):
     commands = [line.split() for line in shown("./terminal_spin")]
     listed = run(commands[0], made).stdout
-    expect("terminal no   standard input and output are no terminal" in listed, listed)
+    expect("terminal    no   standard input and output are no terminal" in listed, listed)
     more = ["--no-input", "--frames", "3"]
     status, picture = pty_screen.picture(commands[1] + more, made, environment(), 61, 20)
     expect_equal(status, 0)

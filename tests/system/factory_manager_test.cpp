@@ -244,8 +244,9 @@ TEST_F(factory_manager, list_shows_every_row) {
     EXPECT_FALSE(choose({"--list-backends"}, "", true));
     const std::string text = out.str();
     for (const char* line :
-         {"xshm    no ", "ximage  no   DISPLAY is not set\n", "mesa    no ", "memory  yes ",
-          "paper   yes  draws on paper\n", "papyrus no   the Nile is dry\n"})
+         {"xshm        no ", "ximage      no   DISPLAY is not set\n", "mesa        no ",
+          "mesa:egl    ", "mesa:osmesa ", "memory      yes ", "paper       yes  draws on paper\n",
+          "papyrus     no   the Nile is dry\n"})
         EXPECT_NE(text.find(line), std::string::npos) << text;
 }
 
