@@ -344,7 +344,7 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
             continue;
         const auto &rows = part.block_rows.first, &columns = part.block_columns.first;
         for (int row = rows[i / strips]; row < rows[i / strips + 1]; ++row) {
-            side left;
+            side left{};
             for (int column = columns[i % strips]; column <= columns[i % strips + 1]; ++column) {
                 const side right{place(grid.index(row, column)),
                                  place(grid.index(row + 1, column))};
