@@ -42,7 +42,7 @@ void l3d_kept_micropolygons::draw(const l3d_method_patch& patch, const l3d_dice_
 }
 
 /// Cut along u first, so that pieces of a frame are those of the next, whichever way is longer now.
-void l3d_kept_micropolygons::visit(const l3d_net_piece& p, task& of) {
+void l3d_kept_micropolygons::visit(const l3d_patch_part& p, task& of) {
     if (p.depth > 0 && l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return;
     const auto [length_u, length_v] = l3d_micropolygon_lengths(p.net);
@@ -58,7 +58,7 @@ void l3d_kept_micropolygons::visit(const l3d_net_piece& p, task& of) {
             --of.cuts_left;
             const bool along_u =
                 is_large ? wanted_u > l3d_most_micropolygons : inside == parts_kept::narrower;
-            for (const l3d_net_piece& half : l3d_halves(p, along_u))
+            for (const l3d_patch_part& half : l3d_halves(p, along_u))
                 visit(half, of);
             return;
         }
@@ -78,7 +78,7 @@ void l3d_kept_micropolygons::visit(const l3d_net_piece& p, task& of) {
     project(*grid, of);
 }
 
-l3d_kept_micropolygons::kept_grid* l3d_kept_micropolygons::find(const l3d_net_piece& p) const {
+l3d_kept_micropolygons::kept_grid* l3d_kept_micropolygons::find(const l3d_patch_part& p) const {
     const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const auto& grid) {
         return grid->u0 == p.u0 && grid->u1 == p.u1 && grid->v0 == p.v0 && grid->v1 == p.v1;
     });
@@ -86,7 +86,7 @@ l3d_kept_micropolygons::kept_grid* l3d_kept_micropolygons::find(const l3d_net_pi
 }
 
 l3d_kept_micropolygons::parts_kept
-l3d_kept_micropolygons::parts_inside(const l3d_net_piece& p) const {
+l3d_kept_micropolygons::parts_inside(const l3d_patch_part& p) const {
     const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const auto& grid) {
         return grid->u0 >= p.u0 && grid->u1 <= p.u1 && grid->v0 >= p.v0 && grid->v1 <= p.v1 &&
                (grid->u1 - grid->u0 < p.u1 - p.u0 || grid->v1 - grid->v0 < p.v1 - p.v0);
@@ -192,7 +192,7 @@ void l3d_method_kept::do_draw(const l3d_method_frame& frame, l3d_stage_times& ti
         std::ranges::fill(of_instance, char{0});
     const auto clipped =
         patches_.dice_each(frame, [this](const l3d_method_patch& patch, const l3d_dice_view& view,
-                                         int, l3d_diced_pieces&, l3d_dice_counts& counts) {
+                                         int, l3d_piece_pool&, l3d_dice_counts& counts) {
             is_seen_[patch.placed.instance][patch.placed.patch] = 1;
             kept_[patch.placed.instance][patch.placed.patch].draw(patch, view, counts);
         });

@@ -5,7 +5,7 @@
 
 #include "compare/method_patches.h"
 #include "compare/scene_memory.h"
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 #include "dice/normal_columns.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"
@@ -54,13 +54,13 @@ private:
         int cuts_left;
     };
 
-    void visit(const l3d_net_piece& p, task& of);
-    kept_grid* find(const l3d_net_piece& p) const;
+    void visit(const l3d_patch_part& p, task& of);
+    kept_grid* find(const l3d_patch_part& p) const;
 
     /// What frames before have kept of a piece: nothing, or parts of it that are narrower along u,
     /// or shorter along v alone.
     enum class parts_kept { none, narrower, shorter };
-    parts_kept parts_inside(const l3d_net_piece& p) const;
+    parts_kept parts_inside(const l3d_patch_part& p) const;
     void dice(kept_grid& grid, const l3d_method_patch& patch, int steps_u, int steps_v);
     static void project(kept_grid& grid, const task& of);
 

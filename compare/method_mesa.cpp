@@ -6,7 +6,7 @@
 #include "pipeline/stopwatch_p.h"
 #include "compare/method_patches.h"
 #include "raster/mesa_target_p.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,7 @@
 template <class D>
 concept l3d_mesh_dicer = std::copy_constructible<D> &&
     requires(D dicer, const l3d_image_patch& net, const l3d_normal_net& normals,
-             const l3d_dice_view& view, l3d_diced_pieces& out, l3d_dice_counts& counts) {
+             const l3d_dice_view& view, l3d_piece_pool& out, l3d_dice_counts& counts) {
     dicer.dice(net, normals, view, out, counts);
 };
 
@@ -38,7 +38,7 @@ private:
         const l3d_detail::stopwatch dicing;
         const auto parts = patches_.dice_each(
             frame, [this](const l3d_method_patch& patch, const l3d_dice_view& view, int worker,
-                          l3d_diced_pieces& out, l3d_dice_counts& counts) {
+                          l3d_piece_pool& out, l3d_dice_counts& counts) {
                 dicers_[static_cast<std::size_t>(worker)].dice(patch.net, patch.normals, view, out,
                                                                counts);
             });

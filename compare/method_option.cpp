@@ -2,7 +2,7 @@
 // l3d_method_option: declaration, and which settings a method can serve.
 #include "compare/method_option.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <utility>
 

@@ -5,8 +5,8 @@
 
 #include "compare/method_choice.h"
 #include "pipeline/pipeline_afd.h"
-#include "system/afd_options.h"
-#include "system/options.h"
+#include "system/options/afd_options.h"
+#include "system/options/options.h"
 
 #include <optional>
 #include <string>

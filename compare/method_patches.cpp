@@ -31,7 +31,7 @@ l3d_method_patches::dice_each(const l3d_method_frame& frame, const dice_call& di
         });
         used += batch.size();
     }
-    for (const l3d_diced_pieces& slot : std::span(slots_).first(used))
+    for (const l3d_piece_pool& slot : std::span(slots_).first(used))
         for (const l3d_diced_piece& piece : slot.used())
             parts_.push_back(&piece.part);
     counts_ = culling_.counts();
@@ -41,7 +41,7 @@ l3d_method_patches::dice_each(const l3d_method_frame& frame, const dice_call& di
 }
 
 void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_placed_patch& placed,
-                                  const dice_call& dice, int worker, l3d_diced_pieces& out) {
+                                  const dice_call& dice, int worker, l3d_piece_pool& out) {
     worker_space& space = each_worker_[static_cast<std::size_t>(worker)];
     const l3d_patch_instance& instance = frame.scene.instances()[placed.instance];
     const l3d_patch_model& model = instance.model();

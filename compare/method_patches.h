@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_METHOD_PATCHES_H
 #define L3D_COMPARE_METHOD_PATCHES_H
 
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/patch_dicer.h"
 #include "scene/scene_culling.h"
@@ -43,7 +43,7 @@ public:
         : workers_(workers), each_worker_(static_cast<std::size_t>(workers.count())) {}
 
     using dice_call = std::function<void(const l3d_method_patch&, const l3d_dice_view&, int worker,
-                                         l3d_diced_pieces&, l3d_dice_counts&)>;
+                                         l3d_piece_pool&, l3d_dice_counts&)>;
 
     /// Calls `dice` for each ordinary patch, on any worker, and returns what all patches became, in
     /// an order that depends on the frame alone. Lives: parts until the next call.
@@ -61,13 +61,13 @@ private:
     };
 
     void dice_one(const l3d_method_frame& frame, const l3d_placed_patch& placed,
-                  const dice_call& dice, int worker, l3d_diced_pieces& out);
+                  const dice_call& dice, int worker, l3d_piece_pool& out);
 
     l3d_workers& workers_;
     std::vector<worker_space> each_worker_;
     l3d_scene_culling culling_;
     l3d_dice_counts counts_;
-    std::vector<l3d_diced_pieces> slots_; ///< one for each patch
+    std::vector<l3d_piece_pool> slots_; ///< one for each patch
     std::vector<const l3d_surface_part*> parts_;
 };
 

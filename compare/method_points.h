@@ -34,8 +34,8 @@ private:
         const l3d_detail::stopwatch dicing;
         ordinary_.clear();
         const auto parts = patches_.dice_each(
-            frame, [this](const l3d_method_patch& patch, const l3d_dice_view&, int,
-                          l3d_diced_pieces&, l3d_dice_counts&) { ordinary_.push_back(patch); });
+            frame, [this](const l3d_method_patch& patch, const l3d_dice_view&, int, l3d_piece_pool&,
+                          l3d_dice_counts&) { ordinary_.push_back(patch); });
         times.dice += dicing.milliseconds();
 
         const l3d_detail::stopwatch filling;

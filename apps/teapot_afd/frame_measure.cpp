@@ -3,7 +3,7 @@
 #include "frame_measure.h"
 
 #include "pipeline/polygons/patch_tessellation.h"
-#include "system/number_text.h"
+#include "system/options/number_text.h"
 #include <l3d/pipeline_zbuffer.h>
 #include <l3d/pipeline_zsort.h>
 #include <l3d/rasterizer_factory_sw.h>

@@ -139,7 +139,7 @@ void l3d_fd_dicer::walk(registers<R>& walked, const l3d_image_patch& net, const 
 }
 
 void l3d_fd_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
-                        const l3d_dice_view& view, l3d_diced_pieces& out, l3d_dice_counts& counts) {
+                        const l3d_dice_view& view, l3d_piece_pool& out, l3d_dice_counts& counts) {
     edges_.build(net, view);
     const auto outer = edges_.outer();
     const bool whole_edges = std::all_of(outer.begin(), outer.end(),

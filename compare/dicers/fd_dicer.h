@@ -4,7 +4,7 @@
 #define L3D_COMPARE_DICERS_FD_DICER_H
 
 #include "scene/counts.h"
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "compare/arithmetic.h"
 #include "dice/patch_dicer.h"
@@ -30,7 +30,7 @@ public:
 
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_diced_pieces& out, l3d_dice_counts& counts);
+              l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
     /// Three coordinates' four registers, columns side by side.

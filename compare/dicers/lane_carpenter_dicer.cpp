@@ -69,20 +69,20 @@ bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, doubl
 }
 
 void l3d_lane_carpenter_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                    const l3d_dice_view& view, l3d_diced_pieces& out,
+                                    const l3d_dice_view& view, l3d_piece_pool& out,
                                     l3d_dice_counts& counts) {
     task of{normals, view, out.next(), counts};
     of.out.bound = counts.bound_px = std::numeric_limits<double>::infinity();
     divide({net}, of);
 }
 
-void l3d_lane_carpenter_dicer::divide(const l3d_net_piece& p, task& of) {
+void l3d_lane_carpenter_dicer::divide(const l3d_patch_part& p, task& of) {
     if (l3d_image_box_of(p.net.points).intersected(of.view.margin()).empty())
         return;
     if (p.depth < deepest && !l3d_is_polygon(p.net, of.view, of.view.tolerance)) {
         const auto [along_u, along_v] = bends_of(in_pixels(p.net, of.view));
         const bool cuts_u = along_u != along_v ? along_u > along_v : p.depth % 2 == 0;
-        for (const l3d_net_piece& half : l3d_halves(p, cuts_u))
+        for (const l3d_patch_part& half : l3d_halves(p, cuts_u))
             divide(half, of);
         return;
     }

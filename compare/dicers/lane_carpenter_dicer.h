@@ -3,8 +3,8 @@
 #ifndef L3D_COMPARE_DICERS_LANE_CARPENTER_DICER_H
 #define L3D_COMPARE_DICERS_LANE_CARPENTER_DICER_H
 
-#include "dice/diced_pieces.h"
-#include "dice/net_piece.h"
+#include "dice/piece_pool.h"
+#include "dice/patch_part.h"
 #include "geom/normal_net.h"
 #include "scene/counts.h"
 #include "scene/dice_view.h"
@@ -22,7 +22,7 @@ class l3d_lane_carpenter_dicer {
 public:
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_diced_pieces& out, l3d_dice_counts& counts);
+              l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
     struct task {
@@ -31,7 +31,7 @@ private:
         l3d_diced_piece& out;
         l3d_dice_counts& counts;
     };
-    static void divide(const l3d_net_piece& p, task& of);
+    static void divide(const l3d_patch_part& p, task& of);
 };
 
 /// Whether a net is as good as a polygon. Depth is measured in pixels, too. Its points are within

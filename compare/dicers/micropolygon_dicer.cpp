@@ -2,7 +2,7 @@
 // l3d_micropolygon_dicer: split and dice.
 #include "compare/dicers/micropolygon_dicer.h"
 
-#include "dice/piece_nets.h"
+#include "dice/piece_bounds.h"
 #include "dice/step_plan.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ int l3d_micropolygons_along(double length, int a_pixel) {
 }
 
 void l3d_micropolygon_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                  const l3d_dice_view& view, l3d_diced_pieces& out,
+                                  const l3d_dice_view& view, l3d_piece_pool& out,
                                   l3d_dice_counts& counts) {
     l3d_dice_view fine = view;
     fine.tolerance = std::min(view.tolerance, edge_tolerance);
@@ -65,7 +65,7 @@ void l3d_micropolygon_dicer::dice_piece(const l3d_surface_piece& p, task& of) {
     if (std::max(wanted_u, wanted_v) > l3d_most_micropolygons && of.cuts_left > 0)
         return cut(p, wanted_u >= wanted_v, of);
 
-    const l3d_piece_nets<l3d_real> nets(p.net, of.view);
+    const l3d_piece_bounds<l3d_real> nets(p.net, of.view);
     l3d_step_plan plan;
     plan.visible = true;
     plan.strips = nets.blocks().size() == 1 ? 1 : l3d_step_plan::most_strips;

@@ -6,9 +6,9 @@
 #include "geom/real.h"
 #include "scene/counts.h"
 #include "scene/dice_view.h"
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
-#include "dice/piece_drawer.h"
+#include "dice/grid_builder.h"
 #include "dice/surface_piece.h"
 
 #include <array>
@@ -39,12 +39,12 @@ public:
 
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_diced_pieces& out, l3d_dice_counts& counts);
+              l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
     struct task {
         const l3d_dice_view& view;
-        l3d_diced_pieces& out;
+        l3d_piece_pool& out;
         l3d_dice_counts& counts;
         int cuts_left;
     };
@@ -54,7 +54,7 @@ private:
 
     int quads_a_pixel_;
     l3d_edge_polylines edges_;
-    l3d_piece_drawer<l3d_real> drawer_;
+    l3d_grid_builder<l3d_real> drawer_;
 };
 
 #endif

@@ -51,7 +51,7 @@ bool l3d_subdivision_dicer::is_straight(const l3d_image_curve& edge, task& of) {
 }
 
 void l3d_subdivision_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
-                                 const l3d_dice_view& view, l3d_diced_pieces& out,
+                                 const l3d_dice_view& view, l3d_piece_pool& out,
                                  l3d_dice_counts& counts) {
     const double vertex_error =
         l3d_evaluated_accuracy(net, view).drawn_error(l3d_vertex_accuracy::in_front);

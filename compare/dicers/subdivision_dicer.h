@@ -6,8 +6,8 @@
 #include "geom/normal_net.h"
 #include "scene/counts.h"
 #include "scene/dice_view.h"
-#include "dice/diced_pieces.h"
-#include "dice/net_piece.h"
+#include "dice/piece_pool.h"
+#include "dice/patch_part.h"
 
 #include <array>
 
@@ -25,11 +25,11 @@ class l3d_subdivision_dicer {
 public:
     /// Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_diced_pieces& out, l3d_dice_counts& counts);
+              l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
     /// Shape: corner 2 * (high v) + (high u); edges v low, v high, u low, u high.
-    struct piece : l3d_net_piece {
+    struct piece : l3d_patch_part {
         std::array<l3d_dice_vertex, 4> corners;
         std::array<bool, 4> straight{};
     };

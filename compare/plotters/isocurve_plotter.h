@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_PLOTTERS_ISOCURVE_PLOTTER_H
 #define L3D_COMPARE_PLOTTERS_ISOCURVE_PLOTTER_H
 
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 #include "dice/normal_columns.h"
 #include "compare/plotters/plot_task.h"
 
@@ -30,7 +30,7 @@ public:
 
 private:
     /// A part of the patch between two curves that have been drawn.
-    using stripe = l3d_net_piece;
+    using stripe = l3d_patch_part;
 
     void fill(const stripe& between, const l3d_plot_task& of);
     void draw_curve(const l3d_image_curve& curve, double u, double v0, double v1,

@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_PLOTTERS_SCANLINE_PLOTTER_H
 #define L3D_COMPARE_PLOTTERS_SCANLINE_PLOTTER_H
 
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 #include "compare/plotters/scan_edges.h"
 #include "compare/plotters/plot_task.h"
 
@@ -27,7 +27,7 @@ public:
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
 private:
-    using piece = l3d_net_piece;
+    using piece = l3d_patch_part;
 
     void divide(const piece& p, const l3d_plot_task& of);
     void scan(const piece& p, const l3d_image_box& hull, const l3d_plot_task& of);

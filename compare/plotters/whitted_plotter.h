@@ -6,7 +6,7 @@
 #include "compare/plotters/plot_task.h"
 #include "compare/plotters/scan_edges.h"
 #include "compare/plotters/silhouette.h"
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 
 #include <array>
 #include <vector>
@@ -30,7 +30,7 @@ public:
     const l3d_scan_effort& effort() const { return effort_; }
 
 private:
-    using piece = l3d_net_piece;
+    using piece = l3d_patch_part;
     /// An edge of a side of a piece, and where the line before met it.
     struct tracked {
         l3d_scan_edge edge;

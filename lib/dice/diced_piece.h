@@ -19,7 +19,7 @@ struct l3d_dice_vertex {
 /// The longest way that a triangle of the slits along a grid's sides goes along them. Edges have
 /// steps of their own, so it may be several of the grid's. Shape: u, v; the blocks along it.
 /// Units: the patch's parameters; 0 where there is no triangle.
-struct l3d_slit_spans {
+struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
     std::array<of_blocks, 2> bent{};     ///< of those whose levels are parabolas
     std::array<of_blocks, 2> straight{}; ///< of those whose levels are planes
@@ -37,7 +37,7 @@ struct l3d_diced_piece {
     l3d_surface_part part;
     std::vector<double> u, v;
     double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
-    l3d_slit_spans slits;
+    l3d_gap_spans slits;
     bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
     /// Only written if asked for, by whoever measures.
@@ -59,7 +59,7 @@ struct l3d_diced_piece {
     }
 
     /// A triangle of a slit that reaches from one parameter to another, both of u or of v.
-    void add_span(std::array<l3d_slit_spans::of_blocks, 2>& of, bool along_u, double low,
+    void add_span(std::array<l3d_gap_spans::of_blocks, 2>& of, bool along_u, double low,
                   double high) {
         const std::vector<double>& at = along_u ? u : v;
         const l3d_block_starts& starts = along_u ? part.block_columns : part.block_rows;

@@ -6,7 +6,7 @@
 #include "scene/facing_cones.h"
 #include "scene/placed_net.h"
 #include "dice/point_patch.h"
-#include "scene/seen_from.h"
+#include "scene/model_eye.h"
 #include "scene/visibility.h"
 
 #include <algorithm>
@@ -101,8 +101,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     first_slot_ = keeps_batches_ ? next_slot_ : 0;
     next_slot_ = first_slot_ + batch.size();
     while (slots_.size() < next_slot_)
-        slots_.push_back(keep_parameters_ ? l3d_diced_pieces::with_parameters()
-                                          : l3d_diced_pieces());
+        slots_.push_back(keep_parameters_ ? l3d_piece_pool::with_parameters() : l3d_piece_pool());
     if (outcomes_.size() < batch.size())
         outcomes_.resize(batch.size());
     const task of{scene, culling, batch};
@@ -114,7 +113,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     dice_slots(of, share);
     dice_short_ones(of, allowance, share);
     parts_.clear();
-    for (const l3d_diced_pieces& slot : std::span(slots_).subspan(first_slot_, batch.size()))
+    for (const l3d_piece_pool& slot : std::span(slots_).subspan(first_slot_, batch.size()))
         for (const l3d_diced_piece& piece : slot.used())
             parts_.push_back(&piece.part);
     for (const outcome& result : std::span(outcomes_).first(batch.size())) {
@@ -224,10 +223,10 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
     const l3d_surface_bends& bends = instance.model().bends(p.patch);
     if (instance.scale() > 0)
-        space.bends = l3d_placed_bends(bends, instance.scale() * view.depth_scale, view.focal);
+        space.bends = l3d_bend_bounds(bends, instance.scale() * view.depth_scale, view.focal);
     else
-        space.bends = l3d_placed_bends(space.own_bends.emplace(bends.under(instance.placement())),
-                                       view.depth_scale, view.focal);
+        space.bends = l3d_bend_bounds(space.own_bends.emplace(bends.under(instance.placement())),
+                                      view.depth_scale, view.focal);
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())
@@ -281,7 +280,7 @@ unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
 template <class T>
 void l3d_frame_dicer<T>::dice_patch(
     const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
-    const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_diced_pieces& out,
+    const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_piece_pool& out,
     l3d_dice_budget& budget, worker_space& space) const {
     space.edges.build(net, view_, edge_shares);
     const bool diced = way_ == l3d_dice_way::lanes &&

@@ -5,7 +5,7 @@
 
 #include "scene/counts.h"
 #include "scene/dice_view.h"
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/lanes/lane_dicer.h"
 #include "dice/patch_dicer.h"
@@ -77,7 +77,7 @@ private:
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
-        l3d_placed_bends bends;                     ///< of the patch that is diced
+        l3d_bend_bounds bends;                      ///< of the patch that is diced
         std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
 
         void reserve_as(const worker_space& other) {
@@ -111,7 +111,7 @@ private:
                       std::size_t patch) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     const std::array<double, l3d_edge_polylines::sides>& edge_shares,
-                    l3d_diced_pieces& out, l3d_dice_budget& budget, worker_space& space) const;
+                    l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;
 
     l3d_workers& workers_;
     l3d_dice_way way_;
@@ -119,9 +119,9 @@ private:
     l3d_dice_view view_; ///< the frame's, its near plane where the camera's is
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
-    l3d_diced_pieces& slot(std::size_t i) { return slots_[first_slot_ + i]; }
+    l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
-    std::vector<l3d_diced_pieces> slots_; ///< one for each patch of a batch, or of all batches
+    std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches
     std::size_t first_slot_ = 0, next_slot_ = 0; ///< of the last batch; behind it
     std::size_t patches_before_ = 0;             ///< of the frame's batches before the last one
     bool keeps_batches_ = false;

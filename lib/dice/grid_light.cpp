@@ -3,7 +3,7 @@
 #include "dice/grid_light.h"
 
 #include "dice/normal_columns.h"
-#include "dice/seen_sides.h"
+#include "dice/facing_fix.h"
 #include "scene/bends/surface_bends.h"
 
 #include <cmath>

@@ -58,9 +58,8 @@ double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
 template <class T>
 void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                               const l3d_dice_view& view, l3d_edge_polylines& edges,
-                              l3d_diced_pieces& out, l3d_dice_counts& counts,
-                              l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes,
-                              const l3d_placed_bends& bends) {
+                              l3d_piece_pool& out, l3d_dice_counts& counts, l3d_dice_budget& budget,
+                              l3d_lane_dicer<T>* lanes, const l3d_bend_bounds& bends) {
     ++counts.drawn;
     for (const l3d_edge_polyline& edge : edges.outer())
         counts.add_edge(edge.size(), edge.bound());
@@ -112,7 +111,7 @@ void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double 
 template <class T>
 auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outlines) const
     -> planned {
-    planned result(l3d_piece_nets<T>(p.net, of.view));
+    planned result(l3d_piece_bounds<T>(p.net, of.view));
     result.vertex_error = result.nets.vertex_error();
     result.row_error = result.nets.row_error();
     for (const l3d_piece_side& side : p.sides) {

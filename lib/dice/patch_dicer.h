@@ -6,10 +6,10 @@
 #include "geom/normal_net.h"
 #include "scene/counts.h"
 #include "scene/dice_view.h"
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/lanes/lane_dicer.h"
-#include "dice/piece_drawer.h"
+#include "dice/grid_builder.h"
 #include "dice/surface_piece.h"
 
 #include <array>
@@ -65,13 +65,13 @@ public:
     /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
     ///          tolerance > 0, near > 0. With `lanes`, these dice all pieces that they can.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts,
+              l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts,
               l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes = nullptr,
-              const l3d_placed_bends& bends = {});
+              const l3d_bend_bounds& bends = {});
 
     /// The same, however much it costs.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
-              l3d_edge_polylines& edges, l3d_diced_pieces& out, l3d_dice_counts& counts) {
+              l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts) {
         l3d_dice_budget enough;
         dice(net, normals, view, edges, out, counts, enough);
     }
@@ -87,9 +87,9 @@ private:
 
     /// A piece, its steps, and how many times as many it has as it may have.
     struct planned {
-        explicit planned(const l3d_piece_nets<T>& of) : nets(of) {}
+        explicit planned(const l3d_piece_bounds<T>& of) : nets(of) {}
 
-        l3d_piece_nets<T> nets;
+        l3d_piece_bounds<T> nets;
         l3d_step_plan plan;
         l3d_block_needs needs;
         double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
@@ -111,9 +111,9 @@ private:
         const l3d_dice_view& view;
         const l3d_normal_net& normals;
         l3d_edge_polylines& edges;
-        l3d_diced_pieces& out;
+        l3d_piece_pool& out;
         l3d_dice_counts& counts;
-        const l3d_placed_bends& bends;
+        const l3d_bend_bounds& bends;
         l3d_dice_budget& budget;
         std::int64_t samples_left = 0;
         l3d_lane_dicer<T>* lanes = nullptr;
@@ -133,7 +133,7 @@ private:
     void draw(const piece& p, const planned& how, task& of);
 
     std::vector<waiting> waiting_; ///< a heap: the least fine on top
-    l3d_piece_drawer<T> drawer_;
+    l3d_grid_builder<T> drawer_;
 };
 
 #endif

@@ -57,7 +57,7 @@ std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
 
 void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
                     const l3d_normal_net::vector& normal, const l3d_dice_view& view,
-                    l3d_diced_pieces& out, l3d_dice_counts& counts) {
+                    l3d_piece_pool& out, l3d_dice_counts& counts) {
     constexpr double middle = 0.5;
     l3d_diced_piece& piece = out.next();
     const double w = net.evaluate(middle, middle)[2];

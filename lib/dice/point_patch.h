@@ -5,7 +5,7 @@
 
 #include "scene/counts.h"
 #include "scene/dice_view.h"
-#include "dice/diced_pieces.h"
+#include "dice/piece_pool.h"
 #include "geom/normal_net.h"
 
 #include <cstdint>
@@ -29,6 +29,6 @@ std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
 /// Draws it with depth and normal of its middle. Shape: a normal of any length, in the world.
 void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
                     const l3d_normal_net::vector& normal, const l3d_dice_view& view,
-                    l3d_diced_pieces& out, l3d_dice_counts& counts);
+                    l3d_piece_pool& out, l3d_dice_counts& counts);
 
 #endif

@@ -92,7 +92,7 @@ l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_ima
 }
 
 /// Pieces are parts of patches by halves, so that all numbers here are exact.
-void l3d_ask_for_outlines(const l3d_net_piece& piece, const l3d_dice_view& view,
+void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs) {
     needs.finer_outlines = view.finer_outlines();
     needs.folds = 0;

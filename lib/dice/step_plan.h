@@ -5,7 +5,7 @@
 
 #include "geom/step_bound.h"
 #include "scene/dice_view.h"
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +85,7 @@ l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_ima
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
 /// Takes what the view wants of outlines. Expects: the needs' strips are those of the piece.
-void l3d_ask_for_outlines(const l3d_net_piece& piece, const l3d_dice_view& view,
+void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs);
 
 /// Steps per strip of a piece that is cut into strips x strips blocks.

@@ -6,7 +6,7 @@
 #include "scene/counts.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/near_clip.h"
-#include "dice/net_piece.h"
+#include "dice/patch_part.h"
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ struct l3d_piece_side {
 /// A part of a patch, and what it shares with its neighbours.
 ///
 /// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
-struct l3d_surface_piece : l3d_net_piece {
+struct l3d_surface_piece : l3d_patch_part {
     std::array<l3d_piece_side, 4> sides;
 
     /// A corner at its canonical place, which all pieces that share it use; without normal.

@@ -4,7 +4,7 @@
 
 #include "pipeline/polygons/patch_tessellation.h"
 #include "scene/model_loader.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::string>* notes) {
     const l3d_model_file read = l3d_load_model(file, file);

@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_CAPTION_H
 
 #include "base/public.h"
-#include "raster/shapes/panel.h"
+#include "raster/text/panel.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "pipeline/caption.h"
 #include "pipeline/pipeline.h"
-#include "raster/shapes/panel.h"
+#include "raster/text/panel.h"
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include "tool_2d/screen.h"
 

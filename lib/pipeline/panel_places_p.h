@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_PANEL_PLACES_P_H
 
 #include "raster/rasterizer_2d.h"
-#include "raster/shapes/panel.h"
+#include "raster/text/panel.h"
 #include "tool_2d/pixels.h"
 
 #include <vector>

@@ -7,7 +7,7 @@
 #include "raster/parallel/workers.h"
 #include "scene/camera_shading.h"
 #include "scene/drawn_pixels.h"
-#include "dice/doubts/frame_doubts.h"
+#include "dice/certificate/frame_doubts.h"
 #include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
@@ -15,7 +15,7 @@
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/parallel/simd_target.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/pixel_boxes.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "raster/canvas.h"
 #include "scene/camera.h"
 #include "scene/camera_shading.h"
-#include "scene/kept_patches.h"
+#include "scene/culling_switches.h"
 #include "scene/patch_scene.h"
 #include "scene/pick.h"
 
@@ -27,12 +27,12 @@ class l3d_pixel_boxes;
 
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
 /// benchmarks that compare with and without a rule set these.
-struct L3D_PUBLIC l3d_kept_work : l3d_kept_patches {
+struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
     bool drawing = false;      ///< of what the last frame drew
 
     /// Every such work, as if no rule could skip any.
-    static constexpr l3d_kept_work all() { return {l3d_kept_patches::all(), true, true}; }
+    static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
 };
 
 /// How a scene is to be drawn.

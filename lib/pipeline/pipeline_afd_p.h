@@ -5,11 +5,11 @@
 
 #include "pipeline/pipeline_afd.h"
 
-#include "dice/doubts/frame_doubts.h"
+#include "dice/certificate/frame_doubts.h"
 #include "dice/frame_dicer.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"
-#include "raster/light_mix_p.h"
+#include "raster/color/light_mix_p.h"
 #include "scene/dice_view.h"
 #include "scene/image_transform.h"
 #include "scene/scene_culling.h"

@@ -9,7 +9,7 @@
 #include "pipeline/pipeline.h"
 #include "pipeline/view_steering.h"
 #include "raster/rasterizer_2d.h"
-#include "raster/shapes/panel.h"
+#include "raster/text/panel.h"
 #include "tool_2d/screen.h"
 
 #include <cstddef>
@@ -163,7 +163,7 @@ private:
     l3d_panel message_panel() const;
     l3d_panel status_panel(std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
-    std::vector<l3d_viewer_row> side_rows();
+    std::vector<l3d_viewer_row> convex_fill();
     void arrow(int right, int down);
     bool zoom_key(int key);
     void measure(double x, double y);

@@ -6,7 +6,7 @@
 #include "raster/micro_grid.h"
 #include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
-#include "raster/shapes/line_pixels_p.h"
+#include "raster/lines/line_pixels_p.h"
 
 #include <algorithm>
 #include <array>

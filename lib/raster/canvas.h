@@ -5,7 +5,7 @@
 
 #include "base/public.h"
 #include "raster/rasterizer_factory.h"
-#include "raster/shapes/font.h"
+#include "raster/text/font.h"
 #include "tool_2d/screen.h"
 #include "tool_2d/screen_memory.h"
 

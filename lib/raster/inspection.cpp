@@ -2,7 +2,7 @@
 // l3d_inspection: colours of numbers and of stripes.
 #include "raster/inspection.h"
 
-#include "raster/linear_light_p.h"
+#include "raster/color/linear_light_p.h"
 
 #include <algorithm>
 #include <array>

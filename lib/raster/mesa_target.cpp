@@ -2,7 +2,7 @@
 // mesa_target: textures, a framebuffer object and a program. They end with their context.
 #include "raster/mesa_target_p.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cstddef>

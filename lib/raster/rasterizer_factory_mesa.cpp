@@ -2,7 +2,7 @@
 // l3d_rasterizer_factory_mesa: a context for each.
 #include "raster/rasterizer_factory_mesa.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "raster/shapes/rasterizer_2d_mesa.h"
 #include "raster/surfaces/surface_rasterizer_mesa.h"
 

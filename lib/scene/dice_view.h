@@ -6,7 +6,7 @@
 #include "geom/step_bound.h"
 #include "raster/micro_grid.h"
 #include "raster/surface_rasterizer.h"
-#include "scene/kept_patches.h"
+#include "scene/culling_switches.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ struct l3d_dice_view {
     double terms = 0;
     double eye_terms = 0;   ///< those of the eye
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
-    l3d_kept_patches keep;
+    l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
     bool one_sided = false;        ///< nobody wants to see the back of dS/du x dS/dv
 

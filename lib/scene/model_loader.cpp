@@ -3,7 +3,7 @@
 #include "scene/model_loader.h"
 
 #include "base/printable_p.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/text_file.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include "scene/closed_body.h"
 #include "scene/facing_cones.h"
 #include "scene/model_loader.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cassert>

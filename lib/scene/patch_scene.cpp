@@ -4,7 +4,7 @@
 
 #include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cassert>

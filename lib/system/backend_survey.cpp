@@ -3,7 +3,7 @@
 #include "system/backend_survey_p.h"
 
 #include "base/did_you_mean_p.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cstdlib>

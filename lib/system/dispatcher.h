@@ -4,7 +4,7 @@
 #define L3D_SYSTEM_DISPATCHER_H
 
 #include "base/public.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"
 #include "pipeline/caption.h"

@@ -12,7 +12,7 @@
 #include "system/dispatcher_fitting.h"
 #include "system/dispatcher_script.h"
 #include "system/dispatcher_window.h"
-#include "system/options.h"
+#include "system/options/options.h"
 #include "system/standard_output_p.h"
 #include "system/terminal_lines_p.h"
 

@@ -2,9 +2,9 @@
 // l3d_frame_writer: names, numbers and streams.
 #include "system/frame_writer.h"
 
-#include "system/number_text.h"
-#include "system/output_names_p.h"
-#include "tool_2d/error.h"
+#include "system/options/number_text.h"
+#include "system/options/output_names_p.h"
+#include "base/error.h"
 #include "tool_2d/image_file.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "pipeline/worlds/object_plugin.h"
 #include "scene/model_loader.h"
 #include "tool_2d/text_file.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <dlfcn.h>
 

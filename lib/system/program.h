@@ -7,7 +7,7 @@
 #include "pipeline/caption.h"
 #include "pipeline/pipeline_2d.h"
 #include "system/factory_manager.h"
-#include "system/options.h"
+#include "system/options/options.h"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 // l3d_report_writer: lines, flushed one by one.
 #include "system/report_writer.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <cerrno>
 #include <cstring>

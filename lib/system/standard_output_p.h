@@ -3,7 +3,7 @@
 #ifndef L3D_SYSTEM_STANDARD_OUTPUT_P_H
 #define L3D_SYSTEM_STANDARD_OUTPUT_P_H
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <ostream>
 

@@ -5,8 +5,8 @@
 
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
-#include "system/afd_options.h"
-#include "system/polygon_options.h"
+#include "system/options/afd_options.h"
+#include "system/options/polygon_options.h"
 #include "system/program.h"
 #include "system/report_writer.h"
 #include "system/screenshot.h"

@@ -2,7 +2,7 @@
 // PNG by libpng's simplified interface; PPM and PFM by hand.
 #include "tool_2d/image_file.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/output_file_p.h"
 #include "tool_2d/screen_info.h"
 #include "tool_2d/text_file.h"

@@ -2,7 +2,7 @@
 // output_file: nameless or temporary file, checked and synchronised, then linked or renamed.
 #include "tool_2d/output_file_p.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <array>
 #include <cerrno>

@@ -2,7 +2,7 @@
 // l3d_read_text_file: sizes before memory, and no wait without an end.
 #include "tool_2d/text_file.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cerrno>

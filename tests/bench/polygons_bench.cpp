@@ -7,9 +7,9 @@
 // Then the exponent of the time in the number of faces, by least squares over the logarithms.
 #include "hard_edged.h"
 #include "geom/polygon_shapes.h"
-#include "pipeline/polygons/painter_order.h"
+#include "pipeline/zsort/painter_order.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/rasterizer_factory_mesa.h"
 #include "raster/rasterizer_factory_sw.h"
 #include "tool_2d/screen_memory.h"

@@ -6,7 +6,7 @@
 #include "compare/method_choice.h"
 #include "dice/error_color.h"
 #include "pipeline/pipeline_afd_viewer.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ l3d_dice_counts dice_by(Dicer dicer, const scene& s, double tolerance, Sink& sin
     l3d_patch_scene world(s.model);
     const l3d_image_transform to_image(s.camera, s.size, world);
     const l3d_dice_view view = to_image.view(tolerance);
-    l3d_diced_pieces pieces = l3d_diced_pieces::with_parameters();
+    l3d_piece_pool pieces = l3d_piece_pool::with_parameters();
     l3d_dice_counts counts;
     for (std::size_t i = 0; i < s.model.patches().size(); ++i) {
         const l3d_image_patch net = l3d_placed_net(to_image.matrix(), s.model.patches()[i]);

@@ -9,7 +9,7 @@
 #include "reference/exact.h"
 #include "reference/measure.h"
 #include "reference/region.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

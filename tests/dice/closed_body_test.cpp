@@ -4,7 +4,7 @@
 #include "picture.h"
 #include "scene.h"
 
-#include "scene/seen_from.h"
+#include "scene/model_eye.h"
 #include "reference/measure.h"
 #include "reference/random_patches.h"
 #include "scene/facing_cones.h"
@@ -90,7 +90,7 @@ TEST(facing_cones, never_call_a_block_turned_away_that_shows_its_front) {
     EXPECT_LT(really, 3000 * 16);
 }
 
-TEST(seen_from, the_eye_is_where_the_camera_is) {
+TEST(model_eye, the_eye_is_where_the_camera_is) {
     const scene s(ball(), at(3, 2, 4), size);
     l3d_patch_scene world(s.model);
     const l3d_image_transform to_image(s.camera, s.size, world);
@@ -112,7 +112,7 @@ TEST(closed_body, has_the_same_outline_without_its_back) {
                 const reference::exact_region region(s.patches, s.eye, s.picture());
                 picture drawn(size, s.camera), whole(size, s.camera);
                 const l3d_dice_counts counts = dice<float>(s, tolerance, drawn);
-                dice<float>(s, tolerance, whole, l3d_kept_patches::all());
+                dice<float>(s, tolerance, whole, l3d_culling_switches::all());
                 const reference::measurement m =
                     reference::measure(drawn.distances(), exact, region);
                 std::printf("%ld patches, %ld blocks left out; extra %.4f, missing %.4f of %.4f "

@@ -3,7 +3,7 @@
 #include "nasty.h"
 #include "odd_view.h"
 #include "dice/edges/edge_polyline.h"
-#include "dice/edges/slit.h"
+#include "dice/edges/gap_filler.h"
 #include "raster/parallel/simd_target.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "nasty.h"
 #include "odd_view.h"
 #include "dice/lanes/lane_bounds_p.h"
-#include "dice/piece_nets.h"
+#include "dice/piece_bounds.h"
 #include "planned_error.h"
 #include "scene.h"
 
@@ -70,7 +70,7 @@ TEST(lane_bounds, give_the_plans_of_the_slow_twin) {
         const l3d_image_patch patch = sheet(random);
         const l3d_dice_view view = view_with(random.of_any_size(0.02, 2));
         const double budget = 0.98 * view.tolerance;
-        const l3d_piece_nets<double> nets(patch, view);
+        const l3d_piece_bounds<double> nets(patch, view);
         l3d_detail::lane_bounds bounds;
         bounds_in_lanes(patch, view, bounds);
         ASSERT_EQ(bounds.ordinary, nets.whole()) << "seed " << seed;
@@ -107,7 +107,7 @@ TEST(lane_bounds, are_bounds_and_hardly_larger_than_the_slow_twins) {
         bounds_in_lanes(patch, view, bounds);
         if (!bounds.ordinary)
             continue;
-        const l3d_piece_nets<double> nets(patch, view);
+        const l3d_piece_bounds<double> nets(patch, view);
         const l3d_block_needs slow =
             l3d_needs_of(patch, nets.blocks(), view, view.tolerance, l3d_quad_kind::whole);
         // 2^-16 of the patch's size, and as much of what there is; six and nine times.

@@ -54,7 +54,7 @@ TYPED_TEST(patch_dicer, counts_what_it_leaves_out_and_why) {
     EXPECT_EQ(counts.subpixel, 1);
     EXPECT_EQ(counts.pieces, 2);
     EXPECT_EQ(counts.clipped, 0);
-    const l3d_dice_counts kept = dice<TypeParam>(s, 0.25, all, l3d_kept_patches::all());
+    const l3d_dice_counts kept = dice<TypeParam>(s, 0.25, all, l3d_culling_switches::all());
     EXPECT_EQ(kept.drawn, 7);
     EXPECT_EQ(kept.offscreen + kept.behind + kept.subpixel, 0);
     EXPECT_TRUE(same(drawn, all));
@@ -67,7 +67,7 @@ TYPED_TEST(patch_dicer, leaving_out_does_not_change_the_picture) {
         const scene s = teapot(view, odd);
         picture drawn(odd), all(odd);
         dice<TypeParam>(s, 0.25, drawn);
-        dice<TypeParam>(s, 0.25, all, l3d_kept_patches::all());
+        dice<TypeParam>(s, 0.25, all, l3d_culling_switches::all());
         EXPECT_TRUE(same(drawn, all)) << view.name;
     }
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -76,7 +76,7 @@ TYPED_TEST(patch_dicer, leaving_out_does_not_change_the_picture) {
             oblique, odd);
         picture drawn(odd), all(odd);
         dice<TypeParam>(s, 0.5, drawn);
-        dice<TypeParam>(s, 0.5, all, l3d_kept_patches::all());
+        dice<TypeParam>(s, 0.5, all, l3d_culling_switches::all());
         EXPECT_TRUE(same(drawn, all)) << "seed " << seed;
     }
 }

@@ -71,8 +71,8 @@ public:
     /// Dices a whole scene, nearest patches first; calls sink(i, pieces, frame_bound) with the
     /// pieces of patch i.
     template <class Sink>
-    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink, l3d_kept_patches keep = {},
-                         bool one_sided = false) {
+    l3d_dice_counts dice(const scene& s, double tolerance, Sink sink,
+                         l3d_culling_switches keep = {}, bool one_sided = false) {
         world_.clear();
         world_.add(s.model, s.placement);
         const l3d_image_transform to_image(s.camera, s.size, world_);
@@ -117,7 +117,7 @@ using diced = std::span<const l3d_diced_piece>;
 
 /// Hands every patch's pieces to sink.draw(pieces, frame_bound).
 template <class T, class Sink>
-l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, l3d_kept_patches keep = {}) {
+l3d_dice_counts dice(const scene& s, double tolerance, Sink& sink, l3d_culling_switches keep = {}) {
     return scene_dicer<T>().dice(
         s, tolerance, [&](std::size_t, diced pieces, double bound) { sink.draw(pieces, bound); },
         keep);

@@ -144,7 +144,7 @@ TEST(step_plan, blocks_of_pieces_may_fold_where_those_of_their_patch_may) {
     view.folds = 1U << (4 * 2 + 3); // the third row, the last column
     l3d_block_needs needs;
     needs.strips = 4;
-    const auto folds_of = [&](const l3d_net_piece& piece) {
+    const auto folds_of = [&](const l3d_patch_part& piece) {
         l3d_ask_for_outlines(piece, view, needs);
         return needs.folds;
     };

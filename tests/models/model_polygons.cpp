@@ -2,7 +2,7 @@
 // model_polygons FILE...: what the readers find in model files, for comparison with other readers.
 // A line `file NAME` for each, then `f` and the places of the corners for each face, or `error
 // WHY`.
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "scene/model_loader.h"
 
 #include <cstdio>

@@ -9,10 +9,10 @@
 #include "pipeline/pipeline_afd.h"
 #include "raster/error_map.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/srgb_light.h"
+#include "raster/color/srgb_light.h"
 #include "reference/box_image.h"
 
 #include <gtest/gtest.h>

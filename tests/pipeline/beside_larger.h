@@ -4,7 +4,7 @@
 #define L3D_TESTS_PIPELINE_BESIDE_LARGER_H
 
 #include "pipeline/pipeline_afd.h"
-#include "raster/srgb_light.h"
+#include "raster/color/srgb_light.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include "../scene/bodies.h"
 #include "words_of.h"
 
-#include "dice/doubts/frame_doubts.h"
+#include "dice/certificate/frame_doubts.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/error_map.h"
 #include "raster/rasterizer_factory_sw.h"

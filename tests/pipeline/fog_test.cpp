@@ -5,8 +5,8 @@
 
 #include "geom/transform.h"
 #include "raster/error_map.h"
-#include "raster/srgb_light.h"
-#include "tool_2d/error.h"
+#include "raster/color/srgb_light.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "scene/quadric.h"
 
 #include "geom/transform.h"
-#include "raster/srgb_light.h"
+#include "raster/color/srgb_light.h"
 #include "reference/random_numbers.h"
 
 #include <gtest/gtest.h>

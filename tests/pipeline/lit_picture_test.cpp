@@ -5,10 +5,10 @@
 
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/error_map.h"
 #include "raster/rasterizer_factory_mesa.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include "pipeline/any_model.h"
 #include "pipeline/pipeline_afd_viewer.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
-#include "tool_2d/error.h"
+#include "pipeline/zsort/pipeline_zsort.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

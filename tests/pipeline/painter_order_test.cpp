@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The painter's pictures against the nearest triangle of each pixel, and against depth buffers.
-#include "pipeline/polygons/painter_order.h"
+#include "pipeline/zsort/painter_order.h"
 
 #include "painter_scenes.h"
-#include "pipeline/polygons/painter_cover_p.h"
-#include "pipeline/polygons/painter_knot_p.h"
+#include "pipeline/zsort/painter_cover_p.h"
+#include "pipeline/zsort/cycle_cutter_p.h"
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
 #include <gtest/gtest.h>
@@ -254,7 +254,7 @@ TEST(painter_order, what_a_knot_leaves_out_would_not_show) {
         std::array<std::vector<l3d_painter_piece>, 2> pieces;
         std::array<std::vector<std::uint32_t>, 2> pictures;
         for (const std::size_t i : {0u, 1u}) {
-            l3d_detail::painter_knot knot(i == 0 ? 0 : scene.size());
+            l3d_detail::cycle_cutter knot(i == 0 ? 0 : scene.size());
             std::vector<l3d_painter_cut> cuts;
             knot.untie(worker, window, order.triangles(), members_of(order.pieces()), pieces[i],
                        cuts);
@@ -276,7 +276,7 @@ TEST(painter_order, a_knot_that_was_interrupted_is_untied_afterwards) {
     l3d_painter_order order(worker);
     order.make(scene, window, {.resolve = false});
     asked.interrupt_when([] { return true; });
-    l3d_detail::painter_knot knot;
+    l3d_detail::cycle_cutter knot;
     std::array<std::vector<l3d_painter_piece>, 2> pieces;
     std::vector<l3d_painter_cut> cuts;
     const auto members = members_of(order.pieces());
@@ -286,7 +286,7 @@ TEST(painter_order, a_knot_that_was_interrupted_is_untied_afterwards) {
     cuts.clear();
     knot.untie(worker, window, order.triangles(), members, pieces[0], cuts);
     cuts.clear();
-    l3d_detail::painter_knot().untie(worker, window, order.triangles(), members, pieces[1], cuts);
+    l3d_detail::cycle_cutter().untie(worker, window, order.triangles(), members, pieces[1], cuts);
     EXPECT_EQ(members_of(pieces[0]), members_of(pieces[1]));
 }
 

@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_PIPELINE_PAINTER_SCENES_H
 #define L3D_TESTS_PIPELINE_PAINTER_SCENES_H
 
-#include "raster/shapes/painter.h"
+#include "raster/zsort/painter.h"
 #include "tool_2d/pixels.h"
 
 #include <cstdint>

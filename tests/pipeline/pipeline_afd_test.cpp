@@ -13,7 +13,7 @@
 #include "reference/views.h"
 #include "words_of.h"
 #include "dice/scene.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/screen_memory.h"
 #include "pipeline/surface_method.h"
 

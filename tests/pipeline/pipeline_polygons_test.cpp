@@ -2,7 +2,7 @@
 // Whole frames of polygons: zsort against zbuffer against Mesa, in every style and projection.
 #include "hard_edged.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 
 #include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"

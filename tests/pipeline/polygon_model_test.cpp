@@ -6,7 +6,7 @@
 #include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
 #include "pipeline/polygons/patch_tessellation.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

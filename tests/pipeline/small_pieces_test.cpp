@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Triangles of a few pixels: which pixels they cover, in which order they come, how they are lit.
-#include "pipeline/polygons/painter_items_p.h"
-#include "pipeline/polygons/painter_order.h"
-#include "pipeline/polygons/tile_cover_p.h"
-#include "pipeline/polygons/tile_sight_p.h"
+#include "pipeline/zsort/painter_items_p.h"
+#include "pipeline/zsort/painter_order.h"
+#include "pipeline/zsort/tile_cover_p.h"
+#include "pipeline/zsort/tile_sight_p.h"
 
 #include "painter_scenes.h"
 #include "raster/parallel/simd_target.h"

@@ -6,14 +6,14 @@
 #include "geom/transform.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/canvas.h"
 #include "raster/images/placed_image.h"
 #include "raster/parallel/workers.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/stroke.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/shapes/font.h"
+#include "raster/text/font.h"
 #include "tool_2d/image.h"
 
 #include <gtest/gtest.h>

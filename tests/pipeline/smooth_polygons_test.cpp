@@ -2,11 +2,11 @@
 // Anti-aliased polygons: both pipelines against pictures of 16 x 16 times the pixels.
 #include "hard_edged.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "pipeline/polygons/pipeline_zsort.h"
+#include "pipeline/zsort/pipeline_zsort.h"
 
 #include "geom/polygon_shapes.h"
 #include "raster/rasterizer_factory_sw.h"
-#include "raster/srgb_light.h"
+#include "raster/color/srgb_light.h"
 #include "tool_2d/screen_memory.h"
 #include "words_of.h"
 

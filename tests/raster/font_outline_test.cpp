@@ -3,10 +3,10 @@
 #include "raster/canvas_2d.h"
 #include "raster/paths/path.h"
 #include "raster/paths/stroke.h"
-#include "raster/shapes/font.h"
-#include "raster/shapes/text.h"
-#include "raster/shapes/text_shaper_p.h"
-#include "raster/shapes/utf8_p.h"
+#include "raster/text/font.h"
+#include "raster/text/text.h"
+#include "raster/text/text_shaper_p.h"
+#include "raster/text/utf8_p.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // Fonts: the built-in face, UTF-8, and faces from files where the machine has one.
 #include "raster/canvas_2d.h"
 #include "raster/paths/path.h"
-#include "raster/shapes/font.h"
-#include "raster/shapes/panel_layout_p.h"
-#include "raster/shapes/text.h"
-#include "raster/shapes/utf8_p.h"
+#include "raster/text/font.h"
+#include "raster/text/panel_layout_p.h"
+#include "raster/text/text.h"
+#include "raster/text/utf8_p.h"
 
 #include <gtest/gtest.h>
 

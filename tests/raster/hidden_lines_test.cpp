@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines in a depth buffer: what is in front of them hides them, their own surface does not.
-#include "raster/shapes/hidden_lines.h"
+#include "raster/lines/hidden_lines.h"
 
 #include "surface_fixture.h"
 
@@ -23,8 +23,8 @@ constexpr l3d_size size{64, 64};
 std::int64_t lit_over(const l3d_depth_buffer& depth, const l3d_painter_triangle& triangle,
                       bool smooth) {
     std::vector<std::uint32_t> words(std::size_t(size.width) * std::size_t(size.height));
-    l3d_draw_seen_sides({words.data(), size.width, size.height, size.width}, depth,
-                        std::array{triangle}, {}, {.color = 255, .smooth = smooth});
+    l3d_fix_facing({words.data(), size.width, size.height, size.width}, depth, std::array{triangle},
+                   {}, {.color = 255, .smooth = smooth});
     return std::accumulate(words.begin(), words.end(), std::int64_t{0}) / 255;
 }
 

@@ -2,7 +2,7 @@
 // light_queue against fill_wide_rows: the same bits of each triangle, whenever it is lit.
 #include "raster/parallel/simd_target.h"
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/shapes/light_queue_p.h"
+#include "raster/zsort/light_queue_p.h"
 #include "raster/shapes/triangle_runs_p.h"
 #include "surface_fixture.h"
 

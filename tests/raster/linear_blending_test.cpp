@@ -3,7 +3,7 @@
 #include "raster/canvas_2d.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/path.h"
-#include "raster/shapes/color_mixer_p.h"
+#include "raster/color/color_mixer_p.h"
 #include "raster/slow_light.h"
 
 #include <array>

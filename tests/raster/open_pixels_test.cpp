@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pixels that nothing was painted to yet, against a flag for each of them.
-#include "raster/shapes/open_pixels_p.h"
+#include "raster/zsort/open_pixels_p.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // The painter's ways to the same picture: threads, orders, and what is known of pixels.
 #include "raster/parallel/simd_target.h"
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/shapes/overdraw_p.h"
-#include "raster/shapes/painter.h"
+#include "raster/zsort/overdraw_p.h"
+#include "raster/zsort/painter.h"
 #include "raster/shapes/scan_polygon_p.h"
 #include "surface_fixture.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Panels: nothing is cut off where there is room, whatever the window's size and the letters'.
 #include "raster/canvas_2d.h"
-#include "raster/shapes/panel.h"
-#include "raster/shapes/panel_layout_p.h"
+#include "raster/text/panel.h"
+#include "raster/text/panel_layout_p.h"
 
 #include <gtest/gtest.h>
 

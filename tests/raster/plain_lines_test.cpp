@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines with hard edges: the book's reference values, exact rules, and awkward coordinates.
-#include "raster/shapes/line_steps_p.h"
+#include "raster/lines/line_steps_p.h"
 
 #include "raster/canvas_2d.h"
 #include "raster/slow_2d.h"

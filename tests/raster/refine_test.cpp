@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Anti-aliasing: against a picture of 16 x 16 times the pixels, and against exact areas.
-#include "raster/linear_light_p.h"
-#include "raster/srgb_light.h"
+#include "raster/color/linear_light_p.h"
+#include "raster/color/srgb_light.h"
 #include "raster/refine/sample_places_p.h"
 #include "surface_scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rows of large polygons in lanes against the same polygons pixel by pixel.
 #include "raster/parallel/simd_target.h"
-#include "raster/shapes/painter.h"
+#include "raster/zsort/painter.h"
 #include "raster/surfaces/band_scalar_p.h"
 #include "surface_fixture.h"
 

@@ -3,7 +3,7 @@
 #include "raster/parallel/workers.h"
 
 #include "sanitized.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "../system/temporary_folder.h"
 #include "scene/patch_scene.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "scene/patch_model.h"
 
 #include "geom/teapot.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "teapot_studio.h"
 #include "scene/placed_net.h"
 #include "raster/parallel/simd_target.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -187,7 +187,7 @@ TEST(scene_culling, leaves_out_most_of_what_control_nets_would) {
 TEST(scene_culling, keeps_all_if_told_so) {
     const l3d_camera camera = oblique();
     l3d_dice_view view = view_of(camera, odd);
-    view.keep = l3d_kept_patches::all();
+    view.keep = l3d_culling_switches::all();
     std::mt19937_64 random(31);
     const l3d_patch_model model = random_model(random, 5);
     const l3d_patch_scene scene = random_scene(random, model, 300);

@@ -3,7 +3,7 @@
 #include "system/backend_survey_p.h"
 #include "system/paper_row.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

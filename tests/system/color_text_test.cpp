@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // color_text: each way to write a colour, and every option that takes one.
-#include "system/color_text_p.h"
+#include "system/options/color_text_p.h"
 
-#include "system/afd_options.h"
-#include "tool_2d/error.h"
+#include "system/options/afd_options.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "system/paper_row.h"
 #include "system/temporary_folder.h"
 
-#include "tool_2d/error.h"
-#include "system/options.h"
+#include "base/error.h"
+#include "system/options/options.h"
 
 #include <gtest/gtest.h>
 

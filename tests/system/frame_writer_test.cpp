@@ -3,7 +3,7 @@
 #include "system/frame_writer.h"
 #include "system/temporary_folder.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 #include "tool_2d/image_file.h"
 
 #include <gtest/gtest.h>

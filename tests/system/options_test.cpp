@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_options: what is read, what is refused and how that is said.
-#include "system/options.h"
+#include "system/options/options.h"
 #include "system/temporary_folder.h"
 
 #include <gtest/gtest.h>

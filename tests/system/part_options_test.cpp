@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_part_options: models of parts as the command line asks for them, and what it is refused.
-#include "system/part_options.h"
+#include "system/options/part_options.h"
 
 #include "pipeline/polygons/patch_tessellation.h"
 

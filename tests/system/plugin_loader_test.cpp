@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_plugin_loader: row "Behaviour by plug-in" of the book's table, and every way to be refused.
 #include "system/plugin_loader.h"
-#include "system/places.h"
+#include "system/install_paths.h"
 
 #include "geom/transform.h"
 #include "pipeline/polygons/patch_tessellation.h"

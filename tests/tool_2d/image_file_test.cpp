@@ -2,7 +2,7 @@
 // Image files: contents, repeatability, and what is left behind when writing fails.
 #include "tool_2d/image_file.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

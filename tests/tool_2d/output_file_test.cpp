@@ -2,7 +2,7 @@
 // output_file: which names it makes, what it leaves behind, and what it replaces.
 #include "tool_2d/output_file_p.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // l3d_read_text_file: whole files, and what is no file but can be read all the same.
 #include "tool_2d/text_file.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <gtest/gtest.h>
 

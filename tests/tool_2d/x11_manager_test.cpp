@@ -2,8 +2,8 @@
 // X11 windows and their window manager: the whole screen, resizes that wait for pictures.
 #include "onlooker_x11.h"
 
-#include "tool_2d/x11/x11_fullscreen_p.h"
-#include "tool_2d/x11/x11_sync_p.h"
+#include "tool_2d/x11_window/x11_fullscreen_p.h"
+#include "tool_2d/x11_window/x11_sync_p.h"
 
 #include <array>
 #include <atomic>
@@ -204,7 +204,7 @@ TEST(x11_fullscreen, hides_a_pointer_that_rests) {
     const auto window =
         x11_window::open(std::move(connection), *visual, {odd_size, "pointer"}, refusal);
     ASSERT_NE(window, nullptr) << refusal.why;
-    x11_state state(*window);
+    x11_wm_facts state(*window);
     x11_fullscreen fullscreen(*window, state, odd_size);
     const auto set = [&](bool on) {
         fullscreen.set(on);

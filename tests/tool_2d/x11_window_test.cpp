@@ -2,8 +2,8 @@
 // X11 windows: names, scale, and what several of a display's pixels for one of ours change.
 #include "onlooker_x11.h"
 
-#include "tool_2d/x11/x11_resolution_p.h"
-#include "tool_2d/x11/x11_scale_p.h"
+#include "tool_2d/x11_window/x11_resolution_p.h"
+#include "tool_2d/x11_window/x11_scale_p.h"
 #include "tool_2d/x11/x11_visual_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 

@@ -25,7 +25,8 @@ struct lane_bounds {
     /// In front of the near plane, before the far one, within the guard band. If not, nothing else
     /// is valid.
     bool ordinary = false;
-    l3d_image_box hull, seen; ///< pixels from the picture's centre; `seen` as l3d_piece_nets has it
+    l3d_image_box hull,
+        seen; ///< pixels from the picture's centre; `seen` as l3d_piece_bounds has it
     double least_w = 0, most_w = 0;
     centred_net net;
     l3d_block_needs needs; ///< one block, if the net is small

@@ -5,9 +5,9 @@
 #include "geom/block_fixed.h"
 #include "geom/forward_difference.h"
 #include "dice/drawn_error.h"
-#include "dice/piece_nets.h"
-#include "dice/edges/border.h"
-#include "dice/edges/slit.h"
+#include "dice/piece_bounds.h"
+#include "dice/edges/outline_edges.h"
+#include "dice/edges/gap_filler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,8 +118,8 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
 }
 
 template <class T>
-const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l3d_dice_view& view,
-                                             double edge_vertex, const l3d_placed_bends& bends) {
+const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_patch_part& piece, const l3d_dice_view& view,
+                                             double edge_vertex, const l3d_bend_bounds& bends) {
     l3d_detail::bounds_in_lanes(piece.net, view, bounds_);
     if (!bounds_.ordinary || !choose_registers(view))
         return nullptr;
@@ -140,8 +140,8 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_net_piece& piece, const l
 
 template <class T>
 l3d_surface_certificate
-l3d_lane_dicer<T>::certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                               const l3d_placed_bends& bends, const l3d_diced_piece& out) const {
+l3d_lane_dicer<T>::certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
+                               const l3d_bend_bounds& bends, const l3d_diced_piece& out) const {
     l3d_surface_certificate result = bends.certificate(piece, view, view.chord_budget(depth_error_),
                                                        bounds_.needs, plan_, out.slits, false);
     const unsigned blocks = result.without_normals;
@@ -173,7 +173,7 @@ template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_s
 }
 
 template <class T>
-void l3d_lane_dicer<T>::fill(const l3d_net_piece& piece, const l3d_normal_net& normals,
+void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& normals,
                              const l3d_dice_view& view, l3d_diced_piece& out) {
     l3d_surface_part& part = out.part;
     walk(view, part);
@@ -209,7 +209,7 @@ template <class T>
 bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& normals,
                              const l3d_dice_view& view, std::span<const l3d_edge_polyline, 4> edges,
                              l3d_diced_piece& out, l3d_dice_counts& counts,
-                             const l3d_placed_bends& bends) {
+                             const l3d_bend_bounds& bends) {
     double edge_chord = 0, edge_vertex = 0;
     for (const l3d_edge_polyline& edge : edges) {
         if (edge.strips().blocks == 0)
@@ -217,7 +217,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
         edge_chord = std::max(edge_chord, edge.chord_error());
         edge_vertex = std::max(edge_vertex, edge.vertex_error());
     }
-    const l3d_net_piece whole{net};
+    const l3d_patch_part whole{net};
     if (plan(whole, view, edge_vertex, bends) == nullptr ||
         std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole)
         return false;
@@ -226,7 +226,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
     for (std::size_t side = 0; side < edges.size(); ++side) {
         l3d_close_side(out, side, edges[side]);
         if (view.shading.antialias)
-            l3d_note_border(out, side, edges[side], view);
+            l3d_note_outline_edge(out, side, edges[side], view);
         counts.add_edge(edges[side].size(), edges[side].bound());
     }
     // Slits lie between vertices of the patch and of its edges, each off by its own error.

@@ -11,8 +11,8 @@
 #include "dice/edges/edge_polyline.h"
 #include "dice/lanes/lane_light_p.h"
 #include "dice/lanes/lane_rows_p.h"
-#include "dice/net_piece.h"
-#include "dice/placed_bends.h"
+#include "dice/patch_part.h"
+#include "dice/bend_bounds.h"
 
 #include <span>
 
@@ -33,18 +33,18 @@ public:
     ///          enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
-              l3d_dice_counts& counts, const l3d_placed_bends& bends = {});
+              l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
 
     /// The steps of a patch or piece whose edges' vertices are off by `edge_vertex`; more than 32 a
     /// strip are too many to be filled.
     /// Lives:  until the next one is planned.
     /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
-    const l3d_step_plan* plan(const l3d_net_piece& piece, const l3d_dice_view& view,
-                              double edge_vertex, const l3d_placed_bends& bends);
+    const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,
+                              double edge_vertex, const l3d_bend_bounds& bends);
 
     /// The proven bounds of depth and shade for the last plan, rounding of vertices included.
-    l3d_surface_certificate certificate(const l3d_net_piece& piece, const l3d_dice_view& view,
-                                        const l3d_placed_bends& bends,
+    l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
+                                        const l3d_bend_bounds& bends,
                                         const l3d_diced_piece& out) const;
 
     /// How far vertices of slits along the sides of what was planned last are from the surface.
@@ -53,7 +53,7 @@ public:
 
     /// The grid of what was planned last, its parameters and its bound.
     /// Expects: at most 32 steps a strip were planned, of the piece's own net.
-    void fill(const l3d_net_piece& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
+    void fill(const l3d_patch_part& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);
 
     /// The error that rounding of vertices adds to the chord error of slits along the sides of the

@@ -2,7 +2,7 @@
 // Normals and levels of a grid in SIMD lanes.
 #include "dice/lanes/lane_light_p.h"
 
-#include "dice/seen_sides.h"
+#include "dice/facing_fix.h"
 #include "scene/bends/surface_bends.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "dice/outlines/outline_search.h"
 #include "scene/placed_net.h"
-#include "scene/seen_from.h"
+#include "scene/model_eye.h"
 #include "scene/facing_cones.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_matrix<do
     depths_.begin(view.size, focal);
 }
 
-const l3d_patch_sides& l3d_frame_outlines::sides_of(const l3d_patch_model& model) {
+const l3d_patch_neighbours& l3d_frame_outlines::sides_of(const l3d_patch_model& model) {
     return sides_.try_emplace(model.identity(), model).first->second;
 }
 

@@ -6,10 +6,10 @@
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "scene/patch_scene.h"
-#include "scene/patch_sides.h"
+#include "scene/patch_neighbours.h"
 #include "scene/scene_culling.h"
 #include "raster/outline_mask.h"
-#include "raster/sheet_depths.h"
+#include "raster/two_layer_depths.h"
 
 #include <map>
 #include <span>
@@ -35,14 +35,14 @@ public:
     const l3d_outline_mask& mask() const { return mask_; }
 
 private:
-    const l3d_patch_sides& sides_of(const l3d_patch_model& model);
+    const l3d_patch_neighbours& sides_of(const l3d_patch_model& model);
 
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1;
-    std::map<const void*, l3d_patch_sides> sides_; ///< of the frame's models, by identity
-    l3d_sheet_depths depths_;
+    std::map<const void*, l3d_patch_neighbours> sides_; ///< of the frame's models, by identity
+    l3d_two_layer_depths depths_;
     l3d_outline_mask mask_;
 };
 

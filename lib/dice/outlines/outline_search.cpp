@@ -62,7 +62,7 @@ double distance(const place& a, const place& b) {
 
 l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, double bound,
                                        double depth_bound, double farthest_near,
-                                       const l3d_sheet_depths& depths, l3d_outline_mask& mask)
+                                       const l3d_two_layer_depths& depths, l3d_outline_mask& mask)
     : whole_(view), view_(view), focal_(focal), bound_(bound), depth_bound_(depth_bound),
       farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
       mask_(mask) {}

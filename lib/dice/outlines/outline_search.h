@@ -6,7 +6,7 @@
 #include "scene/dice_view.h"
 #include "geom/normal_net.h"
 #include "raster/outline_mask.h"
-#include "raster/sheet_depths.h"
+#include "raster/two_layer_depths.h"
 
 #include <array>
 #include <cstddef>
@@ -30,10 +30,11 @@ public:
     /// Units:   pixels; `farthest_near` in the view's w: of all near planes that were drawn with.
     /// Lives:   borrows depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
-                       double farthest_near, const l3d_sheet_depths& depths,
+                       double farthest_near, const l3d_two_layer_depths& depths,
                        l3d_outline_mask& mask);
 
-    /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_sides has
+    /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_neighbours
+    /// has
     ///        them; `share` as l3d_dice_view::share_of of the patch's own points. Far patches are
     ///        known less well than near ones.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
@@ -77,7 +78,7 @@ private:
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
     double allowed_; ///< what a line may be too wide by
-    const l3d_sheet_depths& depths_;
+    const l3d_two_layer_depths& depths_;
     l3d_outline_mask& mask_;
     std::int64_t pieces_ = 0;
 };

@@ -5,7 +5,7 @@
 #include "dice/normal_columns.h"
 #include "geom/bezier_curve.h"
 #include "geom/files/model_file.h"
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <array>

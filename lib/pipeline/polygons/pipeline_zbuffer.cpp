@@ -5,7 +5,7 @@
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_p.h"
-#include "raster/shapes/hidden_lines.h"
+#include "raster/lines/hidden_lines.h"
 
 #include <algorithm>
 #include <utility>
@@ -65,7 +65,7 @@ void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_repo
     depth_.resize(what.target.size());
     fill(what, &depth_, report);
     what.frame.list(triangles_, workers());
-    l3d_draw_seen_sides(what.target, depth_, triangles_, what.shading.background,
-                        {l3d_detail::wire_color, what.smooth_lines});
+    l3d_fix_facing(what.target, depth_, triangles_, what.shading.background,
+                   {l3d_detail::wire_color, what.smooth_lines});
     report.time_ms.raster = filling.milliseconds();
 }

@@ -10,7 +10,7 @@
 #include "pipeline/polygons/polygon_view.h"
 #include "pipeline/polygons/triangle_neighbours_p.h"
 #include "pipeline/polygons/vertex_lanes_p.h"
-#include "raster/shapes/painter.h"
+#include "raster/zsort/painter.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/surface_part.h"
 #include "raster/parallel/workers.h"

@@ -2,7 +2,7 @@
 // l3d_pipeline_world: what each key does to the camera, and the status lines.
 #include "pipeline/worlds/pipeline_world.h"
 
-#include "raster/shapes/text.h"
+#include "raster/text/text.h"
 
 #include <algorithm>
 #include <string>

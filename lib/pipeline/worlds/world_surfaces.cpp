@@ -3,7 +3,7 @@
 #include "pipeline/worlds/world_surfaces.h"
 
 #include "pipeline/wire_p.h"
-#include "raster/shapes/hidden_lines.h"
+#include "raster/lines/hidden_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -252,8 +252,8 @@ std::size_t l3d_world_surfaces::fill(const frame_input& in, const l3d_world_targ
             p->frame.list(of_object_, *target.workers);
             triangles_.insert(triangles_.end(), of_object_.begin(), of_object_.end());
         }
-        l3d_draw_seen_sides(target.pixels, depth_, triangles_, in.shading.background,
-                            {l3d_detail::wire_color, in.settings.antialias});
+        l3d_fix_facing(target.pixels, depth_, triangles_, in.shading.background,
+                       {l3d_detail::wire_color, in.settings.antialias});
     }
     return count;
 }

@@ -5,7 +5,7 @@
 
 #include "raster/images/placed_image.h"
 #include "raster/paths/path.h"
-#include "raster/shapes/color_mixer_p.h"
+#include "raster/color/color_mixer_p.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 // l3d_workers: sleeping threads, and counters that hand out items.
 #include "raster/parallel/workers.h"
 
-#include "tool_2d/error.h"
+#include "base/error.h"
 
 #include <pthread.h>
 

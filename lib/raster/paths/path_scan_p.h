@@ -8,7 +8,7 @@
 #include "raster/paths/path.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
-#include "raster/paths/side_rows_p.h"
+#include "raster/paths/convex_fill_p.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // side_walk: from the corners of a chain to rows.
-#include "raster/paths/side_rows_p.h"
+#include "raster/paths/convex_fill_p.h"
 
 #include <algorithm>
 

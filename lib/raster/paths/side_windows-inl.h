@@ -8,7 +8,7 @@
 #endif
 
 #include "raster/parallel/lane_doubles-inl.h"
-#include "raster/paths/side_rows_p.h"
+#include "raster/paths/convex_fill_p.h"
 
 #include <array>
 #include <bit>

@@ -2,7 +2,7 @@
 // border_edges: a table of edges by their ends.
 #include "raster/refine/border_edges_p.h"
 
-#include "raster/refine/find_jumps_p.h"
+#include "raster/refine/depth_steps_p.h"
 #include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>

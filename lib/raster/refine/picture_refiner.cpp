@@ -84,7 +84,7 @@ void picture_refiner::find_edges(const drawn_frame& frame, int band, worker_spac
     const l3d_pixel_box drawn = frame.coarse.drawn_in(
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
     const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
-    find_jumps(frame.target, reached.intersected(box), jumps_);
+    depth_steps(frame.target, reached.intersected(box), jumps_);
 
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
     space.borders.begin(box.top, box.bottom);

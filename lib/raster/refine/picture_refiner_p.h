@@ -7,7 +7,7 @@
 #include "raster/refine/band_fragments_p.h"
 #include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
-#include "raster/refine/find_jumps_p.h"
+#include "raster/refine/depth_steps_p.h"
 #include "raster/refine/pixel_bits_p.h"
 #include "raster/surfaces/band_list_p.h"
 #include "raster/surfaces/coarse_depth_p.h"

@@ -2,7 +2,7 @@
 // pixel_light: the light of polygons at places, in linear light.
 #include "raster/refine/pixel_light_p.h"
 
-#include "raster/linear_light_p.h"
+#include "raster/color/linear_light_p.h"
 #include "raster/refine/sample_places_p.h"
 #include "raster/shaders/shader_choice_p.h"
 #include "raster/shapes/attribute_plane_p.h"

@@ -4,8 +4,8 @@
 #define L3D_RASTER_SHAPES_PIECE_PIXELS_P_H
 
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/shapes/line_cover_p.h"
-#include "raster/shapes/painter.h"
+#include "raster/lines/line_cover_p.h"
+#include "raster/zsort/painter.h"
 #include "raster/shapes/picture_plane.h"
 #include "raster/shapes/scan_polygon_p.h"
 

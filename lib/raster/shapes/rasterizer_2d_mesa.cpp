@@ -2,8 +2,8 @@
 // l3d_rasterizer_2d_mesa_imp: triangles for GL, and when the picture changes hands.
 #include "raster/shapes/rasterizer_2d_mesa.h"
 
-#include "raster/shapes/line_steps_p.h"
-#include "raster/shapes/smooth_line_p.h"
+#include "raster/lines/line_steps_p.h"
+#include "raster/lines/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
 
 #include <algorithm>

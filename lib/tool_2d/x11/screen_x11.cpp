@@ -3,7 +3,7 @@
 #include "tool_2d/x11/screen_x11.h"
 
 #include "tool_2d/x11/x11_diagnosis_p.h"
-#include "tool_2d/x11/x11_scale_p.h"
+#include "tool_2d/x11_window/x11_scale_p.h"
 #include "tool_2d/x11/x11_screen_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
 

@@ -5,7 +5,7 @@
 #include "tool_2d/x11/x11_reach_p.h"
 #include "tool_2d/x11/x11_refusal_p.h"
 #include "tool_2d/x11/x11_reply_p.h"
-#include "tool_2d/x11/x11_room_p.h"
+#include "tool_2d/x11_window/x11_room_p.h"
 
 #include <algorithm>
 #include <cassert>

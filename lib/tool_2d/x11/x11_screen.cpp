@@ -3,13 +3,13 @@
 #include "tool_2d/x11/x11_screen_p.h"
 
 #include "tool_2d/image.h"
-#include "tool_2d/x11/x11_events_p.h"
-#include "tool_2d/x11/x11_fullscreen_p.h"
+#include "tool_2d/x11_window/x11_events_p.h"
+#include "tool_2d/x11_window/x11_fullscreen_p.h"
 #include "tool_2d/x11/x11_image_p.h"
-#include "tool_2d/x11/x11_resolution_p.h"
-#include "tool_2d/x11/x11_scroll_p.h"
-#include "tool_2d/x11/x11_state_p.h"
-#include "tool_2d/x11/x11_sync_p.h"
+#include "tool_2d/x11_window/x11_resolution_p.h"
+#include "tool_2d/x11_window/x11_scroll_p.h"
+#include "tool_2d/x11_window/x11_wm_facts_p.h"
+#include "tool_2d/x11_window/x11_sync_p.h"
 
 #include <algorithm>
 #include <new>
@@ -116,7 +116,7 @@ private:
     std::unique_ptr<x11_window> window_;
     x11_pointer pointer_;
     x11_events events_; // after the pointer, whose ways it tells
-    x11_state state_;
+    x11_wm_facts state_;
     x11_resolution resolution_;
     x11_scroll scroll_;
     x11_sync sync_;

@@ -2,8 +2,8 @@
 // x11_window: attributes and properties.
 #include "tool_2d/x11/x11_window_p.h"
 
-#include "tool_2d/x11/x11_icon_p.h"
-#include "tool_2d/x11/x11_scale_p.h"
+#include "tool_2d/x11_window/x11_icon_p.h"
+#include "tool_2d/x11_window/x11_scale_p.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// l3d_cell_bounds: what the exact picture shows in a part of a pixel, as far as it is certain.
+#ifndef L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
+#define L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
+
+#include "dice/certificate/doubt_bounds.h"
+#include "dice/certificate/doubt_verdict.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+/// Judges cells by the pieces that reach into them.
+///
+/// Pieces that meet make a sheet. If no piece of a sheet ends, folds or breaks in the cell, then
+/// the sheet fills all of the cell or is not there at all (NUMERICS, The map of doubt).
+/// Lives: kept for its memory. Cost: grows with the square of the pieces.
+class l3d_cell_bounds {
+public:
+    /// What the exact picture shows in a cell. Shape: indices into leaves, of all pieces that may
+    /// reach into the cell.
+    l3d_doubt_verdict judge(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
+                            std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
+                            const l3d_light_bounds& background);
+
+    /// Whether a cell, grown by the bound of places, shows a single surface, even if all is drawn
+    /// nearer or farther by its bound. Shape: as judge.
+    bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
+                        std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
+
+    /// What the exact picture shows in a part of the cell that was judged last. Expects: a single
+    /// surface, or the background, was found to fill that.
+    l3d_doubt_verdict judge_alone(const l3d_image_box& part,
+                                  const l3d_light_bounds& background) const;
+
+    /// Sets what stands for the pieces that may be seen in the cell that was judged last. Of sheets
+    /// that are wholly hidden there nothing needs to be known: what hides them is nearer, also in
+    /// parts of the cell.
+    void mark_seen(std::vector<bool>& pieces) const;
+
+    /// What is needed of a piece to find out which others it meets.
+    struct member {
+        l3d_image_box part; ///< of the piece's box that is in the cell
+        double u0, u1, v0, v1;
+        const l3d_doubt_patch* of;
+        unsigned sides; ///< bits of those that it reaches
+        int facing;
+        std::uint32_t index; ///< among all pieces
+        std::size_t parent;  ///< one of the same sheet; the root is its own
+        double nearest = 0;  ///< w in the cell
+    };
+
+private:
+    /// Pieces that are connected in the cell, and perhaps more.
+    struct sheet {
+        bool may_end = false; ///< it may end or fold in the cell
+        bool is_there = false, may_be_there = false;
+        bool is_seen = false; ///< perhaps
+        double farthest = 0;  ///< w
+        bool fills() const { return is_there && !may_end; }
+    };
+
+    void gather(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
+                std::span<const l3d_doubt_leaf> leaves);
+    void connect();
+    void look_for(const l3d_image_box& cell, const l3d_dice_view& view, double margin);
+    double farthest_seen();
+    std::size_t root_of(std::size_t i) const;
+    void join(std::size_t a, std::size_t b);
+
+    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
+    std::vector<const l3d_doubt_leaf*> pieces_;
+    std::vector<member> members_; ///< of the same
+    std::vector<sheet> sheets_;   ///< those of roots mean something
+    std::size_t only_ = nowhere;  ///< the root of the sheet that is seen alone
+};
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// l3d_doubt_bounds: bounds of all that the exact picture shows of a piece.
+#ifndef L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
+#define L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
+
+#include "dice/certificate/doubt_piece.h"
+#include "dice/certificate/light_bounds.h"
+#include "geom/step_bound.h"
+#include "raster/background.h"
+#include "raster/color/srgb_light.h"
+#include "scene/dice_view.h"
+
+#include <array>
+#include <vector>
+
+/// Grey levels of the exact picture: ambient light, and the most that the cosine adds.
+inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
+
+/// What a frame's pieces have in common.
+///
+/// Units: pixels from the picture's top left corner; w as l3d_dice_view has it.
+struct l3d_doubt_view {
+    l3d_dice_view view;
+    /// Takes (x, y, w) to the world, as seen from the eye. Shape: its columns.
+    std::array<l3d_vector<double, 3>, 3> world_of_image{};
+    l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
+    /// The lamps and the fog of a frame that has more than that one white light.
+    l3d_doubt_lighting lighting{};
+    /// How far drawn things may be from the exact ones: in the picture, and along the normal.
+    double bound_px = 0, depth_bound_px = 0;
+    l3d_background background{}; ///< any but none
+
+    /// The background's light in a row of pixels.
+    l3d_light_bounds background_light(int row) const {
+        const std::uint32_t word = background.word(row, view.size.height);
+        const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
+                                             l3d_light_of_level(word >> 8 & 255),
+                                             l3d_light_of_level(word & 255)};
+        return {channels, channels};
+    }
+};
+
+/// A number that changes over a piece. It is between least and most, and also within `off` of a
+/// linear function of the place.
+struct l3d_doubt_line {
+    double least = 0, most = 0;
+    double middle = 0, along_x = 0, along_y = 0, off = 0; ///< places from the piece's own
+
+    double at(double x, double y) const { return middle + along_x * x + along_y * y; }
+};
+
+/// Cosines of the normals, turned to the eye, with the way to a lamp, and with the way half-way
+/// between that and the way to the eye.
+struct l3d_doubt_cosines {
+    l3d_doubt_line lit, facing;
+};
+
+/// Bounds of what a picture shows of a piece.
+///
+/// Units: pixels from the picture's top left corner.
+struct l3d_doubt_bounds {
+    l3d_image_box box;         ///< that the whole piece is in
+    double at_x = 0, at_y = 0; ///< the piece's own place, from which lines count
+    unsigned open_sides = 0;   ///< bits of the sides where the surface ends
+    bool may_end = false;      ///< the near or the far plane may cut it
+    int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
+    bool may_be_missing = false; ///< its back is seen, and nobody wants to see that
+
+    l3d_doubt_line w;
+    /// Things that are drawn have another w than the exact ones of the piece, by this part of it.
+    double w_margin = 0;
+    l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
+
+    /// Of each lamp, if the patch has lighting; none if nothing is known. Then the level's line
+    /// tells only how well it is known.
+    std::vector<l3d_doubt_cosines> lamps;
+
+    /// The parameters from -1/2 to 1/2 of a place. Shape: du/dx, du/dy, dv/dx, dv/dy.
+    std::array<double, 4> parameters{};
+    double u_off = 0, v_off = 0; ///< the places' own are within so much; infinite: not known
+    double picture_off = 0;      ///< the piece's picture is within so much of a linear one
+
+    /// Whether the piece may reach into a box.
+    bool touches(const l3d_image_box& other) const;
+
+    /// Whether the surface may end in a box. Expects: touches(other).
+    bool may_end_in(const l3d_image_box& other) const;
+
+    /// Whether the place (x, y) may be on the piece.
+    bool may_show(double x, double y) const { return touches({x, y, x, y}); }
+
+    /// Least and largest of a line in the part of a box that the piece may reach.
+    std::array<double, 2> range(const l3d_doubt_line& of, const l3d_image_box& in) const;
+};
+
+/// A piece and its bounds.
+struct l3d_doubt_leaf {
+    l3d_doubt_piece piece;
+    l3d_doubt_bounds bounds;
+    bool has_no_area = false; ///< it is seen exactly from its edge, and adds no light to any cell
+};
+
+/// Cost: a microsecond.
+l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_view& view);
+
+#endif

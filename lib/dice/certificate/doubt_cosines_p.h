@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// cosines, put_lamps: how a piece's normals lie to a direction, and to all lamps of a frame.
+#ifndef L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
+#define L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
+
+#include "dice/certificate/doubt_bounds.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace l3d_detail {
+
+/// Of sums of a few dozen products in double, some 2^-53 each, with much to spare.
+inline constexpr double rounding = 0x1p-40;
+
+/// A linear function of a piece's parameters, from -1/2 to 1/2, that is close to four corners.
+struct plane {
+    double middle = 0, in_u = 0, in_v = 0;
+
+    plane(double c00, double c01, double c10, double c11)
+        : middle((c00 + c01 + c10 + c11) / 4), in_u((c01 - c00 + c11 - c10) / 2),
+          in_v((c10 - c00 + c11 - c01) / 2) {}
+    double at(double u, double v) const { return middle + in_u * u + in_v * v; }
+    plane times(double factor) const {
+        plane result = *this;
+        result.middle *= factor;
+        result.in_u *= factor;
+        result.in_v *= factor;
+        return result;
+    }
+    double range() const { return std::abs(in_u) + std::abs(in_v); }
+};
+
+/// A piece's normals, along their common axis and across it.
+struct seen_normals {
+    using vector = l3d_doubt_piece::vector;
+    static constexpr std::size_t count = l3d_doubt_piece::order * l3d_doubt_piece::order;
+
+    vector axis{0.0, 0.0, 0.0};
+    std::array<double, count> along; ///< of each
+    double most_along = 0;           ///< in size
+    double most_across = 0, longest = 0;
+    double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
+
+    explicit seen_normals(const std::array<vector, count>& normals);
+};
+
+/// The cosine n.l of unit normals over a piece: within `off` of a plane, from least to most.
+struct cosines {
+    plane line{0, 0, 0, 0};
+    double off = 1, least = -1, most = 1;
+    double slope = 2; ///< a unit normal is no farther from the normals' axis
+
+    cosines(const l3d_doubt_piece& piece, const seen_normals& seen,
+            const l3d_doubt_piece::vector& light);
+};
+
+/// The linear function of the place that is linear in the parameters.
+l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
+
+/// Takes what is known from a range alone, if a line does not say more.
+void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
+
+/// Sets what is known of all lamps of the piece's lighting, and of the level as far as it tells
+/// whether smaller pieces would be better known.
+/// Expects: all else is set; w > 0.
+void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
+               const l3d_doubt_view& view);
+
+} // namespace l3d_detail
+
+#endif

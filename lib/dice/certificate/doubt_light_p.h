@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// light_in, lone_sheet: the light of pieces in a cell, from bounds of their levels or cosines.
+#ifndef L3D_DICE_CERTIFICATE_DOUBT_LIGHT_P_H
+#define L3D_DICE_CERTIFICATE_DOUBT_LIGHT_P_H
+
+#include "dice/certificate/doubt_bounds.h"
+#include "dice/certificate/doubt_verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace l3d_detail {
+
+struct interval {
+    double low = std::numeric_limits<double>::infinity(),
+           high = -std::numeric_limits<double>::infinity();
+
+    void add(const interval& more) {
+        low = std::min(low, more.low);
+        high = std::max(high, more.high);
+    }
+};
+
+/// What decides the light of a piece: its level, or the cosines of all lamps and w. A few numbers
+/// that are nearly linear in the place.
+struct light_lines {
+    static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
+
+    std::array<const l3d_doubt_line*, most> lines{};
+    std::size_t count = 0;
+
+    explicit light_lines(const l3d_doubt_bounds& b);
+};
+using light_ranges = std::array<interval, light_lines::most>;
+
+/// Bounds of the light of a piece in a cell. The background may be the colour of fog.
+l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
+                          const l3d_light_bounds& background);
+
+/// The mean light of a sheet that fills a cell, where nothing else is seen. The lines of the piece
+/// that is known best tell it, and how far all others may be below and above them.
+/// Lives: borrows all that it is given.
+class lone_sheet {
+public:
+    lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)
+        : cell_(cell), background_(background) {}
+
+    /// One of its pieces. Expects: all are offered before any is added.
+    void offer(const l3d_doubt_leaf& leaf);
+    /// One that touches the cell.
+    void add(const l3d_doubt_leaf& leaf);
+    l3d_doubt_verdict verdict() const;
+
+private:
+    l3d_doubt_verdict of_levels() const;
+    l3d_doubt_verdict of_lamps() const;
+    l3d_light_bounds mean_by_lamps(int cuts) const;
+    double at(std::size_t line, double x, double y) const;
+
+    const l3d_image_box& cell_;
+    const l3d_light_bounds& background_;
+    const l3d_doubt_leaf* best_ = nullptr;
+    const l3d_doubt_leaf* first_ = nullptr; ///< of those that are added
+    bool is_one_look_ = true, is_known_ = true;
+    l3d_light_bounds light_;       ///< of all of them
+    light_ranges ranges_, beside_; ///< numbers, and how far they are off the best piece's lines
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// l3d_doubt_tile: bounds of the exact picture in a square part of it.
+#ifndef L3D_DICE_CERTIFICATE_DOUBT_TILE_H
+#define L3D_DICE_CERTIFICATE_DOUBT_TILE_H
+
+#include "dice/certificate/cell_bounds.h"
+#include "dice/certificate/doubt_bounds.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// What is certain of a pixel of the exact picture. Units: parts of the square.
+struct l3d_doubt_pixel {
+    /// Its light, where that is certain.
+    l3d_light_bounds light;
+
+    /// The part that may show another surface in the exact picture.
+    double unsure = 0;
+
+    /// The part that may show another surface when it is drawn.
+    double unsure_drawn = 0;
+
+    /// The part that certainly shows one surface in the exact picture.
+    double covered = 0;
+
+    /// Its light is worth being known better.
+    bool is_open = true;
+};
+
+/// Cuts patches into pieces as small as pixels and judges each pixel. What is not certain is cut
+/// in four, and again, and so are the pieces that reach into it.
+///
+/// Lives: kept from tile to tile for its memory.
+/// Cost:  some 7 us a pixel inside a surface, and a millisecond a pixel at an outline.
+class l3d_doubt_tile {
+public:
+    static constexpr int side = 32; ///< of a tile, in pixels
+
+    /// Starts a tile. Lives: borrows the view until the next one.
+    void begin(const l3d_doubt_view& view, const l3d_pixel_box& tile);
+
+    /// Adds a patch that may reach into the tile. Lives: borrows what it belongs to.
+    void add(const l3d_doubt_piece& whole);
+
+    /// Judges all pixels. Shape: row by row, of the tile. Lives: until the next tile.
+    std::span<const l3d_doubt_pixel> finish();
+
+    /// Pieces that have been cut in two, in all tiles so far.
+    std::int64_t cuts() const { return cuts_; }
+
+private:
+    /// A square, and what is still to be found out of it. Shape: column and row in the tile, at
+    /// the present fineness.
+    struct cell {
+        int column = 0, row = 0;
+        bool of_light = true, of_drawing = true;
+        l3d_light_bounds light{};       ///< its part of what is certain of the pixel
+        double unsure = 0, covered = 0; ///< likewise
+    };
+
+    l3d_image_box box_of(const cell& c) const;
+    void begin_cells(std::vector<cell>&& cells);
+    bool takes_no_area(const l3d_doubt_piece& piece);
+    void cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into);
+    bool is_beside_all(const l3d_doubt_piece& piece, double near) const;
+    bool is_plain(const l3d_doubt_bounds& b) const;
+    bool is_wanted(const l3d_image_box& box) const;
+    template <class Visit> void for_cells(const l3d_image_box& box, const Visit& visit) const;
+    void sort_leaves();
+    std::vector<cell> judge_cells();
+    l3d_doubt_pixel& pixel_of(const cell& c);
+    void judge_cell(cell& c, std::span<const std::uint32_t> touching);
+    bool is_cut(cell& c);
+    void give_up();
+
+    const l3d_doubt_view* view_ = nullptr;
+    l3d_pixel_box tile_;
+    double grown_ = 0; ///< cells, by what is drawn elsewhere
+    bool judges_drawing_ = false;
+    int finest_drawing_ = 0;
+    int fineness_ = 0; ///< cells are 2^-fineness pixels wide
+    bool is_too_much_ = false;
+    double areas_left_out_ = 0; ///< of pieces whose light is not counted
+    std::int64_t cuts_ = 0;
+    std::vector<cell> cells_;
+    std::vector<std::int32_t> grid_; ///< of all cells there could be: the index in cells_, or -1
+    std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
+    std::vector<bool> is_needed_; ///< of each leaf, whether something of it may be seen later on
+    std::vector<std::uint32_t> first_, touching_; ///< of each cell, in a row
+    std::vector<l3d_doubt_pixel> pixels_;
+    l3d_cell_bounds judge_;
+};
+
+#endif

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// l3d_frame_doubts: patches to tiles, and the drawn picture beside the exact one.
+#include "dice/certificate/frame_doubts.h"
+
+#include "raster/color/srgb_light.h"
+#include "scene/placed_net.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using vector = l3d_vector<double, 3>;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Of the sums of light in double and of the map's floats. Units: levels.
+constexpr double rounding = 1e-4;
+
+/// Where drawn things may be farther off, pixels are not searched for other surfaces: all of a
+/// pixel may show another one. Units: pixels.
+constexpr double most_searched = 2;
+
+/// The columns of the inverse of what takes the world, as seen from the eye, to (x, y, w).
+/// Source: Cramer's rule.
+std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
+    const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
+    const vector x = row(0), y = row(1), w = row(3);
+    const double part = 1 / l3d_dot(x, l3d_cross<double>(y, w));
+    return {l3d_cross<double>(y, w) * part, l3d_cross<double>(w, x) * part,
+            l3d_cross<double>(x, y) * part};
+}
+
+/// How far a drawn word may be from light between bounds, in its worst channel.
+double most_off(std::uint32_t word, const l3d_light_bounds& light) {
+    double result = 0;
+    for (std::size_t i = 0; i < light.least.size(); ++i) {
+        const double level = word >> (16 - 8 * i) & 0xff;
+        result = std::max({result, level - l3d_level_of_light(light.least[i]),
+                           l3d_level_of_light(light.most[i]) - level});
+    }
+    return std::min(result + rounding, 255.0);
+}
+
+/// Coefficients of normals are sums of some dozens of products of differences. Some dozens of
+/// halvings follow, and a matrix.
+constexpr double normal_rounding = 0x1p-44;
+
+/// No normal is longer: the largest component of a net is 1 (l3d_normal_net) before it is turned,
+/// and perhaps after.
+double longest_normal(const l3d_patch_instance& instance) {
+    double sum = 2;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            sum += std::abs(instance.normal_matrix()(row, column));
+    return sum;
+}
+
+/// The first light, and the further ones.
+std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vector& first) {
+    std::vector<l3d_doubt_lamp> result{{first, frame.lighting.color}};
+    for (std::size_t i = 0; i < frame.lighting.count; ++i) {
+        const l3d_far_light& light = frame.lighting.lights[i];
+        const vector to{double{light.direction[0]}, double{light.direction[1]},
+                        double{light.direction[2]}};
+        result.push_back({to * (1 / l3d_length(to)), light.color});
+    }
+    return result;
+}
+
+double determinant_of(const l3d_matrix<double>& m) {
+    const auto column = [&](int i) -> vector { return {m(0, i), m(1, i), m(2, i)}; };
+    return l3d_dot(column(0), l3d_cross<double>(column(1), column(2)));
+}
+
+} // namespace
+
+/// Finds the patches that may reach the picture. Only boxes are kept, as nets are large.
+void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
+    sides_.clear(); // a model may have gone, and another come to its place
+    patches_.clear();
+    const l3d_dice_view& view = view_.view;
+    const double near = view.camera_near > 0 ? view.camera_near : view.near;
+    const l3d_image_box window =
+        view.window().grown(1 + (std::isfinite(view_.bound_px) ? view_.bound_px : 0.0));
+    std::uint32_t index = 0;
+    for (const l3d_patch_instance& instance : frame.scene.instances()) {
+        const l3d_patch_model& model = instance.model();
+        const l3d_side_pairs& sides = sides_.try_emplace(model.identity(), model).first->second;
+        const l3d_matrix<double> to_image = frame.to_image * instance.placement();
+        const double back = determinant_of(instance.placement()) < 0 ? -1 : 1;
+        for (std::size_t i = 0; i < model.patches().size(); ++i) {
+            const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
+            placed p;
+            p.of = {.instance = index,
+                    .patch = static_cast<std::uint32_t>(i),
+                    .error_xy = frame.view.error_xy * share,
+                    .error_w = frame.view.error_w * share,
+                    .near = frame.view.near_of(share),
+                    .normal_off = normal_rounding * longest_normal(instance),
+                    .sides = &sides,
+                    .one_sided = frame.view.one_sided,
+                    .back = back};
+            if (const auto materials = frame.scene.materials(); !materials.empty()) {
+                const l3d_material& m = materials[frame.scene.material_of(index, i)];
+                p.of.color = l3d_parts_of(m.color);
+                p.of.highlight = l3d_parts_of(m.highlight);
+                p.of.sharpness = m.sharpness;
+            }
+            if (!frame.has_levels)
+                p.of.lighting = &view_.lighting;
+            const l3d_image_patch net = l3d_placed_net(to_image, model.patches()[i]);
+            const l3d_depth_range w = l3d_depth_range_of(net.points);
+            const double margin = 1 + p.of.error_xy / near;
+            if (l3d_outside(net.points, window.grown(margin), near - p.of.error_w, view.far))
+                continue;
+            p.box = {-infinite, -infinite, infinite, infinite};
+            if (w.least > 2 * p.of.error_w) {
+                const l3d_image_box hull = l3d_image_box_of(net.points);
+                p.box = hull.grown(
+                    margin + l3d_vertex_error(p.of.error_xy, p.of.error_w, hull.reach(), w.least));
+            }
+            patches_.push_back(p);
+        }
+        ++index;
+    }
+}
+
+l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const placed& p) const {
+    const l3d_patch_instance& instance = frame.scene.instances()[p.of.instance];
+    const l3d_patch_model& model = instance.model();
+    l3d_doubt_piece whole;
+    whole.of = &p.of;
+    whole.net = l3d_placed_net(frame.to_image * instance.placement(), model.patches()[p.of.patch]);
+    const l3d_normal_net& own = model.normals(p.of.patch);
+    const l3d_normal_net normals =
+        instance.turns_normals() ? own.turned(instance.normal_matrix()) : own;
+    for (int row = 0; row < static_cast<int>(l3d_doubt_piece::order); ++row)
+        for (int column = 0; column < static_cast<int>(l3d_doubt_piece::order); ++column)
+            whole.normals[l3d_normal_net::index(row, column)] = normals.at(row, column);
+    return whole;
+}
+
+/// Each transparent instance is there or not; all that reach the tile are told apart.
+std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
+                                                                  const l3d_pixel_box& box,
+                                                                  l3d_doubt_tile& tile) const {
+    const l3d_image_box reached =
+        view_.view.window(box).grown(1 + (std::isfinite(view_.bound_px) ? view_.bound_px : 0.0));
+    const auto instances = frame.scene.instances();
+    std::vector<const placed*> here;
+    std::vector<std::uint32_t> transparent; // instances, in their order
+    for (const placed& p : patches_) {
+        const std::uint32_t instance = p.of.instance;
+        if (p.box.intersected(reached).empty() || instances[instance].opacity() == 0)
+            continue;
+        here.push_back(&p);
+        if (instances[instance].opacity() < 1 &&
+            (transparent.empty() || transparent.back() != instance))
+            transparent.push_back(instance);
+    }
+    std::vector<pixel> result(static_cast<std::size_t>(box.area()));
+    for (unsigned seen = 0; seen < 1U << transparent.size(); ++seen) {
+        double weight = 1;
+        for (std::size_t i = 0; i < transparent.size(); ++i) {
+            const double opacity = instances[transparent[i]].opacity();
+            weight *= seen >> i & 1 ? opacity : 1 - opacity;
+        }
+        tile.begin(view_, box);
+        for (const placed* const p : here) {
+            const auto at = std::ranges::find(transparent, p->of.instance);
+            if (at == transparent.end() || seen >> (at - transparent.begin()) & 1)
+                tile.add(whole_of(frame, *p));
+        }
+        const auto pixels = tile.finish();
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            result[i].light.add(pixels[i].light, weight);
+            result[i].unsure = std::max(result[i].unsure, pixels[i].unsure);
+            result[i].unsure_drawn = std::max(result[i].unsure_drawn, pixels[i].unsure_drawn);
+            result[i].covered = std::max(result[i].covered, pixels[i].covered);
+        }
+    }
+    return result;
+}
+
+void l3d_frame_doubts::find_tile(const l3d_doubted_frame& frame, const l3d_pixel_box& box,
+                                 l3d_doubt_tile& tile, tile_result& result) {
+    const std::vector<pixel> pixels = find_light(frame, box, tile);
+    std::size_t i = 0;
+    for (int y = box.top; y < box.bottom; ++y) {
+        const auto words = frame.drawn.row(y);
+        for (int x = box.left; x < box.right; ++x, ++i) {
+            const pixel& p = pixels[i];
+            const double bound = most_off(words[static_cast<std::size_t>(x)], p.light);
+            map_.set(x, y, static_cast<float>(bound));
+            const double part = is_searched_ ? p.unsure_drawn : 1;
+            coverage_.set(x, y, static_cast<float>(part));
+            result.coverage = std::max(result.coverage, part);
+            if (p.unsure > 0 || p.unsure_drawn > 0) {
+                result.has_unsure = true;
+                continue;
+            }
+            result.color = std::max(result.color, bound);
+            result.has_covered = result.has_covered || p.covered > 0;
+        }
+    }
+}
+
+std::int64_t l3d_frame_doubts::cuts() const {
+    std::int64_t result = 0;
+    for (const l3d_doubt_tile& tile : tiles_)
+        result += tile.cuts();
+    return result;
+}
+
+void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers) {
+    view_.view = frame.view;
+    view_.world_of_image = world_of_image(frame.to_image);
+    view_.background = frame.background;
+    view_.light = frame.light * (1 / l3d_length(frame.light));
+    const bool has_bounds = std::isfinite(frame.bound_px + frame.depth_bound_px);
+    view_.lighting = {.ambient = frame.lighting.ambient,
+                      .lamps = lamps_of(frame, view_.light),
+                      .fog = frame.fog,
+                      .depth_scale = frame.view.depth_scale};
+    is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;
+    view_.bound_px = is_searched_ ? frame.bound_px : infinite;
+    view_.depth_bound_px = frame.depth_bound_px;
+    place(frame);
+    const l3d_size size = frame.view.size;
+    map_.begin(size);
+    coverage_.begin(size);
+    tiles_.resize(static_cast<std::size_t>(workers.count()));
+    constexpr int side = l3d_doubt_tile::side;
+    const int columns = (size.width + side - 1) / side, rows = (size.height + side - 1) / side;
+    std::vector<tile_result> results(static_cast<std::size_t>(columns) *
+                                     static_cast<std::size_t>(rows));
+    workers.for_each(columns * rows, [&](int item, int worker) {
+        const int left = item % columns * side, top = item / columns * side;
+        find_tile(frame,
+                  {left, top, std::min(left + side, size.width), std::min(top + side, size.height)},
+                  tiles_[static_cast<std::size_t>(worker)],
+                  results[static_cast<std::size_t>(item)]);
+    });
+    coverage_bound_ = has_bounds ? 0 : infinite;
+    color_bound_ = 0;
+    bool has_unsure = false, has_covered = false;
+    for (const tile_result& r : results) {
+        coverage_bound_ = std::max(coverage_bound_, r.coverage);
+        color_bound_ = std::max(color_bound_, r.color);
+        has_unsure = has_unsure || r.has_unsure;
+        has_covered = has_covered || r.has_covered;
+    }
+    if (has_unsure && !has_covered)
+        color_bound_ = infinite;
+}

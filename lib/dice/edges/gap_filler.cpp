@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// l3d_fill_gap, l3d_close_side: merging two polylines along one curve.
+#include "dice/edges/gap_filler.h"
+
+#include "dice/grid_light.h"
+#include "dice/facing_fix.h"
+#include "raster/pixel_centres.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace {
+
+l3d_pixel_centres<std::int32_t> centres_between(std::int32_t a, std::int32_t b, std::int32_t c) {
+    return l3d_centres_in(std::min({a, b, c}), std::max({a, b, c}));
+}
+
+/// Units: 1/256 pixel.
+std::int32_t centre_of(std::int32_t pixel) {
+    return (pixel << l3d_subpixel_bits) + l3d_subpixel_one / 2;
+}
+
+/// Twice the signed area of p, q and (x, y).
+template <class Point>
+std::int64_t turn(const Point& p, const Point& q, std::int32_t x, std::int32_t y) {
+    return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
+}
+
+/// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
+/// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
+template <class Point> bool covers_nothing(const Point& p, const Point& q, const Point& r) {
+    const auto along_x = centres_between(p.x, q.x, r.x), along_y = centres_between(p.y, q.y, r.y);
+    if (along_x.none() || along_y.none())
+        return true;
+    if (!along_x.only_one() || !along_y.only_one())
+        return turn(p, q, r.x, r.y) == 0;
+    const std::int32_t x = centre_of(along_x.first), y = centre_of(along_y.first);
+    const std::int64_t a = turn(p, q, x, y), b = turn(q, r, x, y), c = turn(r, p, x, y);
+    return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
+}
+
+/// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
+/// has the level of that end, whatever it should be: then it goes farther than anything is known
+/// for.
+void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, double high) {
+    const std::vector<double>& at = along_u ? out.u : out.v;
+    if (at.size() < 2)
+        return;
+    const double rounding = 1e-9 * (at.back() - at.front());
+    if (low < at.front() - rounding || high > at.back() + rounding)
+        low = -std::numeric_limits<double>::infinity();
+    out.add_span(straight ? out.slits.straight : out.slits.bent, along_u, low, high);
+}
+
+void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bool is_kept,
+         const l3d_dice_view& view, l3d_diced_piece& out) {
+    const bool all_drawable = a.drawable && b.drawable && c.drawable;
+    if (!is_kept && all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
+        return;
+    for (const bool along_u : {true, false}) {
+        const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
+                                         : std::minmax({a.dice.v, b.dice.v, c.dice.v});
+        note_span(out, true, along_u, low, high);
+    }
+    for (l3d_clip_vertex* corner : {&a, &b, &c})
+        for (float& number : corner->dice.vertex.normal)
+            number *= side;
+    l3d_clip_triangle(a, b, c, view, out);
+}
+
+/// Notes the way from one point of an edge to the next, beside the triangle that was added last.
+void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
+               l3d_diced_piece& out) {
+    if (out.part.triangles.count == 0 || !l3d_clip_segment(a, b, view))
+        return;
+    const l3d_micro_vertex &from = a.dice.vertex, &to = b.dice.vertex;
+    out.part.border.push_back({.from_x = from.x,
+                               .from_y = from.y,
+                               .to_x = to.x,
+                               .to_y = to.y,
+                               .nearest = std::max(from.inv_w, to.inv_w),
+                               .level = std::numeric_limits<float>::quiet_NaN(),
+                               .column = static_cast<int>(out.part.triangles.count) - 1,
+                               .always = true});
+}
+
+/// A side of a piece's grid as a row of vertices, and the edge it lies along.
+class closing_side {
+public:
+    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge, double t0,
+                 double t1)
+        : piece_(piece), grid_(piece.part.grid), edge_(edge), along_u_(side < 2),
+          parameters_(along_u_ ? piece.u : piece.v),
+          across_(along_u_ ? (side == 1 ? piece.v.back() : piece.v.front())
+                           : (side == 3 ? piece.u.back() : piece.u.front())),
+          first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
+                 : side == 3 ? grid_.index(0, grid_.columns - 1)
+                             : 0),
+          step_(along_u_ ? 1 : static_cast<std::size_t>(grid_.pitch)), side_(side),
+          per_t_((parameters_.back() - parameters_.front()) / (t1 - t0)),
+          at_zero_(parameters_.front() - per_t_ * t0) {}
+
+    /// Puts vertex i where the edge has its point j.
+    void take_over(std::size_t i, std::size_t j) {
+        const std::size_t at = first_ + i * step_;
+        grid_.x[at] = edge_.x()[j];
+        grid_.y[at] = edge_.y()[j];
+        grid_.inv_w[at] = edge_.inv_w()[j];
+    }
+
+    /// Adds the triangles between vertices i to i_end and points j to j_end.
+    void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
+        row_point of_row = vertex(i), of_edge = point(j, i);
+        while (i < i_end || j < j_end) {
+            const bool along_row =
+                i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
+            const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
+            if (!covers_nothing(of_edge, of_row, next))
+                add(of_edge, of_row, next, i);
+            ++(along_row ? i : j);
+            (along_row ? of_row : of_edge) = next;
+        }
+    }
+
+private:
+    /// A vertex of the row or a point of the edge, with the row's level at its parameter.
+    struct row_point {
+        std::int32_t x, y;
+        float inv_w, level;
+        double along;
+
+        l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
+    };
+
+    row_point vertex(std::size_t i) const {
+        const std::size_t at = first_ + i * step_;
+        return {grid_.x[at], grid_.y[at], grid_.inv_w[at], grid_.normal[0][at], parameters_[i]};
+    }
+
+    /// Point j of the edge, near the row's vertex i.
+    row_point point(std::size_t j, std::size_t i) const {
+        const double along = parameter_of(j);
+        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j],
+                piece_.has_levels ? level_at(along, i) : 0, along};
+    }
+
+    /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
+    void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
+        const float seen = side_beside(near);
+        if (piece_.has_levels) {
+            const auto bend = [&](const row_point& from, const row_point& to) {
+                return seen *
+                       (level_at((from.along + to.along) / 2, near) - (from.level + to.level) / 2);
+            };
+            piece_.part.triangles.add(a.lit(seen * a.level, bend(a, b), bend(a, c)),
+                                      b.lit(seen * b.level, 0, bend(b, c)),
+                                      c.lit(seen * c.level, 0, 0));
+        } else {
+            const auto lit = [&](const row_point& corner) {
+                l3d_micro_vertex result = corner.lit(0, 0, 0);
+                set_normal_at(corner.along, near, result.normal);
+                for (float& component : result.normal)
+                    component *= seen;
+                return result;
+            };
+            piece_.part.triangles.add(lit(a), lit(b), lit(c));
+        }
+        note_span(piece_, false, along_u_, std::min({a.along, b.along, c.along}),
+                  std::max({a.along, b.along, c.along}));
+        if (piece_.keep_parameters)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double along = k == 0 ? a.along : k == 1 ? b.along : c.along;
+                piece_.triangle_uv[k].push_back(along_u_
+                                                    ? l3d_diced_piece::parameters{along, across_}
+                                                    : l3d_diced_piece::parameters{across_, along});
+            }
+    }
+
+    /// What the light has to be multiplied by of the side that the quad shows which begins at
+    /// vertex i of the row, or ends there if it is the last one. How a slit's triangle turns is
+    /// chance.
+    float side_beside(std::size_t i) const {
+        const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
+        return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)
+                        : l3d_side_of_quad(grid_, quad, side_ == 3 ? grid_.columns - 2 : 0, side_);
+    }
+
+    /// Between which vertices of the row a parameter lies, and how far from the first to the next.
+    /// One beyond an end, as of a point of the edge beside a row that begins after it, is there.
+    struct place {
+        std::size_t before, after;
+        float part;
+    };
+    place place_of(double parameter, std::size_t near) const {
+        std::size_t i = std::min(near, parameters_.size() - 2);
+        while (i > 0 && parameters_[i] > parameter)
+            --i;
+        while (i + 2 < parameters_.size() && parameters_[i + 1] <= parameter)
+            ++i;
+        const double from = parameters_[i], to = parameters_[i + 1];
+        const double part = std::clamp((parameter - from) / (to - from), 0.0, 1.0);
+        return {first_ + i * step_, first_ + (i + 1) * step_, static_cast<float>(part)};
+    }
+
+    /// The row's level, a parabola between two vertices.
+    float level_at(double parameter, std::size_t near) const {
+        const place at = place_of(parameter, near);
+        const auto& level = grid_.normal[0];
+        const float bend = grid_.normal[along_u_ ? 1 : 2][at.before];
+        return level[at.before] + at.part * (level[at.after] - level[at.before]) +
+               4 * bend * at.part * (1 - at.part);
+    }
+
+    void set_normal_at(double parameter, std::size_t near, float (&normal)[3]) const {
+        const place at = place_of(parameter, near);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& of = grid_.normal[k];
+            normal[k] = of[at.before] + at.part * (of[at.after] - of[at.before]);
+        }
+        l3d_make_unit(normal);
+    }
+
+    /// The patch's parameter at a point of the edge.
+    double parameter_of(std::size_t j) const { return at_zero_ + per_t_ * edge_.t()[j]; }
+
+    l3d_diced_piece& piece_;
+    l3d_micro_grid& grid_;
+    const l3d_edge_polyline& edge_;
+    bool along_u_;
+    const std::vector<double>& parameters_;
+    double across_;
+    std::size_t first_, step_, side_;
+    double per_t_, at_zero_; ///< of parameters along the side by the edge's: whole powers of two
+};
+
+} // namespace
+
+void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
+                  const l3d_dice_view& view, l3d_diced_piece& out, bool is_border) {
+    const bool notes = is_border && view.shading.antialias;
+    const double t0 = row.front().t, t1 = row.back().t;
+    const l3d_dice_vertex &first = row.front().vertex.dice, &last = row.back().vertex.dice;
+    const double* t = edge.t();
+
+    // An edge point on this side of the surface: parameters and light along the row.
+    const auto on_row = [&](std::size_t j) {
+        l3d_clip_vertex v = edge.clip_vertex(j, view);
+        const double s = (t[j] - t0) / (t1 - t0);
+        v.dice.u = first.u + (last.u - first.u) * s;
+        v.dice.v = first.v + (last.v - first.v) * s;
+        const auto next = std::upper_bound(row.begin() + 1, row.end() - 1, t[j],
+                                           [](double at, const auto& p) { return at < p.t; });
+        const l3d_boundary_point &a = next[-1], &b = *next;
+        const auto part = static_cast<float>(std::clamp((t[j] - a.t) / (b.t - a.t), 0.0, 1.0));
+        const float *from = a.vertex.dice.vertex.normal, *to = b.vertex.dice.vertex.normal;
+        for (std::size_t k = 0; k < 3; ++k)
+            v.dice.vertex.normal[k] = from[k] + part * (to[k] - from[k]);
+        if (!view.makes_levels())
+            l3d_make_unit(v.dice.vertex.normal);
+        return v;
+    };
+
+    const std::ptrdiff_t above = std::upper_bound(t, t + edge.size(), t0) - t;
+    auto j = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above, 1) - 1);
+    std::size_t i = 0;
+    while (i + 1 < row.size() || (j + 1 < edge.size() && t[j + 1] <= t1)) {
+        const l3d_boundary_point& p = row[i];
+        const l3d_clip_vertex q = on_row(j);
+        const bool along_row =
+            i + 1 < row.size() && (j + 1 == edge.size() || row[i + 1].t <= t[j + 1]);
+        const float side = row[std::min(i, row.size() - 2)].side;
+        if (along_row) {
+            add(q, p.vertex, row[++i].vertex, side, false, view, out);
+            continue;
+        }
+        const l3d_clip_vertex next = on_row(++j);
+        add(q, p.vertex, next, side, notes, view, out); // one that covers nothing has a side, too
+        if (notes)
+            note_edge(q, next, view, out);
+    }
+}
+
+void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
+                    double t0, double t1) {
+    closing_side row(piece, side, edge, t0, t1);
+    const l3d_block_starts& mine = side < 2 ? piece.part.block_columns : piece.part.block_rows;
+    const auto start = [](const l3d_block_starts& starts, int block) {
+        return static_cast<std::size_t>(starts.first[static_cast<std::size_t>(block)]);
+    };
+    const std::size_t last = start(mine, mine.blocks);
+    const l3d_block_starts* its = edge.strips_between(t0, t1);
+    if (its == nullptr || mine.blocks != its->blocks) {
+        const std::size_t from = edge.point_before(t0), to = edge.point_before(t1);
+        if (t0 == 0)
+            row.take_over(0, from);
+        if (t1 == 1)
+            row.take_over(last, to);
+        return row.fill(0, last, from, to);
+    }
+    row.take_over(0, start(*its, 0));
+    for (int s = 0; s < mine.blocks; ++s) {
+        const std::size_t i = start(mine, s), i_end = start(mine, s + 1);
+        const std::size_t j = start(*its, s), j_end = start(*its, s + 1);
+        row.take_over(i_end, j_end);
+        if (i_end - i != j_end - j)
+            row.fill(i, i_end, j, j_end);
+        else
+            for (std::size_t k = 1; i + k < i_end; ++k)
+                row.take_over(i + k, j + k);
+    }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Which side of a diced surface is seen.
+#ifndef L3D_DICE_FACING_FIX_H
+#define L3D_DICE_FACING_FIX_H
+
+#include "raster/micro_grid.h"
+#include "raster/surface_rasterizer.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+/// How far a normal points away from the eye that looks at a pixel: positive if it is to be turned
+/// round. Units: x, y in pixels; the result in those of the normal times those of the rays.
+inline float l3d_away_from_eye(const l3d_shading& shading, const float* normal, float x, float y) {
+    float away = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        away += normal[k] * (shading.ray[k] + x * shading.ray_right[k] + y * shading.ray_down[k]);
+    return away;
+}
+
+/// Whether there is an eye to turn normals to.
+inline bool l3d_has_eye(const l3d_shading& shading) {
+    return shading.ray != std::array<float, 3>{0, 0, 0};
+}
+
+/// Turns the grid's normals to the side that is seen, if all of it shows the same one; else says
+/// that it shows_both.
+///
+/// Where a surface bends away from the eye, an outline passes through quads. Of such a quad one
+/// side is drawn, whichever sides its corners show. That is the one that the eye would see, so all
+/// of the quad is lit as this side. The other side of the surface begins at the same drawn line and
+/// lies behind.
+///
+/// Where a side of a patch is nearly a point, normals may be those of the other side: dS along it
+/// turns round. Such a vertex on the grid's border shows what its inner neighbour shows. It is told
+/// by a normal that is more than a right angle off that one's.
+/// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex; it is brought to what is
+///        said here.
+void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
+
+/// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels.
+///
+/// Shape: `level` as the grid's arrays and a number longer; it is written to. The levels are those
+///        of the normals as they are. In the grid, normal[1] and normal[2] are the levels of the
+///        middles of sides, in place of what these bend by. The vertices on the border that show
+///        what their neighbours show are those whose level else makes the side bend more.
+void l3d_turn_levels(std::span<float> away, std::span<float> level, l3d_micro_grid& grid);
+
+/// The sign of the light that a quad of a grid shows: -1 if the grid shows_both and the quad turns
+/// to the right. A folded quad shows what its piece at `side` does.
+/// Shape: side as in l3d_edge_polylines.
+float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::size_t side);
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// l3d_grid_builder: the vertices of a piece, and the slits along its sides.
+#ifndef L3D_DICE_GRID_BUILDER_H
+#define L3D_DICE_GRID_BUILDER_H
+
+#include "geom/normal_net.h"
+#include "dice/diced_piece.h"
+#include "dice/edges/edge_polylines.h"
+#include "dice/normal_columns.h"
+#include "dice/piece_bounds.h"
+#include "dice/edges/gap_filler.h"
+#include "dice/step_plan.h"
+#include "dice/strip_walker.h"
+#include "dice/surface_piece.h"
+
+#include <array>
+#include <vector>
+
+/// Draws pieces with given steps. The dicer chooses what to draw, and how finely.
+///
+/// A piece that needs no clipping becomes a grid, its rows walked by forward differences; any
+/// other becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
+/// Cost: no allocation once the largest piece has been seen.
+template <class T> class l3d_grid_builder {
+public:
+    using piece = l3d_surface_piece;
+
+    /// The data that stay the same for a patch. Lives: normals and edges must outlive its drawing.
+    void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
+               const l3d_edge_polylines& edges);
+
+    /// Expects: the piece's sides name edges of those given to begin.
+    void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
+              l3d_diced_piece& out);
+
+    /// Draws the rest of a piece that needs no clipping, after its grid. These are the sides, and
+    /// the corners where all neighbours have them. Shape: the grid's blocks and out.u, out.v are
+    /// written.
+    void close(const piece& p, l3d_diced_piece& out);
+
+    /// A piece outside the window is not diced, but the slits that start along its sides may
+    /// reach inside: they are filled up to its corners.
+    void close_hidden(const piece& p, l3d_diced_piece& out);
+
+    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    void reserve_as(const l3d_grid_builder& other);
+
+private:
+    void fill_parameters(const piece& p, const l3d_step_plan& plan, l3d_diced_piece& out);
+    void walk_rows(const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
+                   l3d_diced_piece& out);
+    void evaluate_grid(const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
+                       const l3d_diced_piece& out);
+    void copy_evaluated(l3d_micro_grid& grid) const;
+    void set_grid_corners(const piece& p, l3d_micro_grid& grid) const;
+    void set_clip_corners(const piece& p);
+    using corners_of_half = std::array<l3d_clip_vertex, 3>;
+    corners_of_half half_of_quad(int row, int column, bool first) const;
+    void add_clipped_quads(l3d_diced_piece& out) const;
+    l3d_clip_vertex grid_vertex(const piece& p, const l3d_micro_grid& grid, int row,
+                                int column) const;
+    template <class VertexAt, class SideAt>
+    void fill_slit(const piece& p, std::size_t side, VertexAt vertex_at, SideAt side_at,
+                   l3d_diced_piece& out);
+
+    l3d_clip_vertex& clip_vertex(int row, int column) {
+        return clip_grid_[clip_index(row, column)];
+    }
+    const l3d_clip_vertex& clip_vertex(int row, int column) const {
+        return clip_grid_[clip_index(row, column)];
+    }
+    std::size_t clip_index(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+
+    l3d_dice_view view_;
+    const l3d_normal_net* normals_ = nullptr;
+    const l3d_edge_polylines* edges_ = nullptr;
+
+    int columns_ = 0, rows_ = 0;
+
+    // Kept between pieces only for their memory.
+    l3d_strip_walker<T> walker_;
+    l3d_normal_columns normal_columns_;
+    std::vector<l3d_clip_vertex> clip_grid_;
+    std::vector<l3d_image_curve> curves_;
+    std::array<std::vector<float>, 3> normal_row_;
+    std::vector<l3d_boundary_point> boundary_;
+    std::array<std::vector<float>, 2> light_memory_;
+};
+
+#endif

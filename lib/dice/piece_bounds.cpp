@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// l3d_piece_bounds: blocks, and the accuracy of vertices.
+#include "dice/piece_bounds.h"
+
+#include "geom/forward_difference.h"
+#include "dice/step_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace {
+
+/// Largest coordinates, and largest first, second and third differences along v.
+struct magnitudes {
+    std::array<double, 4> xy{}, w{};
+
+    explicit magnitudes(const l3d_image_patch& net) {
+        for (int c = 0; c < 4; ++c) {
+            std::array<l3d_image_point, 4> d = net.column(c).points;
+            for (std::size_t order = 0; order < 4; ++order) {
+                for (std::size_t i = 0; i + order < 4; ++i) {
+                    xy[order] = std::max({xy[order], std::abs(d[i][0]), std::abs(d[i][1])});
+                    w[order] = std::max(w[order], std::abs(d[i][2]));
+                }
+                for (std::size_t i = 0; i + order + 1 < 4; ++i)
+                    d[i] = d[i + 1] - d[i];
+            }
+        }
+    }
+};
+
+/// Error of walking n steps in T along one of `strips` equal parts of [0, 1], in registers that
+/// hold `unit` times the coordinates. Differences of order k shrink by strips^k.
+template <class T>
+double walking_error(const std::array<double, 4>& size, double unit, int n, int strips) {
+    const double s = strips, whole = l3d_balanced_reach * unit;
+    return l3d_forward_difference_error<T>(n, whole * size[0], whole * size[1] / s,
+                                           whole * size[2] / (s * s),
+                                           whole * size[3] / (s * s * s)) /
+           unit;
+}
+
+/// The power of two that brings w to at most 2^8 and, within the guard band, x and y to at most
+/// 2^22. Differences of third order may take eight times that, and 32.32 has 31 integer bits.
+/// Expects: 0 < largest_w < 2^200 and so on, as the image transform's scale makes sure.
+template <class T> double register_unit(double largest_w) {
+    if constexpr (l3d_is_fixed<T>)
+        return std::exp2(7 - std::floor(std::log2(largest_w)));
+    else
+        return 1;
+}
+
+} // namespace
+
+template <class T>
+l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_patch& piece, const l3d_dice_view& view)
+    : net_(piece) {
+    const l3d_depth_range depth = l3d_depth_range_of(net_.points);
+    l3d_image_box seen = view.margin();
+    l3d_vertex_accuracy accuracy;
+    accuracy.w_low = view.drawn_w(depth.least);
+    accuracy.reach = l3d_guard_band;
+    bool small = false;
+    if (depth.least > view.near) {
+        const l3d_image_box hull = l3d_image_box_of(net_.points);
+        whole_ = hull.reach() < l3d_guard_band && depth.most < view.far;
+        if (whole_) {
+            accuracy.reach = view.drawn_box(hull).reach();
+            small = l3d_is_small(hull);
+            if (!seen.intersected(hull).empty())
+                seen = seen.intersected(hull);
+        }
+    }
+    accuracy.seen_reach = seen.reach();
+    blocks_[0] = net_;
+    if (!small)
+        cut();
+    bound_vertices(accuracy, view);
+}
+
+template <class T> void l3d_piece_bounds<T>::cut() {
+    const auto [low, high] = net_.split_v();
+    const std::array<std::pair<l3d_image_patch, l3d_image_patch>, 2> rows{low.split_v(),
+                                                                          high.split_v()};
+    for (std::size_t b = 0; b < 4; ++b) {
+        const l3d_image_patch& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
+        const auto [left, right] = row.split_u();
+        std::tie(blocks_[4 * b], blocks_[4 * b + 1]) = left.split_u();
+        std::tie(blocks_[4 * b + 2], blocks_[4 * b + 3]) = right.split_u();
+    }
+    count_ = blocks_.size();
+}
+
+template <class T>
+void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view) {
+    // The error of vertices that are evaluated one by one.
+    const magnitudes size(net_);
+    accuracy.error_xy = view.error_xy + l3d_evaluation_error(size.xy[0]);
+    accuracy.error_w = view.error_w + l3d_evaluation_error(size.w[0]);
+    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
+    // The centre of a folded quad is rounded to sub-pixels once more.
+    if (whole_)
+        accuracy.snap_error += l3d_snap_error<double>(0);
+    const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
+    vertex_error_ = accuracy.drawn_error(w_ratio);
+    error_w_ = accuracy.error_w;
+    if (!whole_)
+        return;
+
+    // The error of vertices that are walked, if that is exact enough.
+    const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
+    unit_ = register_unit<T>(size.w[0]);
+    accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);
+    const double walk_w = walking_error<T>(size.w, unit_, l3d_most_steps_whole, strips);
+    accuracy.error_w += walk_w;
+    accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
+    const double walking = accuracy.drawn_error(w_ratio);
+    // What w is off by counts along the line of sight.
+    const double more = walking - vertex_error_ + view.focal * walk_w / accuracy.w_low;
+    walked_ = more <= view.walk_allowance(vertex_error_);
+    if (walked_) {
+        vertex_error_ = walking;
+        error_w_ = accuracy.error_w;
+    }
+}
+
+template class l3d_piece_bounds<float>;
+template class l3d_piece_bounds<double>;
+template class l3d_piece_bounds<l3d_fixed<std::int64_t, 32>>;

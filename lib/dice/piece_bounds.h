@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// l3d_piece_bounds: a piece as the bounds see it.
+#ifndef L3D_DICE_PIECE_BOUNDS_H
+#define L3D_DICE_PIECE_BOUNDS_H
+
+#include "geom/step_bound.h"
+#include "scene/dice_view.h"
+#include "dice/drawn_error.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+/// l3d_most_steps_whole for pieces that need clipping. These are drawn slowly, and their triangles
+/// have no contours that edges could be smoothed by. So they are cut until what is before the near
+/// plane goes to the lanes, and little else is left. With 4, 30 edge pixels of a ball beside the
+/// eye are off by over 30 levels, with 2 there are 9 (`near_outline`).
+inline constexpr int l3d_most_steps_clipped = 2;
+
+/// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices
+/// are then.
+///
+/// Shape: block 4 * b + a is u-strip a, v-strip b; or there is one block.
+template <class T> class l3d_piece_bounds {
+public:
+    l3d_piece_bounds(const l3d_image_patch& piece, const l3d_dice_view& view);
+
+    const l3d_image_patch& net() const { return net_; }
+    std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
+
+    /// Needs no clipping: all in front of the near plane, before the far one, in the guard band.
+    bool whole() const { return whole_; }
+
+    /// Walked by forward differences in T; else each vertex is evaluated, because walking would
+    /// err by more than l3d_dice_view::walk_allowance more.
+    bool walked() const { return walked_; }
+
+    /// The number that stands for 1 in a walk's registers, a power of two. Fixed point gets
+    /// coordinates that are as large as fits, however far all else in the picture is.
+    double unit() const { return unit_; }
+
+    /// The error that rounding of the vertices adds to the chord error. Units: pixels.
+    double vertex_error() const { return vertex_error_; }
+
+    /// The same in slits along the piece's sides.
+    double row_error() const {
+        return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
+    }
+
+    /// Error of the vertices' w. Units: those of w.
+    double error_w() const { return error_w_; }
+
+private:
+    void cut();
+    void bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
+
+    l3d_image_patch net_;
+    std::size_t count_ = 1;
+    std::array<l3d_image_patch, 16> blocks_;
+    bool whole_ = false;
+    bool walked_ = false;
+    double unit_ = 1;
+    double vertex_error_ = 0, error_w_ = 0;
+};
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// l3d_piece_pool: what has been diced so far.
+#ifndef L3D_DICE_PIECE_POOL_H
+#define L3D_DICE_PIECE_POOL_H
+
+#include "dice/diced_piece.h"
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// Pieces in the order in which they were diced, kept for their memory.
+///
+/// Shape: begins two cache lines, as others are written by other workers.
+/// Cost:  allocates only when there are more, or larger ones, than ever before.
+class alignas(128) l3d_piece_pool {
+public:
+    l3d_piece_pool() = default;
+
+    /// Pieces that keep the parameters of their triangles.
+    static l3d_piece_pool with_parameters() {
+        l3d_piece_pool result;
+        result.keep_parameters_ = true;
+        return result;
+    }
+
+    /// Whether pieces from now on keep the parameters of their triangles.
+    void keep_parameters(bool keep) {
+        if (keep_parameters_ == keep)
+            return;
+        keep_parameters_ = keep;
+        for (l3d_diced_piece& piece : pieces_)
+            piece.keep_parameters = keep;
+    }
+
+    /// An empty piece. Lives: until the next one is asked for.
+    l3d_diced_piece& next() {
+        if (used_ == pieces_.size())
+            pieces_.emplace_back().keep_parameters = keep_parameters_;
+        l3d_diced_piece& piece = pieces_[used_++];
+        piece.clear();
+        return piece;
+    }
+
+    /// Takes the last one back, which nothing was written to.
+    void give_back() {
+        assert(used_ > 0);
+        --used_;
+    }
+
+    /// The pieces handed out since the last clear.
+    std::span<const l3d_diced_piece> used() const { return {pieces_.data(), used_}; }
+    std::span<l3d_diced_piece> used() { return {pieces_.data(), used_}; }
+
+    void clear() { used_ = 0; }
+
+private:
+    std::vector<l3d_diced_piece> pieces_;
+    std::size_t used_ = 0;
+    bool keep_parameters_ = false;
+};
+
+#endif

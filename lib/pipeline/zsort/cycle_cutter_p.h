@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// cycle_cutter: triangles that no order of whole ones paints right, cut until there is one.
+#ifndef L3D_PIPELINE_ZSORT_CYCLE_CUTTER_P_H
+#define L3D_PIPELINE_ZSORT_CYCLE_CUTTER_P_H
+
+#include "pipeline/zsort/painter_components_p.h"
+#include "pipeline/zsort/painter_cover_p.h"
+#include "pipeline/zsort/painter_overlap_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Unties one knot at a time.
+///
+/// First the members that go through each other are cut at each other's planes, only where they
+/// meet. Along the curve where two surfaces cross, that is a cut or two each. Cycles that are left
+/// are divided by whole planes; so is a set in which nearly all go through all. The part behind a
+/// plane comes first, the part in front of it last. That always ends, since a piece that was
+/// divided by a plane is never divided by it again.
+///
+/// All is found from front to back. So members of a large knot that are hidden by what was found
+/// are left out before they are cut any further, and the work is in proportion to what is seen.
+/// Lives:   keeps its memory.
+class cycle_cutter {
+public:
+    /// Knots of more members than that are searched for hidden ones. In a smaller one, clearing the
+    /// bits of the picture would take longer than painting what is hidden.
+    static constexpr std::size_t few = 48;
+
+    explicit cycle_cutter(std::size_t most_without_search = few)
+        : most_without_search_(most_without_search) {}
+
+    /// Adds the members' pieces in painting order, and their cuts.
+    /// Expects: members name triangles, rising.
+    /// Errors:  l3d_interrupted, if the workers are.
+    void untie(l3d_workers& workers, l3d_size size, std::span<const l3d_painter_triangle> triangles,
+               std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
+               std::vector<l3d_painter_cut>& cuts);
+
+private:
+    struct fragment {
+        l3d_painter_piece piece;
+        l3d_picture_plane plane;
+        picture_region region;
+        double left, right, top, bottom; ///< of the region
+    };
+    using fragments = std::vector<fragment>;
+
+    fragment whole(std::uint32_t triangle) const;
+    static void set_box(fragment& of);
+    double tie(const fragment& a, const fragment& b) const;
+    bool same(const fragment& a, const fragment& b) const {
+        return a.piece.triangle == b.piece.triangle;
+    }
+    front_parts front(const fragment& a, const fragment& b);
+    template <class Visit> void visit_pairs(const fragments& set, const Visit& visit);
+    fragment cut_side(const fragment& of, const fragment& by, bool in_front);
+
+    bool cut_where_they_meet(fragments& set);
+    void arrange(fragments&& set);
+    void divide(fragments&& set);
+    std::size_t best_splitter(const fragments& set) const;
+    void emit(const fragment& f);
+    void leave_out_hidden(fragments& set);
+
+    std::span<const l3d_painter_triangle> triangles_;
+    std::vector<l3d_painter_piece>* pieces_ = nullptr;
+    std::vector<l3d_painter_cut>* cuts_ = nullptr;
+    l3d_workers* workers_ = nullptr; ///< who are asked whether to go on
+
+    struct task {
+        fragments set;
+        bool cyclic; ///< known to have no order
+    };
+    std::vector<task> tasks_; ///< the last is the next, in front of all others
+    painter_cover cover_;     ///< of a large knot
+    std::size_t most_without_search_;
+    bool covers_ = false;
+    ordered_components components_;
+    picture_region common_, scratch_;
+};
+
+} // namespace l3d_detail
+
+#endif

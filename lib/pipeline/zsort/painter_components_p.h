@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// ordered_components: an order in which everything comes after what it needs, and its cycles.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
+
+#include "geom/radix_sort.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Something that is put into an order: what it is sorted by and, below, its number.
+///
+/// Nodes are ordered like these numbers. So one that is met while others are walked can be compared
+/// with them, and nothing has to tell its place among all.
+using order_node = std::uint64_t;
+
+constexpr order_node order_node_of(std::uint32_t key, std::uint32_t number) {
+    return std::uint64_t{key} << 32 | number;
+}
+constexpr std::uint32_t number_of(order_node node) {
+    return static_cast<std::uint32_t>(node);
+}
+
+/// Strong components of a graph that is found while it is walked.
+///
+/// Cost:    linear in nodes and edges; depth costs no stack of the processor. A node that needs
+///          nothing and that no other needs costs a bit and a call. Keeps its memory.
+/// Source:  Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
+class ordered_components {
+public:
+    /// Calls emit(component) for each strongly connected component of nodes, after those that its
+    /// nodes need. Where there is a choice, the order is that of the least node.
+    ///
+    /// `is_free(node)` tells whether a node needs none that is greater. `needed(node, in_turn,
+    /// out)` adds to `out` what a node needs before it. Members that are emitted already may be
+    /// left out. If it is the node's turn, all lesser ones are emitted. Nodes of a component are in
+    /// rising order.
+    /// Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
+    template <class Free, class Needed, class Emit>
+    void walk(std::span<const l3d_sort_item> nodes, std::size_t numbers, const Free& is_free,
+              const Needed& needed, const Emit& emit) {
+        marks_.resize(std::max(marks_.size(), numbers));
+        is_seen_.assign(numbers, false);
+        next_ = 0;
+        for (const l3d_sort_item& next : nodes) {
+            if (is_seen_[next.index])
+                continue;
+            turn_ = order_node_of(next.key, next.index);
+            if (is_free(turn_)) { // most are: each is a component by itself
+                emit(std::span<const order_node>(&turn_, 1));
+                continue;
+            }
+            enter(turn_, true, needed);
+            while (!calls_.empty())
+                advance(needed, emit);
+        }
+    }
+
+    bool emitted(order_node node) const {
+        return node < turn_ || (is_seen(node) && mark_of(node).index == finished);
+    }
+
+private:
+    static constexpr std::uint32_t finished = 0xffffffff;
+
+    struct mark {
+        std::uint32_t index; ///< when it was first seen
+        std::uint32_t low;   ///< the earliest that can be reached from it
+    };
+
+    struct call {
+        order_node node;
+        std::size_t first_edge, next_edge;
+    };
+
+    bool is_seen(order_node node) const { return is_seen_[number_of(node)]; }
+    mark& mark_of(order_node node) { return marks_[number_of(node)]; }
+    const mark& mark_of(order_node node) const { return marks_[number_of(node)]; }
+
+    template <class Needed> void enter(order_node node, bool in_turn, const Needed& needed) {
+        is_seen_[number_of(node)] = true;
+        mark_of(node) = {next_, next_};
+        ++next_;
+        open_.push_back(node);
+        calls_.push_back({node, edges_.size(), edges_.size()});
+        needed(node, in_turn, edges_);
+    }
+
+    /// One step of the walk: the next edge of the node at hand, or its end.
+    template <class Needed, class Emit> void advance(const Needed& needed, const Emit& emit) {
+        call& at = calls_.back();
+        if (at.next_edge < edges_.size()) {
+            const order_node to = edges_[at.next_edge++];
+            if (emitted(to))
+                return;
+            if (!is_seen(to))
+                enter(to, false, needed);
+            else
+                mark_of(at.node).low = std::min(mark_of(at.node).low, mark_of(to).index);
+            return;
+        }
+        const order_node node = at.node;
+        edges_.resize(at.first_edge);
+        calls_.pop_back();
+        if (!calls_.empty())
+            mark_of(calls_.back().node).low =
+                std::min(mark_of(calls_.back().node).low, mark_of(node).low);
+        if (mark_of(node).low == mark_of(node).index)
+            close(node, emit);
+    }
+
+    template <class Emit> void close(order_node node, const Emit& emit) {
+        std::size_t first = open_.size();
+        do {
+            --first;
+            mark_of(open_[first]).index = finished;
+        } while (open_[first] != node);
+        const std::span<order_node> component(open_.data() + first, open_.size() - first);
+        std::ranges::sort(component);
+        emit(std::span<const order_node>(component));
+        open_.resize(first);
+    }
+
+    std::vector<mark> marks_; ///< by number, of those that were seen
+    std::vector<bool> is_seen_;
+    std::vector<call> calls_;
+    std::vector<order_node> edges_; ///< of all nodes in calls_, the last one's at the end
+    std::vector<order_node> open_;  ///< seen, not yet in a component
+    order_node turn_ = 0;           ///< all lesser ones are emitted
+    std::uint32_t next_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif

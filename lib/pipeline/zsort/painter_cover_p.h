@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// painter_cover: what pieces hide that are painted later.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
+
+#include "raster/shapes/piece_pixels_p.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The pixels that the pieces added so far will be painted in. They are found by the painter's own
+/// code, so a piece that is hidden can be left out, and no pixel changes.
+///
+/// Lives:   borrows what begin() was given. Keeps its memory.
+class painter_cover {
+public:
+    /// Forgets all pieces.
+    void begin(l3d_size size, std::span<const l3d_painter_triangle> triangles,
+               const std::vector<l3d_painter_cut>& cuts);
+
+    void add(const l3d_painter_piece& piece);
+
+    /// Whether each pixel of a piece, and of its sides drawn as lines, is covered.
+    bool hides(const l3d_painter_piece& piece);
+
+private:
+    bool covers(std::int32_t row, columns span) const;
+    bool hides_sides(const l3d_painter_piece& piece) const;
+
+    l3d_size size_{};
+    std::span<const l3d_painter_triangle> triangles_;
+    const std::vector<l3d_painter_cut>* cuts_ = nullptr;
+    std::size_t words_ = 0;             ///< of a row
+    std::vector<std::uint64_t> pixels_; ///< a bit each
+    std::vector<placed_cut> placed_;
+    scan_polygon scan_;
+};
+
+} // namespace l3d_detail
+
+#endif

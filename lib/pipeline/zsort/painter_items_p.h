@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// painter_items: what is known of triangles before they are compared.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_ITEMS_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_ITEMS_P_H
+
+#include "raster/zsort/painter.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A triangle that is to be put into an order.
+struct painter_item {
+    /// The pixels whose centres are in its box, ends excluded.
+    std::int32_t left, top, right, bottom;
+    /// Its range of 1/w.
+    float farthest, nearest;
+    /// If not 0, the box has at most eight rows and columns and lies in the picture. Bit 8 r + c is
+    /// then set if pixel (left + c, top + r) is covered.
+    std::uint64_t cover;
+    std::uint32_t triangle; ///< its place among those that were given
+
+    static constexpr std::int32_t small_side = l3d_painter_piece::small_side;
+
+    bool box_meets(const painter_item& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+};
+
+/// The items of a list of triangles, in its order.
+///
+/// Shape: triangles come in chunks, side by side. The items of a chunk begin where its triangles
+///        do, so there are gaps between chunks. An item's number is its place with gaps.
+class painter_items {
+public:
+    /// So many triangles are one item of a worker's work: some 10^5 cycles.
+    static constexpr std::size_t usual_chunk = 1024;
+
+    /// Forgets all items. Chunks of triangles will end there. Unless their sides are drawn, small
+    /// triangles that cover no pixel are left out.
+    void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
+               l3d_size size, bool with_sides);
+    /// Makes items of those triangles of a chunk that have an area and a box that holds a pixel's
+    /// centre. Chunks may be made side by side.
+    void make(std::size_t chunk);
+    /// Expects: all chunks are made.
+    void finish();
+
+    std::size_t chunks() const { return kept_.size(); }
+    /// The number of a chunk's first item.
+    std::size_t first(std::size_t chunk) const { return chunk > 0 ? ends_[chunk - 1] : 0; }
+    std::span<const painter_item> of_chunk(std::size_t chunk) const {
+        return {items_.data() + first(chunk), kept_[chunk]};
+    }
+
+    /// Whether nothing of an item shows beside the pixels that it covers.
+    bool are_pixels_all() const { return !with_sides_; }
+    const std::array<l3d_micro_vertex, 3>& corners(const painter_item& item) const {
+        return triangles_[item.triangle].v;
+    }
+
+    const painter_item& operator[](std::uint32_t number) const { return items_[number]; }
+    /// More than any number.
+    std::size_t numbers() const { return items_.size(); }
+    std::size_t count() const { return count_; }
+
+    /// The mean number of pixels in a box; 0 if there are no items.
+    double mean_box() const { return count_ > 0 ? area_ / static_cast<double>(count_) : 0; }
+
+private:
+    std::span<const l3d_painter_triangle> triangles_;
+    std::vector<std::size_t> ends_; ///< of chunks
+    l3d_size size_{};
+    bool with_sides_ = true;
+    std::vector<painter_item> items_;
+    std::vector<std::size_t> kept_; ///< of each chunk
+    std::vector<double> areas_;     ///< of each chunk's boxes
+    std::size_t count_ = 0;
+    double area_ = 0;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// l3d_painter_order: an order of triangles, cut where none is right, that paints the right picture.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_ORDER_H
+#define L3D_PIPELINE_ZSORT_PAINTER_ORDER_H
+
+#include "pipeline/polygons/polygon_report.h"
+#include "raster/parallel/workers.h"
+#include "raster/zsort/painter.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+/// Sorts triangles by their farthest corner, finds where that is wrong, and mends it.
+///
+/// Only triangles that meet in the picture matter to each other. Each comes after all that it hides
+/// a part of. Strongly connected components of that relation with more than one member are cut by
+/// each other's planes until there is an order. These are two that go through each other, or cyclic
+/// overlap. The result is exact but for pixels where the two nearest depths differ by less than
+/// 2^-36 of the nearest corner.
+/// Cost:    sorting is linear. Comparing is linear in the number of triangles that lie over each
+///          other within a tile of the picture; for surfaces, in that of triangles. A set of n that
+///          all go through each other may become n^2 pieces if all of them are seen; what is hidden
+///          is left out. Keeps its memory.
+/// Source:  comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
+///          1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
+///          structures (SIGGRAPH 1980).
+class l3d_painter_order {
+public:
+    /// Lives: borrows the workers.
+    explicit l3d_painter_order(l3d_workers& workers);
+    ~l3d_painter_order();
+    l3d_painter_order(const l3d_painter_order&) = delete;
+    l3d_painter_order& operator=(const l3d_painter_order&) = delete;
+
+    /// What is ordered, and how.
+    struct way {
+        bool resolve = true; ///< else the painter's algorithm of old: sorted, and nothing compared
+        /// Their sides are drawn. Else what covers no pixel is left out, and may be what is behind
+        /// others in all of its pixels.
+        bool sides = true;
+    };
+
+    /// Orders triangles of a picture of a size. Those that cover no area are left out.
+    /// Lives: borrows the triangles until the next make.
+    void make(std::span<const l3d_painter_triangle> triangles, l3d_size size, const way& how);
+    /// Orders all that may have pixels or sides.
+    void make(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
+        make(triangles, size, way());
+    }
+
+    /// The same of triangles that come in chunks, which end there. They may be written until they
+    /// are noted.
+    void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
+               l3d_size size, const way& how);
+    /// The triangles of a chunk are there. Threads may note chunks side by side.
+    void note(std::size_t chunk);
+    /// Orders all. Expects: all chunks were noted.
+    void finish();
+
+    /// The triangles that were given: what pieces and cuts name.
+    std::span<const l3d_painter_triangle> triangles() const;
+
+    /// In the order in which they are to be painted.
+    std::span<const l3d_painter_piece> pieces() const;
+    std::span<const l3d_painter_cut> cuts() const;
+
+    const l3d_painter_order_counts& counts() const { return counts_; }
+
+private:
+    struct work_space;
+    std::unique_ptr<work_space> work_;
+    l3d_painter_order_counts counts_;
+};
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Which of two triangles, or pieces of them, must be painted first.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_OVERLAP_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_OVERLAP_P_H
+
+#include "raster/zsort/painter.h"
+#include "raster/shapes/picture_plane.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A place in the picture. Units: 1/256 pixel.
+struct picture_point {
+    double x = 0, y = 0;
+};
+
+/// A convex polygon of the picture, either winding.
+using picture_region = std::vector<picture_point>;
+
+/// Where one of two is in front of the other.
+struct front_parts {
+    bool first = false;  ///< somewhere the first is
+    bool second = false; ///< somewhere the second is
+
+    bool mixed() const { return first && second; }
+};
+
+/// Depths that differ by less than this part of the nearer corner are as good as equal. It is 2^-12
+/// of what a depth buffer of floats tells apart, and 2^17 times the rounding of doubles.
+inline constexpr double painter_tie = 0x1p-36;
+
+/// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the
+/// fill rule takes a centre on an edge as if it lay a little to the right and below.
+bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
+                  const std::array<l3d_micro_vertex, 3>& b);
+
+/// Which is in front in what two triangles have in common. Expects: both cover some area.
+front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
+                     const std::array<l3d_micro_vertex, 3>& b);
+
+/// Which of two planes is in front over a region; differences up to `tie` are none.
+front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
+                       const l3d_picture_plane& second, double tie);
+
+/// The common part of two convex polygons, with a margin of 2^-12 sub-pixel around it in case
+/// rounding lost it.
+///
+/// Lives:   the result is in `out`; `scratch` is room.
+void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
+               picture_region& out, picture_region& scratch);
+
+/// The part of a region where the first plane is in front of the second (or not). Empty only if
+/// the region has no such part.
+void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
+               const l3d_picture_plane& second, bool in_front, picture_region& out);
+
+picture_region region_of(const std::array<l3d_micro_vertex, 3>& v);
+
+/// The tie of two triangles.
+double tie_of(const std::array<l3d_micro_vertex, 3>& a, const std::array<l3d_micro_vertex, 3>& b);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// painter_pairs: which of two items must be painted after the other.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_PAIRS_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_PAIRS_P_H
+
+#include "pipeline/zsort/painter_items_p.h"
+#include "pipeline/zsort/painter_overlap_p.h"
+#include "pipeline/zsort/painter_tiles_p.h"
+
+#include <array>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Compares items.
+///
+/// Lives: borrows them.
+class painter_pairs {
+public:
+    explicit painter_pairs(const painter_items& items) : items_(items) {}
+
+    /// Whether an item must be painted after another that it may meet: it is in front of it
+    /// somewhere. Two that have a pixel in common do meet.
+    bool needs(const painter_entry& item, const painter_entry& other) const {
+        return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
+               (other.nearest <= item.farthest ||
+                front_of(corners(item.number), corners(other.number)).first);
+    }
+
+private:
+    const std::array<l3d_micro_vertex, 3>& corners(std::uint32_t number) const {
+        return items_.corners(items_[number]);
+    }
+
+    /// Whether the insides of two items meet. Where pixels are all that counts, their boxes tell it
+    /// of many that lie side by side.
+    bool do_meet(std::uint32_t a, std::uint32_t b) const {
+        return (!items_.are_pixels_all() || items_[a].box_meets(items_[b])) &&
+               insides_meet(corners(a), corners(b));
+    }
+
+    const painter_items& items_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// painter_tiles: for each tile of the picture the triangles that reach it.
+#ifndef L3D_PIPELINE_ZSORT_PAINTER_TILES_P_H
+#define L3D_PIPELINE_ZSORT_PAINTER_TILES_P_H
+
+#include "pipeline/zsort/painter_components_p.h"
+#include "pipeline/zsort/painter_items_p.h"
+#include "pipeline/zsort/tile_cover_p.h"
+#include "raster/parallel/workers.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A triangle in a tile.
+///
+/// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of them.
+struct painter_entry {
+    float farthest, nearest; ///< of the triangle
+    std::uint64_t cells;     ///< those that it may have pixels in
+    std::uint32_t number;    ///< of its item
+    /// Its first column and its first row lie in tiles before this one: bits 0 and 1. Not noted if
+    /// the cells are the pixels that it covers.
+    std::uint16_t begins_before = 0;
+    std::uint16_t is_exact = 0; ///< the cells are those pixels
+
+    /// Whether two triangles may have a pixel of this tile in common, and it is the first tile of
+    /// those where they may. So each pair is found once, but for pairs of which one is exact.
+    bool may_meet(const painter_entry& other) const {
+        return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
+    }
+    /// Positive floats are ordered like their bits.
+    order_node node() const {
+        return order_node_of(std::bit_cast<std::uint32_t>(farthest), number);
+    }
+};
+
+/// Whether no two have a cell in common, as on a surface of one layer.
+inline bool are_apart(std::span<const painter_entry> members) {
+    std::uint64_t taken = 0;
+    for (const painter_entry& member : members) {
+        if ((taken & member.cells) != 0)
+            return false;
+        taken |= member.cells;
+    }
+    return true;
+}
+
+/// For each tile of the picture the triangles that reach it.
+class painter_tiles {
+public:
+    /// Tiles about twice as wide as the mean box, and of at least eight pixels: fewer would list
+    /// each triangle often, larger ones would list together what does not meet. Where they would
+    /// have 16 or 32, they have eight, if pixels are all that counts. Then most triangles are known
+    /// by those that they cover, and most pairs need not be compared.
+    /// Lives: borrows the items until the next make.
+    void make(const painter_items& items, l3d_size size, l3d_workers& workers);
+
+    int rows() const { return rows_; }
+    int columns() const { return columns_; }
+    std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+
+    /// The members of a tile, by rising numbers until they are sorted.
+    std::span<const painter_entry> members(std::size_t tile) const {
+        return {entries_.data() + begins_[tile], entries_.data() + ends_[tile]};
+    }
+
+    /// Whether tiles have a cell for each pixel, and most entries know their pixels.
+    bool have_pixels() const { return shift_ == cell_bits && items_->are_pixels_all(); }
+
+    /// Forgets the members of a tile for which `keep` is false. Threads may do so side by side.
+    template <class Keep> void keep_if(std::size_t tile, const Keep& keep) {
+        std::uint32_t end = begins_[tile];
+        for (std::uint32_t i = end; i < ends_[tile]; ++i)
+            if (keep(entries_[i]))
+                entries_[end++] = entries_[i];
+        ends_[tile] = end;
+    }
+
+    /// The members of a tile in the order of the sort. Those at its beginning for which `skip` is
+    /// true are dropped for good.
+    template <class Skip> std::span<const painter_entry> rest(std::size_t tile, const Skip& skip) {
+        if (!is_sorted_[tile])
+            sort(tile);
+        std::uint32_t& head = heads_[tile];
+        const std::uint32_t end = ends_[tile];
+        while (head < end && skip(entries_[head]))
+            ++head;
+        return {entries_.data() + head, end - head};
+    }
+
+    /// Calls visit(tile, entry) for each tile that an item reaches.
+    template <class Visit>
+    void for_each(const painter_item& item, std::uint32_t number, const Visit& visit) const {
+        if (item.cover != 0 && shift_ == cell_bits)
+            return for_each_of_four(item, number, visit);
+        if (is_coverable(item))
+            return for_each_covered(item, number, visit);
+        for (int row = item.top >> shift_; row <= (item.bottom - 1) >> shift_; ++row)
+            for (int column = item.left >> shift_; column <= (item.right - 1) >> shift_; ++column)
+                visit(at(column, row), box_entry(item, number, column, row));
+    }
+
+private:
+    static constexpr int cell_bits = 3;                               ///< eight cells in a row
+    static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
+
+    /// Entries of each share of the triangles, as they were found, and their tiles. A worker writes
+    /// to it at each entry. So no two share a line of the caches, nor a pair of lines: some
+    /// processors fetch two together.
+    struct alignas(128) share_entries {
+        std::size_t first_chunk = 0, end_chunk = 0; ///< of the items
+        std::size_t count = 0;                      ///< of entries
+        std::vector<painter_entry> entries;         ///< and some that are not in use
+        std::vector<std::uint32_t> tiles;
+        std::vector<std::uint32_t> ends; ///< of the share in each tile
+    };
+
+    /// A small triangle's pixels lie in two tiles side by side at most, and so in columns.
+    template <class Visit>
+    void for_each_of_four(const painter_item& item, std::uint32_t number,
+                          const Visit& visit) const {
+        constexpr int side = 1 << cell_bits, cells = side * side;
+        const int right = item.left % side, down = item.top % side;
+        const std::uint64_t stay = ((0xffU << right) & 0xffU) * first_column;
+        // Moved to the right; what leaves the tile enters the next one at its left side.
+        const std::uint64_t here = item.cover << right & stay;
+        const std::uint64_t next = right == 0 ? 0 : item.cover >> (side - right) & ~stay;
+        const std::size_t tile = at(item.left >> cell_bits, item.top >> cell_bits);
+        const auto put = [&](std::size_t to, std::uint64_t pixels) {
+            if (pixels != 0)
+                visit(to, painter_entry{item.farthest, item.nearest, pixels, number, 0, 1});
+        };
+        put(tile, here << side * down);
+        put(tile + 1, next << side * down);
+        if (down == 0)
+            return;
+        put(tile + static_cast<std::size_t>(columns_), here >> (cells - side * down));
+        put(tile + static_cast<std::size_t>(columns_) + 1, next >> (cells - side * down));
+    }
+
+    /// Whether the pixels that it covers can be found.
+    bool is_coverable(const painter_item& item) const;
+
+    template <class Visit>
+    void for_each_covered(const painter_item& item, std::uint32_t number,
+                          const Visit& visit) const {
+        // A box of 64 pixels meets nine tiles at the most.
+        constexpr std::size_t most = (tile_cover_reach >> cell_bits) + 1;
+        std::array<std::uint64_t, most * most> covers;
+        const int left = item.left >> cell_bits, top = item.top >> cell_bits;
+        const cover_tiles tiles{left << cell_bits, top << cell_bits,
+                                ((item.right - 1) >> cell_bits) - left + 1,
+                                ((item.bottom - 1) >> cell_bits) - top + 1};
+        tile_cover(items_->corners(item), tiles, covers.data());
+        const std::uint64_t* next = covers.data();
+        for (int row = top; row < top + tiles.rows; ++row)
+            for (int column = left; column < left + tiles.columns; ++column)
+                if (const std::uint64_t pixels = *next++; pixels != 0)
+                    visit(at(column, row),
+                          painter_entry{item.farthest, item.nearest, pixels, number, 0, 1});
+    }
+
+    painter_entry box_entry(const painter_item& item, std::uint32_t number, int column,
+                            int row) const;
+    std::size_t tiles_of(const painter_item& item) const;
+    void share_out(const painter_items& items, int workers);
+    void find_entries(share_entries& to) const;
+    void sort(std::size_t tile);
+
+    const painter_items* items_ = nullptr;
+    int shift_ = cell_bits, columns_ = 0, rows_ = 0;
+    std::vector<std::uint32_t> begins_, ends_, heads_;
+    std::vector<painter_entry> entries_;
+    std::vector<bool> is_sorted_;
+    std::vector<share_entries> shares_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// tile_sight: what the sort alone would show of the triangles in a tile.
+#ifndef L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
+#define L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
+
+#include "pipeline/zsort/painter_tiles_p.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// Of one triangle in a tile, cells as in painter_entry.
+struct cell_sight {
+    std::uint64_t shown; ///< where all others are painted before it
+    /// Where the last one that is painted does not lie wholly in front of it, so that the sort may
+    /// be wrong there.
+    std::uint64_t doubtful;
+};
+
+/// In each cell, row by row, the place of the member that is painted there last; -1 if none is.
+using tile_fronts = std::array<std::int32_t, 64>;
+
+/// Finds these of all members of a tile. Shape: `of` has as many elements as there are members.
+/// Expects: members by rising numbers.
+void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// linear_light: levels of a picture to amounts of light, and back.
+#ifndef L3D_RASTER_COLOR_LINEAR_LIGHT_P_H
+#define L3D_RASTER_COLOR_LINEAR_LIGHT_P_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Tables of the sRGB curve. A level that is taken to light and back is the same level.
+/// Real: float for many pixels, or double where the nearest level is wanted exactly.
+template <class Real> class linear_light_of {
+public:
+    linear_light_of();
+
+    /// The light of a level of 255.
+    Real light(std::uint32_t level) const { return light_[level]; }
+
+    /// The level of ambient light alone, and the most that others add up to white.
+    static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
+
+    /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
+    /// it.
+    static Real level_of(Real lit) {
+        return ambient + (lit > 0 ? (lit < most_lit ? lit : most_lit) : Real(0));
+    }
+
+    /// Its light.
+    Real light_between(Real lit) const { return light_at_level(level_of(lit)); }
+
+    /// The light of a level that need not be whole: between the tables' levels on a straight line.
+    /// What is less than 0 or more than 255 counts as these.
+    Real light_at_level(Real level) const {
+        const Real held = level > 0 ? level : Real(0);
+        const auto below = static_cast<std::size_t>(held);
+        if (below + 1 >= light_.size())
+            return light_.back();
+        return light_[below] +
+               (held - static_cast<Real>(below)) * (light_[below + 1] - light_[below]);
+    }
+
+    /// The level that has this light, as light_at_level finds it. It need not be whole.
+    Real level_at_light(Real light) const {
+        std::size_t below = level(light);
+        if (below > 0 && light < light_[below])
+            --below;
+        if (below + 1 == light_.size())
+            return Real(255);
+        return static_cast<Real>(below) +
+               (light - light_[below]) / (light_[below + 1] - light_[below]);
+    }
+
+    /// The lights of all levels that are whole numbers.
+    const std::array<Real, 256>& lights() const { return light_; }
+
+    /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.
+    std::uint32_t level(Real light) const {
+        const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
+        std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
+        while (found < 255 && held >= begins_[found + 1])
+            ++found;
+        return found;
+    }
+
+private:
+    /// Near black a level is 1 / (255 * 12.92) = 1 / 3295 of white wide, so a guess is less than
+    /// two levels off.
+    static constexpr std::size_t guesses = 4096;
+
+    std::array<Real, 256> light_{}, begins_{};
+    std::array<std::uint8_t, guesses> first_{};
+};
+
+using linear_light = linear_light_of<float>;
+
+/// The tables, made at the first call.
+const linear_light& linear_light_tables();
+const linear_light_of<double>& exact_light_tables();
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// l3d_fix_facing: a depth test along lines.
+#include "raster/lines/hidden_lines.h"
+
+#include "raster/lines/line_cover_p.h"
+#include "raster/shapes/picture_plane.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
+                    std::span<const l3d_painter_triangle> triangles,
+                    const l3d_background& background, const l3d_line_look& look) {
+    assert(target.size() == depth.size());
+    constexpr double rounding = 0x1p-20; // of a float, some steps of it
+    constexpr double in_lanes = 1e-5;    // of the corners' range, by docs/POLYGONS.md
+    l3d_background().fill(target);
+    for (const l3d_painter_triangle& t : triangles) {
+        const l3d_picture_plane plane(t.v);
+        const double rise = l3d_subpixel_one * (std::abs(plane.along_x) + std::abs(plane.along_y));
+        if (!std::isfinite(rise))
+            continue; // no area: seen from its edge
+        const auto [far, near] = std::minmax({t.v[0].inv_w, t.v[1].inv_w, t.v[2].inv_w});
+        const double nearest = near + in_lanes * (double(near) - far);
+        for (std::size_t k = 0; k < t.v.size(); ++k) {
+            if (!(t.sides >> k & 1))
+                continue;
+            const l3d_micro_vertex &a = t.v[k], &b = t.v[(k + 1) % 3];
+            const double from = a.inv_w, change = double(b.inv_w) - a.inv_w;
+            const auto draw = [&](int x, int y, double along, int coverage) {
+                const double inv_w = std::min(from + along * change + rise, nearest);
+                const auto column = static_cast<std::size_t>(x);
+                if (inv_w * (1 + rounding) >= depth.row(y)[column])
+                    l3d_detail::cover_pixel(target.row(y)[column], coverage);
+            };
+            l3d_detail::visit_side(a, b, target.size(), look.smooth, draw);
+        }
+    }
+    l3d_detail::color_cover(target, {0, target.height}, background, look.color);
+}

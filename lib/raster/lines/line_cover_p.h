@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// line_cover: a picture of how much lines cover, before it has colours.
+//
+// Neighbouring triangles share a side, and each of them draws it. What lines cover of a pixel is
+// the most that one of them covers, so twice the same line is the line.
+#ifndef L3D_RASTER_LINES_LINE_COVER_P_H
+#define L3D_RASTER_LINES_LINE_COVER_P_H
+
+#include "raster/background.h"
+#include "raster/micro_grid.h"
+#include "raster/shapes/blend_p.h"
+#include "raster/lines/line_pixels_p.h"
+#include "raster/shapes/scan_polygon_p.h"
+#include "raster/lines/smooth_line_p.h"
+#include "tool_2d/pixels.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// Calls visit(x, y, along, coverage) for the pixels of a line between two vertices; `along` is 0
+/// at its first end and 1 at the other. A line that is not smooth covers its pixels wholly.
+/// Units:   coverage 1 to 255.
+template <class Visit>
+void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size size, bool smooth,
+                const Visit& visit) {
+    if (!smooth)
+        return visit_line(side_of(a, b), size,
+                          [&](int x, int y, double along) { visit(x, y, along, 255); });
+    const l3d_point_2d from = line_place(a.x, a.y), to = line_place(b.x, b.y);
+    const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+    smooth_line(from, to, size).for_each_pixel([&](int x, int y, int coverage) {
+        const double part = square > 0 ? ((x - from.x) * dx + (y - from.y) * dy) / square : 0;
+        visit(x, y, std::clamp(part, 0.0, 1.0), coverage);
+    });
+}
+
+/// A line covers so much of a pixel of such a picture.
+inline void cover_pixel(std::uint32_t& word, int coverage) {
+    word = std::max(word, static_cast<std::uint32_t>(coverage));
+}
+
+/// Gives rows of such a picture their colours.
+inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_background& background,
+                        std::uint32_t line_color) {
+    for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
+        const std::uint32_t ground = background.word(row, picture.height);
+        for (std::uint32_t& word : picture.row(row))
+            word =
+                word == 0 ? ground : blended_over_gap(ground, line_color, static_cast<int>(word));
+    }
+}
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// font_source: a font file, as FreeType and HarfBuzz see it.
+#ifndef L3D_RASTER_TEXT_FONT_SOURCE_P_H
+#define L3D_RASTER_TEXT_FONT_SOURCE_P_H
+
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include <harfbuzz/hb.h>
+
+namespace l3d_detail {
+
+/// A glyph and its place on the base line. Units: those of a font, y up.
+struct shaped_glyph {
+    unsigned index = 0; ///< in the file; 0 is its sign for what it does not have
+    double x = 0, y = 0;
+};
+
+/// A part of a text in one script and one direction.
+struct text_run {
+    std::span<const char32_t> text; ///< all of it: letters at the ends may join what is beside
+    std::size_t begin = 0, end = 0; ///< the part
+    hb_script_t script = HB_SCRIPT_COMMON;
+    bool right_to_left = false;
+};
+
+/// One face of a font file. All calls are of one thread.
+class font_source {
+public:
+    /// Errors:  null, and the reason in `why`, which names the file.
+    static std::unique_ptr<font_source> open(const std::string& file, long index, std::string& why);
+
+    FT_Face face() const { return face_.get(); }
+    bool has(char32_t code) const { return FT_Get_Char_Index(face_.get(), code) != 0; }
+
+    /// Adds the run's glyphs from left to right. HarfBuzz knows kerning, ligatures and scripts that
+    /// join their letters. Formats older than OpenType are placed by their kern table.
+    /// Returns: where a next glyph would begin.
+    double shape(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
+    double shape_by_table(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
+
+private:
+    struct closer {
+        void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+        void operator()(FT_Face face) const { FT_Done_Face(face); }
+        void operator()(hb_font_t* font) const { hb_font_destroy(font); }
+    };
+    template <class Handle> using unique = std::unique_ptr<std::remove_pointer_t<Handle>, closer>;
+
+    font_source() = default;
+
+    unique<FT_Library> library_;
+    unique<FT_Face> face_;      ///< closed before its library
+    unique<hb_font_t*> shapes_; ///< null where the format has no glyphs for HarfBuzz
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// l3d_panel: lines of text on a ground that the picture shines through.
+#ifndef L3D_RASTER_TEXT_PANEL_H
+#define L3D_RASTER_TEXT_PANEL_H
+
+#include "base/public.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/text/font.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// The looks of panels. Units: colours are pixel words.
+struct L3D_PUBLIC l3d_panel_style {
+    /// The letters of all text.
+    l3d_font font{};
+
+    /// The height of letters in pixels. Smaller ones are taken where these do not fit.
+    int size = 14;
+
+    /// The colour of lines.
+    std::uint32_t text = 0x00f2f2f2;
+
+    /// The colour of what stands before a line, such as a key's name.
+    std::uint32_t key = 0x00ffd873;
+
+    /// The colour behind the text.
+    std::uint32_t ground = 0x0012161b;
+
+    /// How much the ground hides, from 0 to 255.
+    int ground_coverage = 200;
+
+    /// The coverage of a ground that hides all: over a slow line, text then stands still before
+    /// what moves.
+    static constexpr int opaque = 255;
+
+    /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale. A
+    /// sixteenth of the height is the most: larger letters leave no room for a dozen lines.
+    static int size_for(l3d_size picture, double text_scale = 1);
+};
+
+/// The corner of the picture that a panel is drawn in.
+enum class L3D_PUBLIC l3d_corner { top_left, top_right, bottom_left, bottom_right };
+
+/// A panel of text for help, status and legends. It fits every picture: long lines are wrapped,
+/// many lines become columns, and where that does not suffice, letters become smaller.
+///
+///     l3d_panel panel;
+///     panel.add("Hull of the ship, " + std::to_string(faces) + " faces");
+///     panel.add("x", "turns it");
+///     l3d_pixel_box free = l3d_whole(screen().pixels().size());
+///     panel.draw(rasterizer(), free, l3d_corner::top_left);
+///
+/// Lives: a value; add lines, draw it, forget it.
+class L3D_PUBLIC l3d_panel {
+public:
+    /// Adds a line, or several that \n divides. Text is UTF-8.
+    void add(const std::string& text) { add({}, text); }
+
+    /// Adds lines with a word before the first, such as a key. Such words form a column.
+    void add(const std::string& key, const std::string& text);
+
+    /// Adds a title: lines that begin at the left, where keys do.
+    void add_title(const std::string& text);
+
+    /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
+    /// Expects: at least two colours, which are pixel words.
+    void add_scale(std::vector<std::uint32_t> colors, std::string first, std::string last) {
+        rows_.push_back({std::move(first), std::move(last), std::move(colors), false});
+    }
+
+    /// The number of lines and scales that were added.
+    std::size_t rows() const { return rows_.size(); }
+
+    /// Whether nothing was added.
+    bool empty() const { return rows_.empty(); }
+
+    /// Divides the lines among as few panels as possible, each of which leaves half of a picture
+    /// free. If there are several, each says that `key` shows the next. Where panels of a few lines
+    /// would still cover more, they do. Letters are as large as the style says, or as large as has
+    /// room, and the same on all pages. Pictures so small that the smallest letters leave no room
+    /// for a few lines get one panel.
+    std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
+                                 const l3d_panel_style& style) const;
+
+    /// What draw() would cover of a free part of a picture; nothing if the panel has no room there
+    /// with letters of the style's size.
+    l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
+                         const l3d_panel_style& style) const;
+
+    /// Draws the panel in a corner of a free part of the picture, and takes what it needs off that
+    /// part: the next panel is drawn above or below. Returns what was covered; an empty panel
+    /// covers nothing, nor does one for which there is no room at all.
+    ///
+    /// Lines for which there is no room even with the smallest letters are left out, and three dots
+    /// say so.
+    l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free, l3d_corner corner,
+                       const l3d_panel_style& style = {}) const;
+
+private:
+    friend class panel_layout;
+    struct row {
+        std::string key, text;
+        std::vector<std::uint32_t> colors; ///< of a scale; else empty
+        bool is_title = false;
+    };
+
+    void add_lines(const std::string& key, const std::string& text, bool is_title);
+    std::vector<l3d_panel> divided(std::size_t count, const std::string& key) const;
+    bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
+
+    std::vector<row> rows_;
+    int largest_size_ = std::numeric_limits<int>::max(); ///< of its letters: that of its page
+};
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// text_shaper: which glyphs a line of text has, of which fonts, and where.
+#ifndef L3D_RASTER_TEXT_TEXT_SHAPER_P_H
+#define L3D_RASTER_TEXT_TEXT_SHAPER_P_H
+
+#include "raster/text/font_fallbacks_p.h"
+#include "raster/text/font_source_p.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A glyph of one of a line's fonts. Units: those of the line's first font.
+struct placed_glyph : shaped_glyph {
+    const font_source* source = nullptr;
+};
+
+/// A line from left to right. Units: those of its first font.
+struct shaped_line {
+    std::vector<placed_glyph> glyphs;
+    double width = 0; ///< where a next letter would begin
+};
+
+/// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and other
+/// fonts for what the first one lacks.
+///
+/// A tab goes to the next multiple of eight blanks. Other control characters and soft hyphens are
+/// not there. A line that begins with a script from right to left is one of that direction.
+/// Lives:   borrows the first font.
+/// Cost:    a line is laid out once, as long as no more than `most_lines` others come between.
+class text_shaper {
+public:
+    explicit text_shaper(const font_source& first) : first_(first) {}
+
+    /// Lives: until the next call.
+    const shaped_line& shape(std::string_view text);
+
+private:
+    /// Help has some dozens of lines, each of which is tried in some widths.
+    static constexpr std::size_t most_lines = 1024;
+
+    /// A run, and the font that has its letters; null for a tab.
+    struct run : text_run {
+        const font_source* source = nullptr;
+        unsigned level = 0; ///< how deep directions are nested: odd from right to left
+    };
+
+    void find_levels();
+    void find_scripts();
+    void find_sources();
+    std::vector<run> runs_from_left() const;
+    void place(const std::vector<run>& runs, shaped_line& line) const;
+
+    const font_source& first_;
+    font_fallbacks others_;
+    std::map<std::string, shaped_line, std::less<>> lines_;
+    // Of the line that is laid out, for each character:
+    std::vector<char32_t> text_;
+    std::vector<unsigned> levels_;
+    std::vector<hb_script_t> scripts_;
+    std::vector<const font_source*> sources_;
+};
+
+} // namespace l3d_detail
+
+#endif

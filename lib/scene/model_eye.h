@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Where the eye is as a model sees it, and how near it is.
+#ifndef L3D_SCENE_MODEL_EYE_H
+#define L3D_SCENE_MODEL_EYE_H
+
+#include "scene/patch_model.h"
+#include "geom/matrix.h"
+
+#include <optional>
+
+/// The point whose x, y and w are 0: the eye.
+///
+/// Shape:  to_image takes the model's space to (x, y, -, w).
+/// Errors: nothing if there is no such point.
+std::optional<l3d_vector<double, 3>> l3d_eye_of(const l3d_matrix<double>& to_image);
+
+/// The least w of the model's box.
+double l3d_least_w_of(const l3d_patch_model& model, const l3d_matrix<double>& to_image);
+
+#endif

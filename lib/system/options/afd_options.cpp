@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+// l3d_afd_options: declarations and what the values must be.
+#include "system/options/afd_options.h"
+
+#include "base/counted_p.h"
+#include "base/printable_p.h"
+#include "raster/parallel/workers.h"
+#include "system/options/color_text_p.h"
+#include "system/options/model_names_p.h"
+#include "system/options/number_text.h"
+#include "system/options/output_names_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <utility>
+
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double least_positive = std::numeric_limits<double>::min();
+
+std::string text_of(const l3d_camera::vector& v) {
+    return l3d_number_text(v[0]) + ',' + l3d_number_text(v[1]) + ',' + l3d_number_text(v[2]);
+}
+
+void check_place(const char* option, const l3d_camera::vector& place,
+                 double farthest = l3d_bpt_largest_coordinate) {
+    for (int i = 0; i < 3; ++i)
+        if (!(std::abs(place[i]) <= farthest))
+            throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + text_of(place) +
+                                                 "' is farther than " +
+                                                 (farthest == l3d_farthest_eye ? "1e15" : "1e12") +
+                                                 " from the origin");
+}
+
+/// Reads the numbers that a list begins with. The rest, behind a comma, is left to be read as a
+/// colour; it is empty without one.
+/// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
+template <std::size_t N>
+std::optional<std::string_view> read_before_color(std::string_view text,
+                                                  std::array<double, N>& numbers) {
+    std::size_t end = text.find(',');
+    for (std::size_t i = 1; i < N && end != text.npos; ++i)
+        end = text.find(',', end + 1);
+    if (!l3d_read_numbers(text.substr(0, end), ',', numbers) || end + 1 == text.size())
+        return {};
+    return end == text.npos ? "" : text.substr(end + 1);
+}
+
+/// Parts of white.
+/// Errors:  l3d_error(usage) that names the option and its value.
+l3d_light_color light_color(const char* option, std::string_view text) {
+    constexpr double white = 255;
+    const auto levels = l3d_detail::read_color(text);
+    if (!levels)
+        throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + l3d_detail::printable(text) +
+                                             "' is not " + l3d_detail::color_forms +
+                                             l3d_detail::meant_color(text));
+    l3d_light_color result{};
+    std::ranges::transform(*levels, result.begin(),
+                           [](double level) { return static_cast<float>(level / white); });
+    return result;
+}
+
+/// The same distance, from some 25 degrees above and beside, where three sides of a box are seen.
+/// The teapot's own view is lower.
+l3d_camera seen_from_above(l3d_camera camera) {
+    const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
+    camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
+    return camera;
+}
+
+/// Errors:  l3d_error(usage) for an option that would show nothing beside the others.
+void check_shown(const l3d_afd_settings& asked) {
+    const auto refuse_if = [](bool is_wrong, const std::string& why) {
+        if (is_wrong)
+            throw l3d_error(l3d_exit::usage, why);
+    };
+    const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
+    const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
+    refuse_if(asked.error_map && (asked.wireframe || !is_light),
+              "--error-output: only surfaces that show light have an exact picture, and neither "
+              "--wireframe nor --shade normals, error or an inspection does");
+    refuse_if(asked.error_map && is_none, "--error-output: pixels have bounds on a background, and "
+                                          "--background none has none");
+    refuse_if(asked.wireframe && asked.shade != l3d_afd_settings().shade,
+              "--wireframe: lines have one colour, and show nothing of --shade " + shade);
+    if (!asked.fog.is_on())
+        return;
+    refuse_if(asked.wireframe, "--fog: only surfaces have it, and no --wireframe");
+    refuse_if(l3d_has_scale(asked.shade),
+              "--fog: the scale of --shade " + shade + " has no colours for it");
+    refuse_if(!asked.fog.color && is_none,
+              "--fog: it needs a colour, as --background none has none to fade into");
+}
+
+} // namespace
+
+l3d_afd_options::l3d_afd_options(l3d_options& options) {
+    options.begin_group("Model");
+    options.add(
+        "FILE,--model", model_file_,
+        "model to draw: a file, or the name of one of l3d's own; the option's name may be left "
+        "out",
+        "FILE");
+    options.begin_group("Camera");
+    options.add("--eye", eye_,
+                "where the camera is; without it and --target, where the whole model is seen");
+    options.add("--target", target_, "what it looks at");
+    options.add("--up", camera_.up, "what is upright in the picture");
+    options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
+    options.add("--near", near_, camera_.near,
+                "nearest distance that is drawn; without it, less for small models",
+                l3d_least_distance, largest);
+    options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
+    options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
+                360.0);
+    options.add("--turn-speed", turn_speed_,
+                "how much more keys and the mouse turn than usual: 5 degrees a key, 1 a pixel",
+                0.01, 100.0);
+    options.begin_group("Accuracy");
+    // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
+    // takes 0.0069: finer ones only add quads.
+    options.add("--tolerance", tolerance_, settings_.tolerance,
+                "largest error of places and depth allowed, in pixels; kept down to 0.01; below, "
+                "the report "
+                "says what was reached",
+                0.005, 1000.0);
+    options.add(
+        "--shade-tolerance", settings_.shade_tolerance,
+        "largest error of a grey allowed, in levels of 255, for --shade lambert; kept where "
+        "quads of 6 pixels are small enough",
+        1.0, 255.0);
+    options.add("--lateral-only", settings_.lateral_only,
+                "keep places in the picture within the tolerance, and neither depth nor shade");
+    options.add("--most-samples", most_samples_,
+                "what a frame may spend on patches that have to be cut or clipped, in samples; "
+                "without it 65536 and 2 a pixel, more below 0.05 px; the report tells where it did "
+                "not suffice",
+                1, std::numeric_limits<int>::max());
+    options.begin_group("Surfaces");
+    options.add_choice<l3d_shade>(
+        "--shade", settings_.shade,
+        "how the surface is coloured; error: by the bound of each piece's error, from green, "
+        "none, to red, the tolerance or more; zebra: by stripes of reflected rays; isophotes: of "
+        "equal light; gaussian, mean: by curvature; draft: by the angle to --shade-direction",
+        {l3d_shade_names.begin(), l3d_shade_names.end()});
+    options.add("--shade-direction", shade_direction_,
+                "what --shade zebra and draft tell angles from");
+    options.add("--shade-scale", settings_.inspection.scale,
+                "the number at the end of the scale of --shade gaussian, mean and draft; 0 takes "
+                "one that suits the model, and 15 degrees",
+                0, largest);
+    options.add("--stripes", settings_.inspection.stripe,
+                "how wide stripes of --shade zebra and isophotes are, in degrees", 0.1, 180.0);
+    options.add_choice<bool>("--legend", settings_.legend,
+                             "whether the picture has the scale of such a shade",
+                             {{"on", true}, {"off", false}});
+    options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
+    options.add("--net", settings_.net, "the control nets on top");
+    options.add("--one-sided", settings_.one_sided,
+                "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
+                "patches; backs beside a fold stay");
+    options.begin_group("Light, edges and background");
+    options.add_each("--light",
+                     "direction towards a light and, if it is not white, its colour, as "
+                     "1,1,0,orange; each further --light adds one",
+                     "X,Y,Z[,COLOR]", text_of(l3d_usual_light),
+                     [this](const std::string& text) { add_light(text); });
+    options.add_choice<headlight>(
+        "--headlight", headlight_,
+        "whether the only light goes with the eye; auto: unless --light is given; off: lights stay "
+        "in the world",
+        {{"auto", headlight::unless_lit}, {"on", headlight::on}, {"off", headlight::off}});
+    options.add_each("--ambient", "light that comes from everywhere", l3d_detail::color_kind,
+                     "25.5,25.5,25.5", [this](const std::string& text) {
+                         settings_.lighting.ambient = light_color("--ambient", text);
+                     });
+    options.add_choice<bool>("--antialias", settings_.antialias,
+                             "whether pixels at edges show the mean of all that is seen in them",
+                             {{"on", true}, {"off", false}});
+    options.add("--background", background_,
+                "what is seen where no surface is: a quiet gradient, as unless told otherwise; "
+                "nothing, which needs a .png; or a colour");
+    options.add_each("--fog",
+                     "where surfaces begin to fade and where they are gone, in distances along the "
+                     "view axis, and into which colour; without one, into the background; black "
+                     "is depth cueing",
+                     "NEAR,FAR[,COLOR]", "", [this](const std::string& text) { read_fog(text); });
+    options.begin_group("Work and its results");
+    options.add("--threads", threads_,
+                "threads to draw with; without it, as many as processors, at most " +
+                    std::to_string(l3d_most_usual_threads) + "; the picture is the same for any",
+                1, l3d_most_threads);
+    options.add("--keep-all", keep_all_,
+                "do all work, also what rules leave out; the picture is as good");
+    options.add("--report", report_,
+                "write one line of JSON per frame that is drawn; - is the standard output", "FILE");
+    options.add(
+        "--depth-output", depth_output_,
+        "write the last frame's distances along the view axis (.pfm); - is the standard output",
+        "FILE");
+    options.add("--error-output", error_output_,
+                "write how far each pixel of the last frame may be from the exact picture, in "
+                "levels of 255 (.pfm); - is the standard output",
+                "FILE");
+    options.add("--pick", pick_,
+                "tell what the last frame shows at this place, in pixels from the left upper "
+                "corner: patch, parameters, point, normal and curvature, each with its error");
+    options.add("--explain", explain_, "tell what the last frame did not need, and why");
+    options.add("--statistics", statistics_,
+                "tell at the end how many polygons were drawn, in how many seconds");
+    for (const char* const name :
+         {"--depth-output", "--error-output", "--report", "--explain", "--statistics"})
+        options.has_result(name);
+    options.prints_result("--pick");
+    options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
+                     ". Names are those of CSS: " + l3d_detail::color_names() + '.');
+    std::string names;
+    for (const std::string& name : l3d_detail::model_names())
+        names += ' ' + name;
+    if (!names.empty())
+        options.add_note("Models by name:" + names + ". Without one, the teapot.");
+    options.add_example("teapot_bottom --turntable 1", "a model by its name, which turns");
+    options.add_example("model.bpt --backend memory --output model.png", "a picture, no window");
+    options.add_example("--shade zebra --light 1,1,1,orange", "stripes of reflection under a lamp");
+}
+
+std::string l3d_afd_options::model_title() const {
+    return model_file_.empty() ? "Utah teapot" : std::filesystem::path(model_file_).stem().string();
+}
+
+bool l3d_afd_options::shows_the_usual() const {
+    return model_file_.empty() && camera() == teapot_view();
+}
+
+l3d_camera l3d_afd_options::camera() const {
+    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::usage, why); };
+    const auto refuse_up = [&] {
+        refuse("--up: '" + text_of(camera_.up) + "' is zero or along the line of sight");
+    };
+    check_place("--up", camera_.up);
+    if (camera_.up == l3d_camera::vector{0.0, 0.0, 0.0})
+        refuse_up();
+    l3d_camera result = camera_;
+    const l3d_upright stands(camera_.up);
+    const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
+    result.eye = eye_.value_or(places_camera() ? camera_.eye : upright(camera_.eye));
+    result.target = target_.value_or(places_camera() ? camera_.target : upright(camera_.target));
+    result.near = near_.value_or(camera_.near);
+    check_place("--eye", result.eye, l3d_farthest_eye);
+    check_place("--target", result.target);
+    if (result.eye == result.target)
+        refuse("--target: '" + text_of(result.target) + "' is the eye's place");
+    if (!(result.near < result.far))
+        refuse("--far: '" + l3d_number_text(result.far) + "' is not beyond --near " +
+               l3d_number_text(result.near));
+    if (!result.is_valid())
+        refuse_up();
+    return result;
+}
+
+l3d_camera
+l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const {
+    const l3d_camera asked = camera();
+    if (places_camera())
+        return asked;
+    l3d_camera result = framed(asked);
+    if (!model_file_.empty() && !(result == asked))
+        result = framed(seen_from_above(asked));
+    result.near = near_.value_or(result.near);
+    return result;
+}
+
+std::string l3d_afd_options::view_options(const l3d_camera& camera) {
+    const l3d_camera usual = teapot_view();
+    std::string text = "--eye " + text_of(camera.eye) + " --target " + text_of(camera.target);
+    if (camera.up != usual.up)
+        text += " --up " + text_of(camera.up);
+    const auto add = [&](const char* option, double value, double usual_value) {
+        if (value != usual_value)
+            text += std::string(" ") + option + ' ' + l3d_number_text(value);
+    };
+    add("--fov", camera.fov, usual.fov);
+    add("--near", camera.near, usual.near);
+    add("--far", camera.far, usual.far);
+    return text;
+}
+
+void l3d_afd_options::check_pick(l3d_size size) const {
+    if (!pick_)
+        return;
+    const auto [x, y] = std::pair{(*pick_)[0], (*pick_)[1]};
+    if (!(x >= 0 && x <= size.width && y >= 0 && y <= size.height))
+        throw l3d_error(l3d_exit::usage, "--pick: '" + l3d_number_text(x) + ',' +
+                                             l3d_number_text(y) + "' is outside of the picture, " +
+                                             std::to_string(size.width) + 'x' +
+                                             std::to_string(size.height));
+}
+
+/// The first one replaces the usual light.
+void l3d_afd_options::add_light(const std::string& text) {
+    std::array<double, 3> direction{};
+    const auto rest = read_before_color(text, direction);
+    if (!rest)
+        throw l3d_error(l3d_exit::usage, "--light: '" + l3d_detail::printable(text) +
+                                             "' is neither X,Y,Z nor X,Y,Z,COLOR");
+    l3d_camera::vector towards{direction[0], direction[1], direction[2]};
+    const double most =
+        std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
+    if (most == 0)
+        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
+    if (!(most > 1e-100 && most < 1e100)) // squares would be infinite, or zero
+        towards = towards / most;
+    const l3d_light_color color = light_color("--light", rest->empty() ? "white" : *rest);
+    l3d_lighting& lighting = settings_.lighting;
+    if (!gives_light_) {
+        settings_.light = towards;
+        lighting.color = color;
+    } else if (lighting.count == l3d_lighting::most_further) {
+        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' is one more than " +
+                                             std::to_string(l3d_lighting::most_further + 1));
+    } else {
+        lighting.add(towards[0], towards[1], towards[2], color);
+    }
+    gives_light_ = true;
+}
+
+void l3d_afd_options::read_fog(const std::string& text) {
+    std::array<double, 2> distances{};
+    l3d_fog fog;
+    const auto rest = read_before_color(text, distances);
+    fog.near = static_cast<float>(distances[0]);
+    fog.far = static_cast<float>(distances[1]);
+    if (!rest || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
+        throw l3d_error(l3d_exit::usage,
+                        "--fog: '" + l3d_detail::printable(text) +
+                            "' is not NEAR,FAR or NEAR,FAR,COLOR with distances from 0 on, the "
+                            "nearer first");
+    if (!rest->empty())
+        fog.color = l3d_detail::read_paint(*rest);
+    if (!rest->empty() && !fog.color)
+        throw l3d_error(l3d_exit::usage, "--fog: '" + l3d_detail::printable(*rest) + "' is not " +
+                                             l3d_detail::color_forms +
+                                             l3d_detail::meant_color(*rest));
+    settings_.fog = fog;
+}
+
+l3d_afd_settings l3d_afd_options::settings() const {
+    l3d_afd_settings result = settings_;
+    if (headlight_ == headlight::on && gives_light_)
+        throw l3d_error(l3d_exit::usage,
+                        "--light: nothing is seen of it beside --headlight on, the only light");
+    result.headlight =
+        headlight_ == headlight::on || (headlight_ == headlight::unless_lit && !gives_light_);
+    result.tolerance = tolerance_.value_or(settings_.tolerance);
+    result.most_samples = most_samples_.value_or(0);
+    result.count_pixels = !report_.empty();
+    result.outlines = !report_.empty() || explain_;
+    result.threads = threads_.value_or(settings_.threads);
+    l3d_detail::check_pfm("--depth-output", depth_output_);
+    l3d_detail::check_pfm("--error-output", error_output_);
+    result.depth = !depth_output_.empty();
+    result.error_map = !error_output_.empty();
+    for (std::size_t i = 0; i < result.inspection.direction.size(); ++i)
+        result.inspection.direction[i] = shade_direction_[static_cast<int>(i)];
+    if (shade_direction_ == l3d_camera::vector{0.0, 0.0, 0.0})
+        throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
+    check_place("--shade-direction", shade_direction_);
+    result.background = background_.value_or(settings_.background);
+    check_shown(result);
+    if (keep_all_)
+        result.keep = l3d_kept_work::all();
+    return result;
+}
+
+l3d_patch_model l3d_afd_options::model() const {
+    if (model_file_.empty())
+        return l3d_patch_model::teapot();
+    const l3d_model_file file = l3d_detail::load_named_model(model_file_);
+    const std::string polygons = l3d_detail::counted(file.mesh.faces(), "polygons");
+    if (file.patches.empty())
+        throw l3d_error(l3d_exit::bad_input,
+                        model_file_ + ": holds " + polygons +
+                            " and no patches; modelview --pipeline zbuffer shows them");
+    std::string why;
+    auto model = l3d_patch_model::from_file(file, model_file_, why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    for (const std::string& note : file.notes)
+        std::cerr << note << '\n';
+    if (file.mesh.faces() > 0)
+        std::cerr << l3d_detail::printable(model_file_) << ": " << polygons
+                  << (file.mesh.faces() == 1 ? " is" : " are")
+                  << " skipped; modelview --pipeline zbuffer shows them\n";
+    return *std::move(model);
+}

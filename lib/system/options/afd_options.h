@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// l3d_afd_options: the command line of programs that draw patches.
+#ifndef L3D_SYSTEM_OPTIONS_AFD_OPTIONS_H
+#define L3D_SYSTEM_OPTIONS_AFD_OPTIONS_H
+
+#include "base/public.h"
+#include "scene/camera.h"
+#include "scene/patch_model.h"
+#include "pipeline/pipeline_afd.h"
+#include "system/options/options.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+/// Options for model, accuracy, camera and shading, added to a program's own.
+///
+/// Lives:   borrowed by the l3d_options until parse() is done.
+class L3D_PUBLIC l3d_afd_options {
+public:
+    /// Declares the options. Lives: borrows them until parse() is done.
+    explicit l3d_afd_options(l3d_options& options);
+    l3d_afd_options(const l3d_afd_options&) = delete;
+    l3d_afd_options& operator=(const l3d_afd_options&) = delete;
+
+    /// The camera that --eye, --target and the others ask for. What they leave out is that of
+    /// teapot_view(), turned to the direction that is up.
+    /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
+    l3d_camera camera() const;
+
+    /// The same if --eye or --target was given, else what `framed` makes of it, with the planes
+    /// that --near and --far ask for. If `framed` does not leave it alone, the model of a file is
+    /// seen from higher up than the teapot.
+    /// Errors: as the other.
+    l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
+
+    /// The options that place a camera where this one is, separated by blanks. What is as it was
+    /// without options is left out, but for the places.
+    static std::string view_options(const l3d_camera& camera);
+
+    /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
+    l3d_afd_settings settings() const;
+
+    /// The model asked for, or the teapot; notes on what is skipped go to stderr.
+    /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
+    l3d_patch_model model() const;
+
+    /// The name of the model's file, as given; empty for the teapot.
+    const std::string& model_file() const { return model_file_; }
+
+    /// What people call the model: the file's name without its folder and ending, or "Utah teapot".
+    std::string model_title() const;
+
+    /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
+    static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
+
+    /// Whether --eye or --target was given.
+    bool places_camera() const { return eye_.has_value() || target_.has_value(); }
+
+    /// Whether --light says anything else than its default.
+    bool places_light() const { return settings_.light != l3d_usual_light; }
+
+    /// Whether --tolerance was given.
+    bool gives_tolerance() const { return tolerance_.has_value(); }
+
+    /// The angle of --turntable: degrees from frame to frame, 0 for none.
+    double turntable() const { return turntable_; }
+    /// How much more keys and the mouse turn than usual: --turn-speed.
+    double turn_speed() const { return turn_speed_; }
+    /// The file that the last frame's distances go to; empty for none.
+    const std::string& depth_output() const { return depth_output_; }
+    /// The file that the last frame's bounds of pixels go to; empty for none.
+    const std::string& error_output() const { return error_output_; }
+    /// The file that gets a line of JSON for each frame; empty for none, "-" for the standard
+    /// output.
+    const std::string& report() const { return report_; }
+    /// Whether --explain asks what the last frame did not need.
+    bool explain() const { return explain_; }
+    /// Whether --statistics asks for polygons and seconds of the whole run.
+    bool statistics() const { return statistics_; }
+
+    /// The place of the picture that --pick names, in pixels from its left upper corner; nothing
+    /// if it was not given.
+    const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
+
+    /// Refuses a place of --pick outside a picture of that size.
+    /// Errors:  l3d_error(usage).
+    void check_pick(l3d_size size) const;
+
+    /// Whether neither a model nor a camera was asked for.
+    bool shows_the_usual() const;
+
+private:
+    void read_fog(const std::string& text);
+    void add_light(const std::string& text);
+
+    std::string model_file_;
+    l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
+    bool gives_light_ = false;
+    enum class headlight { unless_lit, on, off };
+    headlight headlight_ = headlight::unless_lit;
+    l3d_camera camera_ = teapot_view();
+    std::optional<l3d_camera::vector> eye_, target_;
+    std::optional<double> near_;
+    std::optional<l3d_vector<double, 2>> pick_;
+    l3d_afd_settings settings_;
+    double turntable_ = 0, turn_speed_ = 1;
+    std::string depth_output_, error_output_, report_;
+    bool explain_ = false, statistics_ = false, keep_all_ = false;
+    std::optional<double> tolerance_;
+    std::optional<l3d_background> background_;
+    std::optional<int> threads_, most_samples_;
+};
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// color_text: the one way to write a colour on a command line.
+#ifndef L3D_SYSTEM_OPTIONS_COLOR_TEXT_P_H
+#define L3D_SYSTEM_OPTIONS_COLOR_TEXT_P_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace l3d_detail {
+
+/// What --help calls a colour, and what messages and --help say that it may be.
+inline constexpr const char* color_kind = "COLOR";
+inline constexpr const char* color_forms =
+    "a colour: R,G,B from 0 to 255, #RGB, #RRGGBB or a name such as orange";
+
+/// Reads a colour: three numbers from 0 to 255, hexadecimal digits after #, or a name of CSS.
+/// Units:   levels of 255, which may have fractions.
+/// Errors:  nothing for any other text.
+std::optional<std::array<double, 3>> read_color(std::string_view text);
+
+/// The same as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
+std::optional<std::uint32_t> read_paint(std::string_view text);
+
+/// "; did you mean 'red'?" for a name that is almost one, else nothing.
+std::string meant_color(std::string_view text);
+
+/// All names, with blanks between them.
+std::string color_names();
+
+} // namespace l3d_detail
+
+#endif

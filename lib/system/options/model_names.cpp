@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// model_names: listed, and read.
+#include "system/options/model_names_p.h"
+
+#include "base/did_you_mean_p.h"
+#include "base/printable_p.h"
+#include "system/options/output_names_p.h"
+#include "system/install_paths.h"
+#include "base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> l3d_detail::model_names() {
+    constexpr std::array<std::string_view, 9> endings{".asc", ".bez", ".bpt", ".glb", ".gltf",
+                                                      ".obj", ".off", ".ply", ".stl"};
+    std::vector<std::string> names;
+    std::error_code unknown;
+    for (const fs::directory_entry& entry : fs::directory_iterator(l3d_data_folder(), unknown))
+        if (std::ranges::count(endings, ending_of(entry.path())) > 0)
+            names.push_back(entry.path().stem().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+l3d_model_file l3d_detail::load_named_model(const std::string& name) {
+    const std::string path = l3d_data_file(name);
+    std::error_code unknown;
+    if (fs::exists(path, unknown) || fs::path(name).has_parent_path())
+        return l3d_load_model(path, name);
+    const std::vector<std::string> names = model_names();
+    std::string why = printable(name) + ": no such file is here, nor a model of that name in " +
+                      printable(l3d_data_folder()) + ", which has";
+    for (const std::string& known : names)
+        why += ' ' + known;
+    throw l3d_error(l3d_exit::bad_input, (names.empty() ? why + " none" : why) +
+                                             did_you_mean(fs::path(name).stem().string(), names));
+}

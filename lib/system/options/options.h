@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// l3d_options: the command line that all programs share, with room for a program's own options.
+#ifndef L3D_SYSTEM_OPTIONS_OPTIONS_H
+#define L3D_SYSTEM_OPTIONS_OPTIONS_H
+
+#include "base/public.h"
+#include "geom/vector.h"
+#include "raster/background.h"
+#include "base/error.h"
+#include "tool_2d/pixels.h"
+#include "tool_2d/screen.h"
+#include "system/frame_settings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The values of the options that every program has.
+struct L3D_PUBLIC l3d_common_options {
+    std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
+    std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
+    bool no_input = false;       ///< never ask anything
+    bool list_backends = false;  ///< list the back-ends and end
+    bool diagnose = false;       ///< tell what the choice of a back-end depends on, and end
+    bool verbose = false;        ///< tell what was chosen
+    l3d_size size{};             ///< of the picture, in pixels
+    int scale = 0;               ///< 0: not given
+    std::string title{};         ///< of the window; empty: the program's choice
+    l3d_remote remote{};         ///< whether pictures travel sparingly
+    int first_frame = 0;         ///< number of the first one that is drawn
+    int frames = 0;              ///< number of frames, the end of a range; 0: go on
+    bool resume = false;         ///< leave out frames whose file is there
+    std::optional<double> fps;   ///< frames per second, 0: no limit; nothing: not given
+    std::uint64_t seed = 1;      ///< where random numbers start
+    l3d_alpha alpha = l3d_alpha::none; ///< whether files hold what is transparent
+    std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
+};
+
+/// A command line: declared with add(), then read once with parse().
+///
+/// Every add() borrows a variable: what it holds now is the default that --help prints, and
+/// parse() replaces it. `name` is "--long" or "-s,--long".
+/// Expects: the variables outlive parse(); names are not used twice.
+class L3D_PUBLIC l3d_options {
+public:
+    /// Declares the options that all programs have. --help prints `purpose`.
+    l3d_options(std::string program, const std::string& purpose, l3d_size default_size);
+    l3d_options(const l3d_options&) = delete;
+    l3d_options& operator=(const l3d_options&) = delete;
+    ~l3d_options();
+
+    /// Has --help list the options that are added next under a heading.
+    void begin_group(const std::string& heading);
+
+    /// Has --help end with a paragraph, such as what may stand for a word in capitals.
+    void add_note(const std::string& text);
+
+    /// Has --help end with an example: arguments of the program, and what they are for.
+    void add_example(const std::string& arguments, const std::string& purpose);
+
+    /// A number from `least` to `most`; NaN and trailing text are refused.
+    void add(const std::string& name, double& value, const std::string& help, double least,
+             double most);
+    /// A whole number from `least` to `most`.
+    void add(const std::string& name, int& value, const std::string& help, int least, int most);
+
+    /// The same where the default is found out later, if at all.
+    void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
+             int most);
+
+    /// The same where it matters whether it was given; --help prints `preset`.
+    void add(const std::string& name, std::optional<double>& value, double preset,
+             const std::string& help, double least, double most);
+
+    /// Any text but the empty one; `kind` (FILE, say) is what --help calls it. A name that begins
+    /// with "FILE," lets the user leave out the option before one such text.
+    void add(const std::string& name, std::string& value, const std::string& help,
+             const std::string& kind);
+
+    /// A flag: true when given.
+    void add(const std::string& name, bool& value, const std::string& help);
+
+    /// Three finite numbers X,Y,Z.
+    void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
+    /// An option that may be given several times. `take` gets each text in turn; it throws an
+    /// l3d_error that names what it refuses. --help prints `preset`.
+    void add_each(const std::string& name, const std::string& help, const std::string& kind,
+                  const std::string& preset, std::function<void(const std::string&)> take);
+
+    /// A background: "gradient", "none", or a colour: R,G,B of whole numbers from 0 to 255, #RGB,
+    /// #RRGGBB or a name of CSS. It is empty unless given; `help` says what that means. With
+    /// "none", files that are written have alpha.
+    void add(const std::string& name, std::optional<l3d_background>& value,
+             const std::string& help);
+
+    /// The same where the default is found out later.
+    void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
+             const std::string& help);
+
+    /// Two finite numbers X,Y.
+    void add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
+             const std::string& help);
+
+    /// A size WIDTHxHEIGHT, each from 1 to l3d_largest_side.
+    void add(const std::string& name, l3d_size& value, const std::string& help);
+
+    /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
+    /// kind::exact}}. Expects: `value` is among them.
+    template <class T>
+    void add_choice(const std::string& name, T& value, const std::string& help,
+                    const std::vector<std::pair<std::string, T>>& choices);
+
+    /// Reads the command line. False: it asked for --help or --version, which `out` has got, and
+    /// the program ends well. A standard stream that was closed is opened on /dev/null first: the
+    /// next socket would get its number, and with it all that is printed.
+    ///
+    /// Errors: l3d_error(usage) that names the option and the value; also if two options name one
+    ///         file, or the standard output.
+    bool parse(int argc, const char* const* argv);
+    /// The same with the stream named that --help and --version are printed on.
+    bool parse(int argc, const char* const* argv, std::ostream& out);
+
+    /// Says that an option has a result of its own beside pictures, such as a report.
+    /// Expects: it was added.
+    void has_result(const std::string& name) { with_results_.push_back(name); }
+
+    /// The same for a result that is printed on the standard output, where no file may go then.
+    /// Expects: it was added.
+    void prints_result(const std::string& name) {
+        has_result(name);
+        printed_.push_back(name);
+    }
+
+    /// Whether the command line asked for such a result.
+    bool wants_result() const;
+
+    /// The name that titles and files get.
+    const std::string& program() const { return program_; }
+
+    /// The name that the user called it by, without its folder: --help and messages say that.
+    const std::string& command() const { return command_; }
+    /// The values of the options that all programs have. Expects: parse() is done.
+    const l3d_common_options& common() const { return common_; }
+
+    /// Replaces --output, for a program (or factory manager) that has a better default.
+    void set_output(const std::string& name) { common_.output = name; }
+
+    /// The back-end that is taken unless the user names one, for a program that is about it.
+    void prefer_backend(const std::string& name) { common_.usual_backend = name; }
+
+    /// The request for a screen. Unless the user gives a title, it is the program's name.
+    l3d_screen_request screen_request() const;
+
+    /// The settings of a dispatcher. Given --frames, time goes by fixed steps, so that window and
+    /// memory show the same pictures.
+    l3d_frame_settings frame_settings() const;
+
+private:
+    struct parser;
+
+    void add_words(const std::string& name, const std::string& help,
+                   const std::vector<std::string>& words, std::size_t preset,
+                   std::function<void(std::size_t)> chosen);
+    void add_common(l3d_size default_size);
+    void add_batch();
+    void refuse_one_file_for_two() const;
+    std::string end_of_help() const;
+
+    struct example {
+        std::string arguments, purpose;
+    };
+
+    /// An option that names a file. Lives: borrows the value.
+    struct named_file {
+        std::string option;
+        const std::string* value;
+    };
+
+    std::string program_, command_;
+    l3d_common_options common_;
+    std::vector<std::string> with_results_, printed_, notes_;
+    std::vector<example> examples_;
+    std::vector<named_file> files_;
+    std::unique_ptr<parser> parser_;
+};
+
+/// One line on stderr, "program: text", and the exit code that main returns: that of an
+/// l3d_error, or l3d_exit::failure.
+L3D_PUBLIC int l3d_report(std::string_view program, const std::exception& error);
+
+/// The same for what l3d_dispatcher::start returned; says nothing if all went well.
+L3D_PUBLIC int l3d_report(std::string_view program, l3d_exit code);
+
+template <class T>
+void l3d_options::add_choice(const std::string& name, T& value, const std::string& help,
+                             const std::vector<std::pair<std::string, T>>& choices) {
+    std::vector<std::string> words;
+    std::vector<T> values;
+    std::size_t preset = 0;
+    for (const auto& [word, meaning] : choices) {
+        if (meaning == value)
+            preset = words.size();
+        words.push_back(word);
+        values.push_back(meaning);
+    }
+    add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
+}
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// l3d_part_options: the command line that lists, hides and colours the named parts of a model.
+#ifndef L3D_SYSTEM_OPTIONS_PART_OPTIONS_H
+#define L3D_SYSTEM_OPTIONS_PART_OPTIONS_H
+
+#include "base/public.h"
+#include "geom/parts.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "scene/patch_model.h"
+#include "scene/patch_scene.h"
+#include "system/options/options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Options for the parts of a model, added to a program's own.
+///
+/// Lives: borrowed by the l3d_options until parse() is done.
+class L3D_PUBLIC l3d_part_options {
+public:
+    /// Declares the options. Lives: borrows them until parse() is done.
+    explicit l3d_part_options(l3d_options& options);
+    l3d_part_options(const l3d_part_options&) = delete;
+    l3d_part_options& operator=(const l3d_part_options&) = delete;
+
+    /// Whether --list-parts asks for the list instead of a picture.
+    bool lists() const { return lists_; }
+
+    /// Prints the name of each part, a line each, with the number of its things: "8 patches".
+    /// Errors: l3d_error(failure) if the standard output cannot be written to.
+    static void list(const l3d_parts& parts, std::string_view things);
+
+    /// The model as --color, --hide, --show-only and --opacity have it: an instance of each part
+    /// that has an opacity, and one for each opacity that materials of the rest have.
+    /// Errors: as applied().
+    l3d_patch_scene scene(const l3d_patch_model& model) const;
+
+    /// The model as --color, --hide and --show-only have it.
+    /// Errors: l3d_error(usage) that names the option, for a name that is no part; it lists the
+    ///         parts.
+    l3d_patch_model applied(const l3d_patch_model& model) const;
+    /// The same of polygons. Errors: as the other; if --opacity is given, too.
+    l3d_polygon_model applied(const l3d_polygon_model& model) const;
+
+private:
+    struct colored {
+        std::string part;
+        std::uint32_t color;
+    };
+
+    struct opacity {
+        std::string part;
+        double value;
+    };
+
+    template <class Model> Model applied_to(const Model& model) const;
+    void add_color(const std::string& text);
+    void add_opacity(const std::string& text);
+
+    bool lists_ = false;
+    std::vector<std::string> hidden_, shown_;
+    std::vector<colored> colors_;
+    std::vector<opacity> opacities_;
+};
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_options: declarations, and the model.
+#include "system/options/polygon_options.h"
+
+#include "base/printable_p.h"
+#include "pipeline/polygons/patch_tessellation.h"
+#include "system/options/model_names_p.h"
+#include "system/options/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace {
+
+constexpr std::array<std::pair<const char*, l3d_rotation_order>, 6> rotation_orders{
+    {{"xyz", l3d_rotation_order::xyz},
+     {"xzy", l3d_rotation_order::xzy},
+     {"yxz", l3d_rotation_order::yxz},
+     {"yzx", l3d_rotation_order::yzx},
+     {"zxy", l3d_rotation_order::zxy},
+     {"zyx", l3d_rotation_order::zyx}}};
+
+} // namespace
+
+l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
+    : shared_(shared) {
+    options.begin_group("Polygons");
+    options.add_choice<l3d_pipeline_kind>(
+        "--pipeline", pipeline_,
+        "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
+        "draw them",
+        {{"afd", l3d_pipeline_kind::afd},
+         {"zsort", l3d_pipeline_kind::zsort},
+         {"zbuffer", l3d_pipeline_kind::zbuffer},
+         {"mesa", l3d_pipeline_kind::mesa}});
+    options.add("--parallel", parallel_, "parallel projection of polygons");
+    options.add("--hidden-lines", hidden_lines_, "lines of polygons, without what faces hide");
+    options.add("--rotate", rotation_,
+                "degrees that polygons are turned about x, y and z, round their middle");
+    options.add_choice<l3d_rotation_order>("--rotate-order", rotation_order_,
+                                           "which turn of --rotate comes first, second and last",
+                                           {rotation_orders.begin(), rotation_orders.end()});
+    options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
+    options.add("--crease-angle", crease_angle_,
+                "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
+    options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
+                l3d_most_facets);
+}
+
+std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settings) {
+    const l3d_polygon_settings usual;
+    std::string text;
+    if (settings.rotation != usual.rotation)
+        text += " --rotate " + l3d_number_text(settings.rotation[0]) + ',' +
+                l3d_number_text(settings.rotation[1]) + ',' + l3d_number_text(settings.rotation[2]);
+    for (const auto& [word, order] : rotation_orders)
+        if (settings.rotation_order == order && order != usual.rotation_order)
+            text += std::string(" --rotate-order ") + word;
+    if (settings.projection == l3d_projection::parallel)
+        text += " --parallel";
+    return text;
+}
+
+l3d_polygon_model l3d_polygon_options::model() const {
+    const std::string& name = shared_.model_file();
+    if (name.empty())
+        return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
+    const l3d_model_file file = l3d_detail::load_named_model(name);
+    for (const std::string& note : file.notes)
+        std::cerr << note << '\n';
+    l3d_polygon_mesh mesh = l3d_mesh_of(file, name, facets_);
+    const bool is_opaque =
+        std::ranges::all_of(mesh.looks, [](const l3d_material& m) { return m.opacity == 1; });
+    if (!is_opaque)
+        std::cerr << l3d_detail::printable(name)
+                  << ": transparent materials are opaque here; only patches are seen through, by "
+                     "--pipeline afd\n";
+    return l3d_polygon_model(std::move(mesh), to_origin_, crease_angle_);
+}
+
+void l3d_polygon_options::refuse_for_patches() const {
+    const l3d_polygon_settings usual;
+    const std::pair<const char*, bool> of_polygons[] = {
+        {"--parallel", parallel_},
+        {"--hidden-lines", hidden_lines_},
+        {"--rotate", rotation_ != usual.rotation},
+        {"--rotate-order", rotation_order_ != usual.rotation_order},
+        {"--to-origin", to_origin_},
+        {"--crease-angle", crease_angle_ != l3d_usual_crease_angle},
+        {"--facets", facets_ != l3d_usual_facets}};
+    for (const auto& [option, is_given] : of_polygons)
+        if (is_given)
+            throw l3d_error(l3d_exit::usage, std::string(option) +
+                                                 ": only polygons have it, and --pipeline afd "
+                                                 "draws patches");
+}
+
+l3d_polygon_settings l3d_polygon_options::settings() const {
+    const l3d_afd_settings shared = shared_.settings();
+    if (shared.depth)
+        throw l3d_error(l3d_exit::usage,
+                        "--depth-output: only --pipeline afd keeps the distances for it");
+    if (shared.error_map)
+        throw l3d_error(l3d_exit::usage,
+                        "--error-output: only --pipeline afd has the bounds for it");
+    if (shared.shade == l3d_shade::error)
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: only --pipeline afd has the bound that error shows");
+    if (l3d_is_inspection(shared.shade))
+        throw l3d_error(l3d_exit::usage,
+                        "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
+                        "gaussian, mean and draft look at");
+    const std::pair<const char*, bool> of_patches[] = {{"--net", shared.net},
+                                                       {"--tolerance", shared_.gives_tolerance()},
+                                                       {"--lateral-only", shared.lateral_only},
+                                                       {"--keep-all", shared.keep.drawing}};
+    for (const auto& [option, is_given] : of_patches)
+        if (is_given)
+            throw l3d_error(l3d_exit::usage, std::string(option) +
+                                                 ": polygons are drawn as they are; only "
+                                                 "--pipeline afd has it");
+    if (hidden_lines_ && shared.shade != l3d_afd_settings().shade)
+        throw l3d_error(
+            l3d_exit::usage,
+            std::string("--hidden-lines: lines have one colour, and show nothing of --shade ") +
+                l3d_shade_names[static_cast<std::size_t>(shared.shade)].first);
+    if (shared.fog.is_on() && (parallel_ || hidden_lines_ || shared.wireframe))
+        throw l3d_error(l3d_exit::usage, "--fog: only surfaces in perspective have it");
+    l3d_polygon_settings settings;
+    settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
+                     : shared.wireframe ? l3d_polygon_style::wireframe
+                                        : l3d_polygon_style::solid;
+    settings.shade = shared.shade;
+    settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
+    settings.light = shared.light;
+    settings.lighting = shared.lighting;
+    settings.headlight = shared.headlight;
+    if (!shared_.places_camera() && !shared_.places_light()) {
+        // The teapot's, from where this model is looked at.
+        settings.light =
+            l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
+    }
+    settings.rotation = rotation_;
+    settings.rotation_order = rotation_order_;
+    settings.cull = shared.one_sided;
+    settings.antialias = shared.antialias;
+    settings.background = shared.background;
+    settings.fog = shared.fog;
+    settings.count_pixels = shared.count_pixels;
+    settings.threads = shared.threads;
+    return settings;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// l3d_polygon_options: the command line of programs that draw polygons.
+#ifndef L3D_SYSTEM_OPTIONS_POLYGON_OPTIONS_H
+#define L3D_SYSTEM_OPTIONS_POLYGON_OPTIONS_H
+
+#include "base/public.h"
+#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/pipeline_polygons.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "system/options/afd_options.h"
+#include "system/options/options.h"
+
+#include <string>
+
+/// The pipelines that a program may draw a model with.
+enum class L3D_PUBLIC l3d_pipeline_kind {
+    afd,     ///< patches by adaptive forward differencing
+    zsort,   ///< triangles from far to near, cut where no order is right
+    zbuffer, ///< triangles with a depth buffer
+    mesa     ///< triangles by OpenGL in memory
+};
+
+/// Options for pipeline, projection and style, beside those that patches and polygons share.
+///
+/// Lives:   both options are borrowed until parse() is done.
+class L3D_PUBLIC l3d_polygon_options {
+public:
+    /// Declares the options. Lives: borrows both until parse() is done.
+    l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared);
+    l3d_polygon_options(const l3d_polygon_options&) = delete;
+    l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
+
+    /// The pipeline that --pipeline names.
+    l3d_pipeline_kind pipeline() const { return pipeline_; }
+
+    /// The polygons of the model asked for, its patches as triangles; the teapot if none was. Parts
+    /// of a file that nobody reads are reported on stderr.
+    /// Errors: l3d_error(bad_input) with file and line.
+    l3d_polygon_model model() const;
+
+    /// The settings that the options ask for.
+    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for what only patches have, such as
+    ///         --depth-output and --net.
+    l3d_polygon_settings settings() const;
+
+    /// The options that turn and project a model as these settings do, each with a blank before
+    /// it; "" for none.
+    static std::string view_options(const l3d_polygon_settings& settings);
+
+    /// For a program that draws patches, as --pipeline afd asks.
+    /// Errors: l3d_error(usage) if an option of polygons says anything else than its default.
+    void refuse_for_patches() const;
+
+private:
+    const l3d_afd_options& shared_;
+    l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::zbuffer;
+    bool parallel_ = false, hidden_lines_ = false, to_origin_ = false;
+    l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
+    l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;
+    double crease_angle_ = l3d_usual_crease_angle;
+    int facets_ = l3d_usual_facets;
+};
+
+#endif

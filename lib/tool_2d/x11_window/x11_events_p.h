@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// x11_events: X events become l3d_events.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_EVENTS_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_EVENTS_P_H
+
+#include "tool_2d/event.h"
+#include "tool_2d/x11_window/x11_echo_p.h"
+#include "tool_2d/x11_window/x11_pointer_p.h"
+#include "tool_2d/x11_window/x11_text_p.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <array>
+#include <deque>
+#include <initializer_list>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Translates the events of one window and keeps them until they are asked for.
+///
+/// Some things are kept once, since only their latest value matters. These are the size, whether
+/// the window can be seen, that it lost its picture, and the pointer's place until something else
+/// happens. Every key that is told pressed is told released, by the time the window loses the
+/// keyboard at the latest.
+///
+/// Xlib reads what the keys mean when it looks up the first one, and after each change. It waits
+/// for the server then, and no signal is heard but a second one. So we have it read right after an
+/// answer of the server, and what the user does after a change waits for that.
+class x11_events {
+public:
+    /// `size` is that which the window was made with.
+    x11_events(const x11_window& window, l3d_size size, x11_pointer& pointer)
+        : window_(window), size_(size), pointer_(pointer), keyboard_echo_(window) {}
+
+    /// Translates one event. A ping of the window manager is answered here.
+    void take(XEvent& event);
+
+    /// Once there is a picture: the meaning of the keys will be of use. Without it the first key is
+    /// waited for.
+    void want_keyboard();
+
+    /// Asks for an answer if the keyboard is to be read. To be called now and then.
+    void look_after();
+
+    /// A fine wheel turned, with the pointer at this place.
+    void take_turn(const XMotionEvent& place, double notches);
+
+    /// The server is gone: the last event of all.
+    void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
+
+    /// Whether the window is out of sight for a reason that no event of its own tells.
+    void set_away(bool away) {
+        away_ = away;
+        look();
+    }
+
+    /// Tells the size again, although it is the same.
+    void tell_size() {
+        push_instead_of({l3d_event_type::resize}, {.type = l3d_event_type::resize, .size = size_});
+    }
+
+    bool empty() const { return queue_.empty(); }
+
+    /// Whether the oldest is a key that does one thing in a fullscreen window and another in
+    /// others. Expects: !empty().
+    bool is_about_fullscreen() const {
+        const l3d_event& oldest = queue_.front();
+        return oldest.type == l3d_event_type::fullscreen ||
+               (oldest.type == l3d_event_type::key_press && oldest.key == l3d_key_escape);
+    }
+
+    /// Whether one that waits, here or at Xlib, asks for the window to be closed. None is taken.
+    bool has_close();
+
+    /// Takes the oldest; false if there is none.
+    bool next(l3d_event& event);
+
+    bool is_mapped() const { return mapped_; }
+    bool was_exposed() const { return exposed_; }
+
+private:
+    void push(const l3d_event& event) { queue_.push_back(event); }
+    void push_instead_of(std::initializer_list<l3d_event_type> types, const l3d_event& event);
+    void look();
+    void take_now(XEvent& event);
+    bool waits_for_keyboard(const XEvent& event) const;
+    void read_keyboard();
+    void take_size(const XConfigureEvent& event);
+    void take_press(XKeyEvent& event);
+    void take_release(const XKeyEvent& event);
+    void take_focus(const XFocusChangeEvent& event);
+    void release_all();
+    void take_button(const XButtonEvent& event, l3d_event_type type);
+    void push_turn(l3d_event event, double notches);
+    int clicks_of(const XButtonEvent& press);
+    void take_motion(const XMotionEvent& event);
+    std::chrono::milliseconds since_start(Time time);
+    template <class Event> l3d_event at(const Event& event);
+    void take_message(XClientMessageEvent& event);
+    bool is_autorepeat(const XKeyEvent& release) const;
+
+    const x11_window& window_;
+    l3d_size size_; ///< as the server told it
+    x11_pointer& pointer_;
+    x11_text text_;
+    std::deque<l3d_event> queue_;
+    bool mapped_ = false, exposed_ = false;
+    x11_echo keyboard_echo_; ///< whose answer says that the keyboard can be read
+    bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
+    std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
+    bool covered_ = false, unmapped_ = false, away_ = false;
+    Time turned_at_ = 0;               ///< when a fine wheel last did
+    double turned_ = 0;                ///< since the last full notch
+    bool hidden_ = false;              ///< for one of these reasons
+    bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
+    std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
+    std::chrono::milliseconds time_{}; ///< of the last event that had one; 0: none had
+    XButtonEvent last_press_{}; ///< that a next one may make a double click with; button 0: none
+};
+
+} // namespace l3d_detail
+
+#endif

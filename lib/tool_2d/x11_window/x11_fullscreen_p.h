@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// x11_fullscreen: a window that covers the whole screen.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_FULLSCREEN_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_FULLSCREEN_P_H
+
+#include "tool_2d/x11_window/x11_wm_facts_p.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <chrono>
+#include <optional>
+
+namespace l3d_detail {
+
+/// Covers the screen with a window, and gives it back its old place.
+///
+/// A window manager that knows how is asked to. Otherwise the window covers the monitor that it is
+/// on. What counts is what the manager says, whoever asked it. A manager that comes takes over,
+/// and one that goes leaves the window as it is. While it covers the screen, a pointer that rests
+/// is hidden.
+/// Lives:   borrows window and state.
+class x11_fullscreen {
+public:
+    using clock = std::chrono::steady_clock;
+
+    /// `native` is the size that the window was made with.
+    x11_fullscreen(x11_window& window, x11_wm_facts& state, l3d_size native)
+        : window_(window), state_(state), place_{0, 0, native.width, native.height} {}
+
+    /// Whether it does, or will once all that was asked for is done.
+    bool is_on() const;
+
+    /// Happens as soon as the state of the window is known.
+    void set(bool on);
+
+    /// Looks at an event about our window: did the pointer move, or the window?
+    void take(const XEvent& event);
+
+    /// The state of the window may be another.
+    void follow();
+
+    /// Hides the pointer if it has not moved for two seconds. To be called now and then.
+    void rest(clock::time_point now);
+
+    /// When rest() has something to do; never, if the pointer need not be hidden.
+    clock::time_point next_rest() const;
+
+private:
+    void act(bool on);
+    void ask_manager(bool on);
+    void cover();
+    void uncover();
+    void move(const l3d_pixel_box& place) const;
+    l3d_pixel_box monitor() const;
+    void take_place(const XConfigureEvent& event);
+    void show_pointer();
+
+    x11_window& window_;
+    x11_wm_facts& state_;
+
+    /// What set() asked for, until it is done.
+    std::optional<bool> wanted_;
+
+    /// What the manager was asked for, and until when its word is waited for: it may refuse, and
+    /// nobody tells.
+    std::optional<bool> awaited_;
+    clock::time_point awaited_until_;
+
+    /// Whether the window covers the screen.
+    bool on_ = false;
+
+    /// Whether a manager did, or would do it, when we last looked.
+    bool granted_ = false;
+
+    /// Whether we made it cover the screen ourselves.
+    bool covers_ = false;
+
+    /// Where the window is when it does not cover the screen.
+    l3d_pixel_box place_;
+
+    /// Where the window shall be to cover the screen.
+    l3d_pixel_box asked_{};
+
+    /// Whether asked_ was mended by what a manager's frame had moved the window.
+    bool is_corrected_ = false;
+
+    bool pointer_hidden_ = false;
+    clock::time_point pointer_moved_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// x11_key: keysyms, layouts of other scripts, and the places of keys.
+#include "tool_2d/x11_window/x11_key_p.h"
+
+#include "tool_2d/event.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <X11/XKBlib.h>
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
+
+namespace l3d_detail {
+namespace {
+
+constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
+    {XK_BackSpace, l3d_key_backspace},
+    {XK_Tab, l3d_key_tab},
+    {XK_Return, l3d_key_return},
+    {XK_KP_Enter, l3d_key_return},
+    {XK_Escape, l3d_key_escape},
+    {XK_Left, l3d_key_left},
+    {XK_Right, l3d_key_right},
+    {XK_Up, l3d_key_up},
+    {XK_Down, l3d_key_down},
+    {XK_Page_Up, l3d_key_page_up},
+    {XK_Page_Down, l3d_key_page_down},
+    {XK_Home, l3d_key_home},
+    {XK_End, l3d_key_end},
+    {XK_KP_Left, l3d_key_left},
+    {XK_KP_Right, l3d_key_right},
+    {XK_KP_Up, l3d_key_up},
+    {XK_KP_Down, l3d_key_down},
+    {XK_KP_Page_Up, l3d_key_page_up},
+    {XK_KP_Page_Down, l3d_key_page_down},
+    {XK_KP_Home, l3d_key_home},
+    {XK_KP_End, l3d_key_end},
+    {XK_ISO_Left_Tab, l3d_key_tab},
+    {XK_Delete, l3d_key_delete},
+    {XK_KP_Delete, l3d_key_delete},
+    {XK_Insert, l3d_key_insert},
+    {XK_KP_Insert, l3d_key_insert},
+    {XK_Shift_L, l3d_key_shift},
+    {XK_Shift_R, l3d_key_shift},
+    {XK_Control_L, l3d_key_control},
+    {XK_Control_R, l3d_key_control},
+    {XK_Alt_L, l3d_key_alt},
+    {XK_Alt_R, l3d_key_alt},
+    {XK_Meta_L, l3d_key_alt}, // what Alt is with Shift held
+    {XK_Meta_R, l3d_key_alt},
+}};
+
+/// The key of a keysym, 0 if it is none of ours.
+int key_of_keysym(KeySym keysym) {
+    const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
+    if (named != named_keys.end())
+        return named->second;
+    if (keysym >= XK_F1 && keysym <= XK_F10)
+        return l3d_key_f1 + static_cast<int>(keysym - XK_F1);
+    // X numbers the characters of ASCII as ASCII does.
+    return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
+}
+
+/// The rows of letters and the signs right of them on an American keyboard, by key code. PCs number
+/// their keys alike under every layout.
+int key_in_place(unsigned code) {
+    struct row {
+        unsigned first_code;
+        std::string_view keys;
+    };
+    constexpr std::array<row, 3> rows{
+        {{24, "qwertyuiop[]"}, {38, "asdfghjkl;'`"}, {52, "zxcvbnm,./"}}};
+    for (const auto& [first_code, keys] : rows)
+        if (code >= first_code && code - first_code < keys.size())
+            return static_cast<unsigned char>(keys[code - first_code]);
+    return 0;
+}
+
+constexpr bool is_letter(int key) {
+    return key >= 'a' && key <= 'z';
+}
+
+KeySym symbol_of(Display* display, unsigned code, unsigned group, int level) {
+    return XkbKeycodeToKeysym(display, static_cast<KeyCode>(code), static_cast<int>(group), level);
+}
+
+/// Whether a group of the layout has Latin letters: half of the alphabet are enough. Layouts of
+/// other scripts have none, although some have signs of ASCII in their places.
+bool is_latin(Display* display, unsigned group) {
+    constexpr int half_of_alphabet = 13;
+    int letters = 0;
+    for (unsigned code = 8; code < 256; ++code) // as X numbers keys
+        letters += is_letter(static_cast<int>(symbol_of(display, code, group, 0))) ? 1 : 0;
+    return letters >= half_of_alphabet;
+}
+
+/// The Latin letter, or its sign, of a key whose own group has another script: that of the first
+/// group with Latin letters, or else of the key's place.
+int latin_key(const XKeyEvent& event, unsigned own_group) {
+    const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
+    for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {
+        if (group != own_group && is_latin(event.display, group))
+            return key_of_keysym(symbol_of(event.display, event.keycode, group, level));
+    }
+    return key_in_place(event.keycode);
+}
+
+} // namespace
+
+int key_of(XKeyEvent event) {
+    event.state &= ~static_cast<unsigned>(LockMask);
+    const unsigned group = XkbGroupForCoreState(event.state);
+    if (!is_latin(event.display, group)) {
+        const int key = latin_key(event, group);
+        if (is_letter(key | ('a' ^ 'A')))
+            return key;
+    }
+    std::array<char, 8> text{};
+    KeySym keysym = NoSymbol;
+    const int length = XLookupString(&event, text.data(), text.size(), &keysym, nullptr);
+    if (const int key = key_of_keysym(keysym); key != 0)
+        return key;
+    // The digits and signs of the number pad have keysyms of their own, but plain text.
+    if (length == 1 && text[0] >= ' ' && text[0] <= '~')
+        return text[0];
+    return latin_key(event, group);
+}
+
+} // namespace l3d_detail

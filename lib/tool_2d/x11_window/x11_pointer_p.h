@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// x11_pointer: what a program hears of the pointer, and a pointer that it holds.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_POINTER_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_POINTER_P_H
+
+#include "tool_2d/screen.h"
+#include "tool_2d/x11_window/x11_echo_p.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <chrono>
+#include <optional>
+
+#include <xcb/xcb.h>
+
+namespace l3d_detail {
+
+/// How far the pointer moved. Units: pixels of ours, to the right and down.
+struct x11_way {
+    double right = 0, down = 0;
+};
+
+/// Holds the pointer for a program that wants it, as long as the window has the keyboard.
+///
+/// A held pointer is put back to the window's middle whenever it comes far from that, so that its
+/// way has no end. X tells places only: what the program hears is their differences, and the leaps
+/// back are no part of them. Servers bound by a network or nested in others have this, too.
+/// Lives:   borrows the window.
+/// Cost:    nothing waits for an answer; a leap every quarter of a window.
+class x11_pointer {
+public:
+    using clock = std::chrono::steady_clock;
+
+    /// `native` is the size that the window was made with.
+    x11_pointer(x11_window& window, l3d_size native);
+    x11_pointer(const x11_pointer&) = delete;
+    x11_pointer& operator=(const x11_pointer&) = delete;
+    ~x11_pointer();
+
+    /// What the program wants to hear of from now on.
+    void set(l3d_pointer how);
+    l3d_pointer how() const { return how_; }
+
+    /// The window has the keyboard now, or no longer.
+    void set_focus(bool has_focus);
+
+    /// Units: pixels of the display's.
+    void set_size(l3d_size native) { size_ = native; }
+
+    /// Asks for the pointer if that is due. To be called now and then.
+    void look_after();
+
+    /// True if the event was the server's word about that.
+    bool take(const XEvent& event);
+
+    /// How far the pointer moved by this event, which is 0 for one that is not held. Nothing if
+    /// that is nobody's business: the pointer was put back.
+    std::optional<x11_way> way_of(const XMotionEvent& event);
+
+private:
+    struct place {
+        int x, y;
+    };
+
+    place middle() const { return {size_.width / 2, size_.height / 2}; }
+    bool wants_it() const { return how_ == l3d_pointer::held && has_focus_; }
+    void release();
+    void put_back();
+    bool has_leapt_to(const place& now) const;
+
+    x11_window& window_;
+    xcb_connection_t* xcb_;
+    x11_echo echo_;
+    l3d_pointer how_ = l3d_pointer::dragged;
+    l3d_size size_;
+    Cursor cursor_ = 0; ///< without a pixel; none until it is needed
+    bool has_focus_ = false;
+    bool is_held_ = false;
+    xcb_grab_pointer_cookie_t asked_{};
+    clock::time_point next_try_{};
+    unsigned long leap_ = 0;    ///< the request that put the pointer back; 0: it has arrived
+    std::optional<place> last_; ///< where a held pointer was; nothing before the first word of it
+};
+
+} // namespace l3d_detail
+
+#endif

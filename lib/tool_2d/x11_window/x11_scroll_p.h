@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// x11_scroll: wheels and touchpads that turn by less than a notch.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_SCROLL_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_SCROLL_P_H
+
+#include "tool_2d/x11_window/x11_echo_p.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <xcb/xcb.h>
+
+namespace l3d_detail {
+
+/// What a fine wheel told.
+struct x11_turn {
+    XMotionEvent motion; ///< the pointer's place, time and modifiers, as X has them without wheels
+    double notches = 0;  ///< away from the user; 0: only the pointer moved
+};
+
+/// The fine wheels of a display, by XInput 2.1.
+///
+/// X counts how far each has turned since it was plugged in. We ask for these numbers after the
+/// first picture, and listen only if there is such a wheel: from then on each motion of the pointer
+/// over the window is told. Without the extension nothing changes, and wheels are buttons 4 and 5.
+/// Lives:   the window outlives it.
+/// Cost:    nothing waits for an answer; each request has to find room on the line.
+class x11_scroll {
+public:
+    explicit x11_scroll(const x11_window& window);
+
+    /// Asks, or goes on with it. To be called now and then once there is a picture.
+    void look_after();
+
+    /// Looks at an event. Something if it tells of a motion or a turn.
+    std::optional<x11_turn> take(XEvent& event);
+
+private:
+    enum class stage { unasked, searching, asking, watching };
+
+    /// Which wheel: device, and its number there.
+    using name = std::pair<std::uint16_t, std::uint16_t>;
+    struct wheel {
+        double increment = 1;       ///< how far a notch is
+        std::optional<double> last; ///< nothing: the pointer was elsewhere
+    };
+
+    void proceed();
+    void search();
+    void ask();
+    void hear();
+    void select(std::uint32_t mask);
+    unsigned send(std::span<std::uint8_t> request, std::uint8_t kind, bool has_reply) const;
+    void add_wheels(std::uint16_t device, std::span<const std::uint8_t> classes);
+    std::optional<x11_turn> take_motion(std::span<const std::uint8_t> message);
+
+    const x11_window& window_;
+    xcb_connection_t* xcb_;
+    x11_echo echo_;
+    stage stage_ = stage::unasked;
+    bool is_due_ = true;
+    std::uint8_t opcode_ = 0; ///< 0: the server has no such extension
+    xcb_query_extension_cookie_t extension_{};
+    unsigned version_ = 0, devices_ = 0; ///< numbers of the requests
+    std::uint32_t mask_ = 0;             ///< what we listen to
+    std::map<name, wheel> wheels_;
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// x11_sync: a window manager that resizes the window no faster than we can draw it.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_SYNC_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_SYNC_P_H
+
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <X11/extensions/sync.h>
+
+namespace l3d_detail {
+
+/// Our side of _NET_WM_SYNC_REQUEST.
+///
+/// The manager names a number, gives the window a size, and waits until a counter in the server
+/// has the number. We set it right after the first picture of that size: the server serves the two
+/// in this order.
+/// Lives:   borrows the window; the server frees the counter at the end of the connection.
+class x11_sync {
+public:
+    /// Offers this to the manager, if there is one and the server has the extension.
+    /// Expects: the window is not on the screen yet.
+    /// Cost:    two round trips if there is a manager.
+    explicit x11_sync(const x11_window& window);
+
+    /// Looks at an event: is it a number, or a size that follows one?
+    void take(const XEvent& event);
+
+    /// A picture of this size has been put, or has been there all the time.
+    void shown(l3d_size size);
+
+private:
+    enum class step { idle, asked, sized };
+
+    const x11_window& window_;
+    Atom protocol_ = 0; ///< 0: not offered
+    XSyncCounter counter_ = 0;
+    XSyncValue number_{};
+    l3d_size size_{};
+    step step_ = step::idle;
+};
+
+} // namespace l3d_detail
+
+#endif

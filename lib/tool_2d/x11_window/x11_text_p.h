@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// x11_text: which characters the keys type.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
+
+#include <memory>
+#include <string>
+
+#include <X11/Xlib.h>
+
+struct xkb_context;
+struct xkb_compose_table;
+struct xkb_compose_state;
+
+namespace l3d_detail {
+
+/// Turns presses of keys into text, dead keys and the key Compose included.
+///
+/// Xlib would do that by an input method, which it asks and waits for, and by the locale of the
+/// whole process. This needs neither. How keys are composed is read at the first dead key.
+class x11_text {
+public:
+    x11_text();
+    ~x11_text();
+
+    /// What this press types, in UTF-8; empty for none. Keys with Ctrl, Alt or Super type nothing.
+    std::string typed(XKeyEvent press);
+
+private:
+    struct freer {
+        void operator()(xkb_context* context) const;
+        void operator()(xkb_compose_table* table) const;
+        void operator()(xkb_compose_state* state) const;
+    };
+
+    void open();
+
+    std::unique_ptr<xkb_context, freer> context_;
+    std::unique_ptr<xkb_compose_table, freer> table_;
+    std::unique_ptr<xkb_compose_state, freer> state_; ///< null without a table
+    bool is_open_ = false;                            ///< it was tried
+};
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// x11_wm_facts: questions without waiting, and what follows from the answers.
+#include "tool_2d/x11_window/x11_wm_facts_p.h"
+
+#include "tool_2d/x11/x11_reply_p.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <X11/Xlib-xcb.h>
+#include <X11/Xutil.h>
+
+namespace l3d_detail {
+namespace {
+
+// Of a property, in words: the standard has about a hundred names of states and abilities.
+constexpr std::uint32_t longest_property = 1024;
+
+bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
+    return std::ranges::find(list, wanted) != list.end();
+}
+
+/// A manager that shows several workspaces at once, one a monitor, still names one as current. One
+/// without workspaces may number windows by rules of its own.
+bool is_elsewhere(const std::vector<std::uint32_t>& desktop,
+                  const std::vector<std::uint32_t>& current,
+                  const std::vector<std::uint32_t>& desktops, std::size_t monitors) {
+    return monitors <= 1 && !desktop.empty() && !current.empty() && !desktops.empty() &&
+           desktop.front() < desktops.front() && desktop.front() != current.front();
+}
+
+} // namespace
+
+x11_wm_facts::x11_wm_facts(const x11_window& window)
+    : window_(window), xcb_(XGetXCBConnection(window.display())),
+      echo_(window), facts_{.managed = window.was_managed()} {}
+
+void x11_wm_facts::ask() {
+    if (window_.connection().lost())
+        return;
+    if (echo_.is_awaited()) {
+        again_ = true;
+        return;
+    }
+    is_due_ = !window_.connection().wait_writable({});
+    if (is_due_)
+        return;
+    if (stage_ == stage::unwatched) {
+        // Before the first question: whatever changes after it is told.
+        XSelectInput(window_.display(), window_.connection().root(),
+                     PropertyChangeMask | StructureNotifyMask);
+        ask_names();
+    } else {
+        ask_facts();
+    }
+}
+
+void x11_wm_facts::ask_names() {
+    constexpr std::array<std::string_view, name_count> texts{"_NET_WM_STATE",
+                                                             "_NET_WM_STATE_FULLSCREEN",
+                                                             "_NET_WM_STATE_HIDDEN",
+                                                             "WM_STATE",
+                                                             "_NET_WM_DESKTOP",
+                                                             "_NET_CURRENT_DESKTOP",
+                                                             "_NET_NUMBER_OF_DESKTOPS",
+                                                             "_NET_SUPPORTED",
+                                                             "_NET_SUPPORTING_WM_CHECK",
+                                                             "_NET_WM_PID",
+                                                             "_NET_WM_ICON"};
+    stage_ = stage::naming;
+    for (std::size_t i = 0; i < name_count; ++i)
+        names_[i] =
+            xcb_intern_atom(xcb_, 0, static_cast<std::uint16_t>(texts[i].size()), texts[i].data());
+    xcb_prefetch_extension_data(xcb_, &xcb_randr_id);
+    echo_.ask();
+}
+
+void x11_wm_facts::hear_names() {
+    for (std::size_t i = 0; i < name_count; ++i) {
+        const unique_reply<xcb_intern_atom_reply_t> reply(
+            xcb_intern_atom_reply(xcb_, names_[i], nullptr));
+        atoms_[i] = reply ? reply->atom : 0;
+    }
+    stage_ = stage::watching;
+    window_.set_process_and_icon(atoms_[net_wm_pid], atoms_[net_wm_icon]);
+}
+
+xcb_get_property_cookie_t x11_wm_facts::ask_property(Window window, name property) const {
+    return xcb_get_property(xcb_, 0, static_cast<xcb_window_t>(window), atoms_[property],
+                            XCB_GET_PROPERTY_TYPE_ANY, 0, longest_property);
+}
+
+/// Empty if there is none, or if it is no list of numbers.
+std::vector<std::uint32_t> x11_wm_facts::hear_property(xcb_get_property_cookie_t cookie) const {
+    const unique_reply<xcb_get_property_reply_t> reply(
+        xcb_get_property_reply(xcb_, cookie, nullptr));
+    if (!reply || reply->format != 32)
+        return {};
+    const std::span words(static_cast<const std::uint32_t*>(xcb_get_property_value(reply.get())),
+                          reply->value_len);
+    return {words.begin(), words.end()};
+}
+
+void x11_wm_facts::ask_facts() {
+    const auto root = static_cast<xcb_window_t>(window_.connection().root());
+    const auto window = static_cast<xcb_window_t>(window_.id());
+    question_.root = xcb_get_window_attributes(xcb_, root);
+    question_.window = xcb_get_window_attributes(xcb_, window);
+    question_.check = ask_property(root, net_supporting_wm_check);
+    question_.asked_check = check_;
+    if (check_ != 0)
+        question_.checked = ask_property(check_, net_supporting_wm_check);
+    question_.supported = ask_property(root, net_supported);
+    question_.current_desktop = ask_property(root, net_current_desktop);
+    question_.desktops = ask_property(root, net_number_of_desktops);
+    question_.state = ask_property(window, net_wm_state);
+    question_.wm_state = ask_property(window, wm_state);
+    question_.desktop = ask_property(window, net_wm_desktop);
+    // Known since the names were heard.
+    const auto* const randr = xcb_get_extension_data(xcb_, &xcb_randr_id);
+    question_.has_randr = randr != nullptr && randr->present != 0;
+    if (question_.has_randr) {
+        // The server takes us for an old program unless we ask for its version.
+        xcb_discard_reply(xcb_, xcb_randr_query_version(xcb_, 1, 5).sequence);
+        question_.monitors = xcb_randr_get_monitors(xcb_, root, 1);
+    }
+    echo_.ask();
+}
+
+std::vector<l3d_pixel_box> x11_wm_facts::hear_monitors() {
+    std::vector<l3d_pixel_box> monitors;
+    if (!question_.has_randr)
+        return monitors;
+    const unique_reply<xcb_randr_get_monitors_reply_t> reply(
+        xcb_randr_get_monitors_reply(xcb_, question_.monitors, nullptr));
+    if (!reply)
+        return monitors;
+    for (auto at = xcb_randr_get_monitors_monitors_iterator(reply.get()); at.rem > 0;
+         xcb_randr_monitor_info_next(&at))
+        monitors.push_back(
+            {at.data->x, at.data->y, at.data->x + at.data->width, at.data->y + at.data->height});
+    return monitors;
+}
+
+void x11_wm_facts::hear_facts() {
+    const unique_reply<xcb_get_window_attributes_reply_t> root(
+        xcb_get_window_attributes_reply(xcb_, question_.root, nullptr));
+    const unique_reply<xcb_get_window_attributes_reply_t> window(
+        xcb_get_window_attributes_reply(xcb_, question_.window, nullptr));
+    const auto check = hear_property(question_.check);
+    const auto checked = question_.asked_check == 0 ? check : hear_property(question_.checked);
+    const auto supported = hear_property(question_.supported);
+    const auto current_desktop = hear_property(question_.current_desktop);
+    const auto desktops = hear_property(question_.desktops);
+    const auto state = hear_property(question_.state);
+    const auto icon = hear_property(question_.wm_state);
+    const auto desktop = hear_property(question_.desktop);
+    facts_.monitors = hear_monitors();
+
+    const Window named = check.empty() ? 0 : check.front();
+    if (named != check_) {
+        check_ = named;
+        if (named != 0)
+            XSelectInput(window_.display(), named, StructureNotifyMask);
+        again_ = true; // A window that a dead manager left named says nothing.
+    }
+    // A manager is the one client that redirects the root's children.
+    facts_.managed = root && (root->all_event_masks & SubstructureRedirectMask) != 0;
+    const bool lives =
+        facts_.managed && check_ != 0 && holds(checked, static_cast<std::uint32_t>(check_));
+    facts_.grants_fullscreen = lives && holds(supported, atoms_[net_wm_state_fullscreen]);
+    facts_.fullscreen = facts_.grants_fullscreen && holds(state, atoms_[net_wm_state_fullscreen]);
+    const bool is_icon = !icon.empty() && icon.front() != NormalState;
+    const bool is_unviewable = window && window->map_state == XCB_MAP_STATE_UNVIEWABLE;
+    facts_.away =
+        facts_.managed &&
+        (is_icon || is_unviewable || (lives && holds(state, atoms_[net_wm_state_hidden])) ||
+         (lives && is_elsewhere(desktop, current_desktop, desktops, facts_.monitors.size())));
+}
+
+bool x11_wm_facts::take(const XEvent& event) {
+    if (!echo_.take(event)) {
+        if (stage_ == stage::watching && concerns_us(event))
+            ask();
+        return false;
+    }
+    if (stage_ == stage::naming) {
+        hear_names();
+        ask();
+        return false;
+    }
+    const bool is_stale = std::exchange(again_, false);
+    hear_facts();
+    if (is_stale || std::exchange(again_, false))
+        ask();
+    return true;
+}
+
+bool x11_wm_facts::is_foreign(const XEvent& event) const {
+    return event.xany.window != 0 &&
+           (event.xany.window == window_.connection().root() || event.xany.window == check_);
+}
+
+bool x11_wm_facts::concerns_us(const XEvent& event) const {
+    switch (event.type) {
+    case PropertyNotify:
+        return std::ranges::count(std::span(atoms_).first(watched_count), event.xproperty.atom) !=
+               0;
+    case ReparentNotify: // by a manager that comes or goes
+        return true;
+    case DestroyNotify:
+        return event.xdestroywindow.window == check_;
+    case ConfigureNotify: // of the monitors
+        return event.xany.window == window_.connection().root();
+    case VisibilityNotify:
+        return facts_.away;
+    default:
+        return false;
+    }
+}
+
+} // namespace l3d_detail

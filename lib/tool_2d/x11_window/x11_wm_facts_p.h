@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// x11_wm_facts: what the window manager and the server make of our window.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
+
+#include "tool_2d/pixels.h"
+#include "tool_2d/x11_window/x11_echo_p.h"
+#include "tool_2d/x11/x11_window_p.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <xcb/randr.h>
+#include <xcb/xcb.h>
+
+namespace l3d_detail {
+
+/// What was last heard.
+struct x11_facts {
+    bool managed = false;           ///< a window manager looks after windows
+    bool grants_fullscreen = false; ///< it lives, and makes windows fullscreen if asked to
+    bool fullscreen = false;        ///< it says that ours is; without such a manager: false
+    bool away = false; ///< nobody can see ours: minimised, on another workspace, or not viewable
+    std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
+};
+
+/// Keeps the facts up to date by what others write: properties of our window, of the root, and of
+/// the window by which a manager shows that it lives.
+///
+/// Each change asks for all of it anew, in one go. The last request is an event to ourselves. So
+/// nobody waits for a reply: when the event comes, the replies are there.
+/// Lives:   borrows the window.
+class x11_wm_facts {
+public:
+    enum name {
+        net_wm_state,
+        net_wm_state_fullscreen,
+        net_wm_state_hidden,
+        wm_state,
+        net_wm_desktop,
+        net_current_desktop,
+        net_number_of_desktops,
+        net_supported,
+        net_supporting_wm_check,
+        watched_count, ///< those above are what others write
+        net_wm_pid = watched_count,
+        net_wm_icon,
+        name_count
+    };
+
+    explicit x11_wm_facts(const x11_window& window);
+
+    const x11_facts& facts() const { return facts_; }
+
+    /// 0 as long as the server has not told it.
+    Atom atom(name which) const { return atoms_[which]; }
+
+    /// Asks for everything, and from then on hears of changes by itself.
+    void ask();
+
+    /// Asks if that was never done, or if the connection had no room: a server that is slow, or
+    /// stopped, does not take the program with it. To be called now and then.
+    void look_after() {
+        if (stage_ == stage::unwatched || is_due_)
+            ask();
+    }
+
+    /// Whether an answer is due that was asked for by the last call of ask().
+    bool is_asking() const { return is_due_ || echo_.is_awaited(); }
+
+    /// Looks at an event. True if it brought new facts.
+    bool take(const XEvent& event);
+
+    /// Whether the event is about a window that is not ours.
+    bool is_foreign(const XEvent& event) const;
+
+private:
+    enum class stage { unwatched, naming, watching };
+    /// The requests of one question.
+    struct question {
+        xcb_get_window_attributes_cookie_t root, window;
+        xcb_get_property_cookie_t check, checked, supported, current_desktop, desktops;
+        xcb_get_property_cookie_t state, wm_state, desktop;
+        xcb_randr_get_monitors_cookie_t monitors;
+        Window asked_check = 0; ///< whose property `checked` is
+        bool has_randr = false;
+    };
+
+    void ask_names();
+    void hear_names();
+    void ask_facts();
+    void hear_facts();
+    std::vector<l3d_pixel_box> hear_monitors();
+    xcb_get_property_cookie_t ask_property(Window window, name property) const;
+    std::vector<std::uint32_t> hear_property(xcb_get_property_cookie_t cookie) const;
+    bool concerns_us(const XEvent& event) const;
+
+    const x11_window& window_;
+    xcb_connection_t* xcb_;
+    x11_echo echo_;
+    x11_facts facts_;
+    stage stage_ = stage::unwatched;
+    bool is_due_ = false; ///< is asked as soon as the connection has room
+    bool again_ = false;  ///< something changed while a question was under way
+    std::array<xcb_intern_atom_cookie_t, name_count> names_{};
+    std::array<xcb_atom_t, name_count> atoms_{};
+    question question_{};
+    Window check_ = 0; ///< by which the manager shows that it lives
+};
+
+} // namespace l3d_detail
+
+#endif
