@@ -155,7 +155,7 @@ LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)
 SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-stress.log
 # What takes longest to compile is begun first, so that no processor waits for it in the end.
-SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options scene/bends/surface_bends_lanes)
+SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options/options scene/bends/surface_bends_lanes)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
@@ -351,7 +351,7 @@ $(OUT)/lib/geom/teapot.o: $(OUT)/data/teapot.bpt.inc
 # Any file as the numbers of its bytes, to be included between braces.
 $(OUT)/%.bytes: %
 	$(Q)mkdir -p $(@D); od -An -v -tu1 $< | sed 's/[0-9]\+/&,/g' > $@
-$(OUT)/lib/tool_2d/x11/x11_icon.o: $(OUT)/packaging/desktop/icon.png.bytes
+$(OUT)/lib/tool_2d/x11_window/x11_icon.o: $(OUT)/packaging/desktop/icon.png.bytes
 
 # A layer of headers alone has no object that the packages come before.
 $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/% | packages-build
