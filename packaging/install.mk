@@ -164,8 +164,8 @@ $(ICON): $(OUT)/bin/teapot_afd
 	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --background none --output $@
 
 # Where installed programs and the shared library look for data, if not beside themselves.
-$(OUT)/lib/system/places.o: $(OUT)/place
-$(OUT)/lib/system/places.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
+$(OUT)/lib/system/install_paths.o: $(OUT)/place
+$(OUT)/lib/system/install_paths.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
 
 # The library of the other numbers is only looked at for its place and its names, so it is compiled in
 # a hurry, for one set of instructions. `make test` builds it before anything is run: the check of what
