@@ -6,10 +6,12 @@
 #include "base/public.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <utility>
 
 /// A stride for rows of `width` words: an odd number of cache lines of 64 bytes, from one word to
 /// two lines longer. If rows were 4096 bytes apart, a column's pixels would share a set of the
@@ -33,6 +35,26 @@ public:
           stride_(stride) {
         assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
     }
+
+    /// A copy of the picture; its words are its own. Errors: std::bad_alloc.
+    l3d_image(const l3d_image& other) : l3d_image(other.size_, other.stride_) {
+        std::copy_n(other.words_.get(), word_count(size_, stride_), words_.get());
+    }
+    /// Takes the words over; the other image is empty then.
+    l3d_image(l3d_image&& other) noexcept
+        : words_(std::move(other.words_)), size_(std::exchange(other.size_, {})),
+          stride_(std::exchange(other.stride_, 0)) {}
+    /// Copies or takes over another picture. Errors: std::bad_alloc; the image keeps its words.
+    l3d_image& operator=(l3d_image other) noexcept {
+        words_.swap(other.words_);
+        std::swap(size_, other.size_);
+        std::swap(stride_, other.stride_);
+        return *this;
+    }
+    ~l3d_image() = default;
+
+    /// Width and height, in pixels.
+    l3d_size size() const { return size_; }
 
     /// A view of the words. Lives: it ends when the image does, or is assigned to.
     l3d_pixels pixels() { return {words_.get(), size_.width, size_.height, stride_}; }
