@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# What there is: the sources in the folders, and what is made of them.
+
+reverse    = $(if $(1),$(call reverse,$(wordlist 2,99,$(1))) $(firstword $(1)))
+TOP_DOWN  := reference compare $(call reverse,$(LAYERS))
+objects    = $(patsubst %.cpp,$(OUT)/%.o,$(sort $(1)))
+archives   = $(patsubst %,$(OUT)/libl3d_%.a,$(filter $(1),$(TOP_DOWN)))
+links      = $(foreach layer,$(1),$(links_$(layer)))
+may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),reference)
+# Programs come in by the front door, as everybody's do, but for those that look inside. Sources
+# beside the library also include by paths from the top, tests by paths from tests/, too.
+looks_inside  = $(filter compare/% tests/% $(apps_with_compare:%=apps/%/%),$(1))
+include_paths = $(if $(filter apps/%,$(1)),-I$(OUT)/include) \
+                $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/%,$(1)),-Ilib))
+
+# A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
+$(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
+$(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
+objects_compare       := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
+objects_tests/compare := $(call objects,$(wildcard tests/compare/*.cpp))
+# Scenes and judges of dicing serve the tests of whole frames, too.
+helpers = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
+objects_tests/dice     += $(call helpers,scene)
+objects_tests/pipeline += $(call helpers,scene) $(call helpers,dice)
+objects_tests/compare  += $(call helpers,scene) $(call helpers,dice)
+objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
+objects_reference := $(filter-out $(objects_tests/reference),\
+                     $(call objects,$(wildcard tests/reference/*.cpp)))
+apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
+$(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
+
+tested    := $(foreach l,$(LAYERS) compare reference,$(if $(objects_tests/$(l)),$(l)))
+plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
+# A variant's bin, lib/l3d and share/l3d lie as they are installed.
+plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
+PLUGINS   := $(call plugged,$(plugins))
+TEST_PLUGINS := $(call plugged,$(filter tests/%,$(plugins)))
+data      := $(wildcard data/*) apps/vidflat/plugins/spaceship.obj
+# What makes pages of the numbers of teapot_afd --error-report, which tells how to start it.
+reports   := $(wildcard apps/teapot_afd/report_page*)
+REPORTS   := $(addprefix $(OUT)/share/l3d/report/,$(notdir $(reports)))
+DATA      := $(addprefix $(OUT)/share/l3d/,$(notdir $(data))) $(REPORTS)
+
+ARCHIVES  := $(call archives,$(LAYERS))
+APPS      := $(apps:%=$(OUT)/bin/%)
+# The front door: what others may include, as <l3d/name.h>, is made of the headers that are listed.
+PUBLIC    := $(shell sed '/^\#/d' packaging/public_headers)
+DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
+HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h compare/*/*.h))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
+FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
+OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
