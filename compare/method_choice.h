@@ -30,10 +30,10 @@ enum class l3d_method {
 /// A method and what it is told.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
-    int resolution = 0; ///< of tessellation, fd: quads along a patch (fd: 0 is what the tolerance
-                        ///< asks for); of voxels: cells along the model; of isocurves, kept
-                        ///< and micropolygons: points or quads along a pixel
-    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< of afd (but 32-bit fixed) and fd
+    int resolution = 0; ///< tessellation, fd: quads along a patch (fd: 0 is the tolerance's
+                        ///< choice); voxels: cells along the model; isocurves, kept and
+                        ///< micropolygons: points or quads along a pixel
+    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< for afd (but 32-bit fixed) and fd
 
     /// As the command line has it: "fd", "tessellation:16".
     std::string name() const;
@@ -51,14 +51,14 @@ struct l3d_method_choice {
     /// Whether frames have a certified bound of their error, which mode `error` shows.
     bool has_bound() const;
 
-    /// Names of the methods that have one, separated by ", ".
+    /// Names of the methods with a bound, separated by ", ".
     static std::string names_with_bound();
 
-    /// Whether the settings' tolerance says anything to it. Else it has steps of its own, or those
-    /// that it is told.
+    /// Whether the method obeys the settings' tolerance. Else it has steps of its own, or takes a
+    /// number of them.
     bool keeps_tolerance() const;
 
-    /// Names of the methods to which it does, separated by ", ".
+    /// Names of the methods that obey the tolerance, separated by ", ".
     static std::string names_with_tolerance();
 
     /// For a pipeline's settings.

@@ -57,8 +57,8 @@ private:
     void visit(const l3d_patch_part& p, task& of);
     kept_grid* find(const l3d_patch_part& p) const;
 
-    /// What frames before have kept of a piece: nothing, or parts of it that are narrower along u,
-    /// or shorter along v alone.
+    /// The parts of a piece that earlier frames have kept: none, some narrower along u, or some
+    /// shorter along v alone.
     enum class parts_kept { none, narrower, shorter };
     parts_kept parts_inside(const l3d_patch_part& p) const;
     void dice(kept_grid& grid, const l3d_method_patch& patch, int steps_u, int steps_v);

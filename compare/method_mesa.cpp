@@ -83,7 +83,7 @@ private:
         l3d_patch_model model;
         bool is_used = true;                ///< in this frame
         unsigned vertices = 0, indices = 0; ///< buffers
-        int count = 0;                      ///< of indices
+        int count = 0;                      ///< number of indices
         int n = 0;
     };
 

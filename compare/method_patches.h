@@ -18,11 +18,11 @@
 #include <span>
 #include <vector>
 
-/// A patch in the image. Lives: what it points to, until the frame's end.
+/// A patch in the image. Lives: pointers are valid until the frame's end.
 struct l3d_method_patch {
     l3d_image_patch net;
     l3d_normal_net normals;
-    std::uint32_t color = 0xffffff;                  ///< of its material
+    std::uint32_t color = 0xffffff;                  ///< colour of its material
     std::uint32_t material = 0;                      ///< its index
     l3d_placed_patch placed{};                       ///< which one it is
     const l3d_patch_model::patch* surface = nullptr; ///< in its model's space

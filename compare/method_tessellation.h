@@ -50,8 +50,8 @@ private:
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     l3d_scene_memory made_of_;
-    l3d_polygon_model model_;                ///< of the whole scene, in the world
-    std::vector<std::size_t> face_ends_;     ///< of that model's patches
+    l3d_polygon_model model_;                ///< the whole scene, in the world
+    std::vector<std::size_t> face_ends_;     ///< ends of the patches' faces in model_
     std::vector<std::size_t> first_patches_; ///< their numbers, by instance
     l3d_polygon_frame polygons_;
     l3d_scene_culling culling_;

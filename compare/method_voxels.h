@@ -49,7 +49,7 @@ private:
     l3d_workers& workers_;
     int resolution_;
     l3d_cubic_frame_buffer cube_;
-    l3d_patch_model::vector corner_{0.0, 0.0, 0.0}; ///< of the cube, in the world
+    l3d_patch_model::vector corner_{0.0, 0.0, 0.0}; ///< corner of the cube, in the world
     double cells_per_unit_ = 1;
     l3d_scene_memory filled_with_;
     std::vector<l3d_point_canvas> canvases_;

@@ -177,9 +177,8 @@ private:
         draw_numbers(r, x, y, errors[worst]);
     }
 
-    /// What thin lines and letters are multiplied by: windows of 480 x 320 pixels have 1, larger
-    /// ones more, but less than they are larger. A fine display counts by its text: its windows
-    /// look as they do elsewhere.
+    /// Factor of thin lines and letters: 1 in windows of 480 x 320 pixels, and growing more slowly
+    /// than larger windows. A fine display counts by its text, so its windows look as elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;

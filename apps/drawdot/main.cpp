@@ -24,7 +24,7 @@ public:
 
     void resize_event(l3d_size size) override {
         l3d_lesson::resize_event(size);
-        turn(right_, down_); // what is outside now starts again from the border
+        turn(right_, down_); // dots that are outside now start again from the border
     }
 
     bool needs_redraw() const override { return moved_; }

@@ -50,8 +50,8 @@ l3d_patch_scene make_scene(const l3d_patch_model& first, bool glossy) {
     return scene;
 }
 
-/// What an instance is a part of. A file's model has one for each opacity, the others have one
-/// each.
+/// The exhibit that an instance belongs to. A file's model has one instance for each opacity, the
+/// others have one each.
 const exhibit& exhibit_of(std::size_t instance, std::size_t instances) {
     const std::size_t of_first = instances - (std::size(exhibits) - 1);
     return exhibits[instance < of_first ? 0 : instance - of_first + 1];

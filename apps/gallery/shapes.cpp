@@ -144,7 +144,7 @@ l3d_patch_model colored_teapot() {
 }
 
 l3d_patch_model in_teapots_place(const l3d_patch_model& model) {
-    constexpr double width = 6.5; // of the teapot, from the handle to the spout
+    constexpr double width = 6.5; // the teapot's, from the handle to the spout
     const vector extent = model.most() - model.least();
     const double widest = std::max({extent[0], extent[1], extent[2]});
     const double scale = widest > 0 ? width / widest : 1;

@@ -134,7 +134,7 @@ private:
     std::uint64_t seed_;
     l3d_random random_;
     l3d_font font_;
-    int x_ = 0, y_ = 0; ///< of the greeting, which follows the pointer
+    int x_ = 0, y_ = 0; ///< place of the greeting, which follows the pointer
     std::vector<std::string> events_;
 };
 

@@ -39,8 +39,8 @@ private:
             l3d_part_options::list(polygons_.model().parts(), "faces");
     }
 
-    /// The other steps. What is wrong with an option or a model is said here, before anything is
-    /// said of a back-end or asked about it.
+    /// Prepares the other steps. Wrong options and models are reported here, before any message or
+    /// question about a back-end.
     std::function<l3d_exit()> prepared() {
         const l3d_camera camera = afd_.camera();
         if (polygons_.pipeline() == l3d_pipeline_kind::afd) {

@@ -34,7 +34,7 @@ double cosine_of_four(const vector& v) {
     return 2 * cosine_of_two * cosine_of_two - 1;
 }
 
-constexpr double trunk_end = 0.1; // of the sphere's axis, from -1 to 1
+constexpr double trunk_end = 0.1; // on the sphere's axis, from -1 to 1
 
 vector ball(const vector& v) {
     return v * 10.0;

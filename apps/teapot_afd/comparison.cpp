@@ -176,7 +176,7 @@ bool comparison::passes_a_second() const {
     return text_.error == caption::error_state::awaited && live_.seconds() > text_.awaited_seconds;
 }
 
-/// What is being measured wants to be shown when it is known.
+/// False while an error is measured, so that it is shown once it is known.
 bool comparison::is_at_rest() const {
     return l3d_pipeline_afd_viewer::is_at_rest() && live_.is_idle();
 }

@@ -11,19 +11,19 @@
 #include <optional>
 #include <string>
 
-/// What is written on a half of the window. Units: milliseconds, pixels.
+/// The text on a half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
-    /// What drawing takes, by l3d_picture_pace.
+    /// The time that drawing takes, by l3d_picture_pace.
     double milliseconds = 0;
-    /// Pictures in files do not show it, so they are the same each time.
+    /// Whether the time is shown: pictures in files leave it out, so they are the same each time.
     bool shows_time = false;
     double bound_px = 0;
     /// None if the method keeps none.
     std::optional<double> tolerance_px;
-    /// What is told of the error: nothing, that it is being measured, or `measured`.
+    /// State of the error's measurement: none, running, or known as `measured`.
     enum class error_state { none, awaited, known } error = error_state::none;
-    /// For how many seconds it has been measured.
+    /// Seconds since the measurement began.
     int awaited_seconds = 0;
     live_result measured;
 
@@ -67,10 +67,10 @@ public:
     /// Both halves: what a dispatcher shows.
     l3d_screen& whole() { return *whole_; }
 
-    /// Of the left half, with the number of the whole picture.
+    /// The left half's report, with the number of the whole picture.
     l3d_frame_report report() const;
 
-    /// What is seen at (x, y) of the whole picture, in the half that the place is in.
+    /// Picks at (x, y) of the whole picture, in the half that the place is in.
     std::optional<l3d_pick> pick(double x, double y) const;
 
     void pointer_event(const l3d_event& event) override;
@@ -83,7 +83,7 @@ public:
     bool is_at_rest() const override;
 
 private:
-    /// What the errors of a half are those of.
+    /// The settings that the errors of a half belong to.
     struct subject {
         shown_model model;
         l3d_camera camera;
@@ -132,9 +132,9 @@ private:
     /// The last one. The halves may be drawn twice for it.
     int frame_ = -1;
     caption text_;
-    l3d_picture_pace other_pace_; ///< of the right half
+    l3d_picture_pace other_pace_; ///< pace of the right half
     live_error live_;
-    /// What is being measured, or was begun last, and what the captions' errors are of.
+    /// The subjects of the running or last measurement, and those of the captions' errors.
     subjects begun_, measured_;
 };
 

@@ -49,8 +49,8 @@ struct step_row {
     int halvings = 0;
     double per_pixel = 0;  ///< mean of steps / size of the curve's box, over random cubics
     double most = 0;       ///< the largest
-    double chebyshev = 0;  ///< of the cubic that is fastest at its ends
-    double true_speed = 0; ///< of the same, by the largest derivative itself
+    double chebyshev = 0;  ///< for the cubic that is fastest at its ends
+    double true_speed = 0; ///< for the same cubic, by the largest derivative itself
     double extra = 0;      ///< mean of steps / pixels that the curve passes through
 };
 std::vector<step_row> measure_steps(double range, int most_halvings, int curves);

@@ -81,7 +81,7 @@ std::string today() {
     return text.data();
 }
 
-/// What all rows have in common.
+/// The facts that all rows share.
 nlohmann::ordered_json machine(l3d_size size, bool quick) {
     return {{"processor", processor()},
             {"processors", std::thread::hardware_concurrency()},

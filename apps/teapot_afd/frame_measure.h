@@ -51,7 +51,7 @@ private:
 /// How a picture is made: by a method that draws patches, or as polygons.
 enum class drawn_as { patches, zsort, zbuffer };
 
-/// The subject of a measurement: a method and its tolerance, or a pipeline of polygons. Of
+/// The subject of a measurement: a method and its tolerance, or a pipeline of polygons. For
 /// polygons, the method's resolution says into how many quads a patch is cut.
 struct measured_setting {
     l3d_method_choice method;
@@ -59,11 +59,11 @@ struct measured_setting {
     drawn_as as = drawn_as::patches;
     bool places_only = false; ///< neither depth nor shade is certified
 
-    std::string series() const; ///< what its points in a diagram have in common
-    std::string label() const;  ///< what sets it apart from others of its series
+    std::string series() const; ///< the name that its points in a diagram share
+    std::string label() const;  ///< its difference from others of its series
 };
 
-/// A row of the report. What is not known is NaN.
+/// A row of the report. Unknown values are NaN.
 struct frame_result {
     std::string model, view, series, label;
     /// The model's patches.

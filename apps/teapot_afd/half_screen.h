@@ -13,11 +13,11 @@
 
 /// Where the halves of a picture lie. Both are equally wide. Units: pixels.
 struct halves {
-    int width;       ///< of each
+    int width;       ///< width of each half
     int right_start; ///< the right one's first column
 
     /// Leaves two or three columns between them, if there are more than three.
-    /// Expects: at least one column. Of a single one, both halves are that column.
+    /// Expects: at least one column. A single column serves as both halves.
     explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
 
     int line_width() const { return std::max(0, right_start - width); }

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-/// What was found about one picture. Units: pixels.
+/// The errors found in one picture. Units: pixels.
 struct live_result {
     /// False where the exact renderer gave up. Then the map has nothing but NaN.
     bool is_known = true;

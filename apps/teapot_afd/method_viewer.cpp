@@ -67,7 +67,7 @@ bool method_viewer::needs_redraw() const {
     return l3d_pipeline_afd_viewer::needs_redraw() || (live_ && live_->has_results());
 }
 
-/// What is being measured wants to be shown when it is known.
+/// False while an error is measured, so that it is shown once it is known.
 bool method_viewer::is_at_rest() const {
     return l3d_pipeline_afd_viewer::is_at_rest() && (!live_ || live_->is_idle());
 }

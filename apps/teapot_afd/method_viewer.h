@@ -37,7 +37,7 @@ protected:
     std::string error_scale_title() const override;
 
 private:
-    /// What a measurement is of.
+    /// The settings that a measurement belongs to.
     struct subject {
         shown_model model;
         l3d_camera camera;
@@ -64,10 +64,10 @@ private:
     bool is_one_model_;
     /// Begun when it is first needed.
     std::optional<live_error> live_;
-    /// What was measured last, or is being measured.
+    /// The subject of the running or last measurement.
     subject begun_;
     std::optional<reference::error_map> errors_;
-    /// What errors_ are of.
+    /// The subject that errors_ belong to.
     subject measured_;
     /// The picture shows errors_, not bounds.
     bool shows_errors_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the report says of the ways that forward differencing competes with: scan lines, cells,
-// smoke, and micropolygons that are kept.
+// The report's part on the competitors of forward differencing: scan lines, cells, smoke, and
+// micropolygons that are kept.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_ALTERNATIVES_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_ALTERNATIVES_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the report says of cubic curves.
+// The report's part on cubic curves.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_CURVES_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_CURVES_H
 

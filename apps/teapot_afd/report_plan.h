@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the report measures: which settings of which methods, in which views.
+// The plan of the report: which settings of which methods it measures, in which views.
 #ifndef L3D_APPS_TEAPOT_AFD_REPORT_PLAN_H
 #define L3D_APPS_TEAPOT_AFD_REPORT_PLAN_H
 

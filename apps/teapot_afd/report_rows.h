@@ -12,7 +12,7 @@
 /// Writes a whole text file. Errors: l3d_error(failure) that names the file.
 void write_text(const std::string& file, const std::string& text);
 
-/// What a row is known by: the model, the view, the method and its setting.
+/// The key of a row: the model, the view, the method and its setting.
 struct row_name {
     std::string model, view, series, label;
 

@@ -25,7 +25,7 @@
 
 namespace {
 
-/// What a plotter iterates in a view.
+/// Counts a plotter's iterations in a view.
 template <class Plotter>
 l3d_scan_effort effort_of(const l3d_patch_model& model, const l3d_camera& camera, l3d_size size) {
     l3d_patch_scene world(model);

@@ -26,7 +26,7 @@ private:
     virtual void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) = 0;
 
     void advance(double seconds) final {
-        constexpr int most = 10 * 60; // of what was never seen, ten seconds hide all before
+        constexpr int most = 10 * 60; // ten seconds of unseen drawing hide all before
         rounds_ = std::min(rounds_ + ticker_.due(seconds), most);
     }
 

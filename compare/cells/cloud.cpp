@@ -22,8 +22,8 @@ l3d_cloud::l3d_cloud(int side, const std::function<matter(const place&)>& of) : 
             }
 }
 
-/// Cells that a ray meets share faces, so the ways through them add up to the whole way. What they
-/// let through multiplies to what one piece of the same density lets through.
+/// Cells that a ray meets share faces, so the ways through them add up to the whole way. Their
+/// parts of light let through multiply to that of one piece of the same density.
 l3d_cloud::seen l3d_cloud::look(const place& origin, const place& direction, double from,
                                 double to) const {
     constexpr double nothing = 1.0 / 1024;

@@ -28,7 +28,7 @@ class l3d_cloud {
 public:
     using place = std::array<double, 3>;
 
-    /// What is in a cell.
+    /// The contents of a cell.
     struct matter {
         float density = 0;
         float light = 0;
@@ -39,11 +39,11 @@ public:
 
     int side() const { return side_; }
 
-    /// What a ray brings to the eye.
+    /// The light that a ray brings to the eye.
     struct seen {
-        double light = 0;       ///< of the cloud, already weakened
+        double light = 0;       ///< light of the cloud, already weakened
         double let_through = 1; ///< the part of the light from behind
-        std::int64_t cells = 0; ///< met
+        std::int64_t cells = 0; ///< cells that the ray met
     };
 
     /// Looks along origin + t direction, for t from `from` to `to`. Ends early where less than a

@@ -43,7 +43,7 @@ public:
     std::optional<hit> first(const place& origin, const place& direction, double least_t) const;
 
 private:
-    static constexpr int side = 8; ///< of a brick, in cells
+    static constexpr int side = 8; ///< side of a brick, in cells
     using cell = std::uint32_t;    ///< 0: empty; else a bit and three components of 10 bits
     using brick = std::array<cell, std::size_t{side} * side * side>;
 
@@ -52,7 +52,7 @@ private:
 
     int resolution_ = 0;
     std::size_t filled_ = 0;
-    std::vector<std::uint32_t> index_; ///< of the brick in bricks_, plus one; 0: empty
+    std::vector<std::uint32_t> index_; ///< places in bricks_, plus one; 0: an empty brick
     std::vector<brick> bricks_;
 };
 

@@ -91,7 +91,7 @@ void l3d_blinn_plotter::begin_at(const beginning& from, const l3d_scan_piece& pi
         const auto s = piece.at(from.at.u + step * du, from.at.v + step * dv);
         return s.value[1] / s.value[2] - from.y;
     };
-    constexpr double probe = 1e-3; // of the parameters
+    constexpr double probe = 1e-3; // step in the parameters
     if (from.is_level) {
         const double bend = (height(probe) + height(-probe)) / (probe * probe);
         if (!(bend > 0))
@@ -113,7 +113,7 @@ void l3d_blinn_plotter::begin_at(const beginning& from, const l3d_scan_piece& pi
 
 void l3d_blinn_plotter::add_silhouette(const l3d_scan_piece& piece, double y, l3d_scan_root start,
                                        const l3d_plot_task& of) {
-    constexpr double far = 0.25; // of the parameters: no line is so far from the next
+    constexpr double far = 0.25; // in the parameters: no line is so far from the next
     const l3d_scan_root near{std::clamp(start.u, 0.0, 1.0), std::clamp(start.v, 0.0, 1.0), 0};
     int rounds = 0;
     const auto root = l3d_silhouette_on_line(piece, y, near, accuracy_, rounds);
@@ -160,7 +160,7 @@ void l3d_blinn_plotter::meet_silhouettes(const l3d_scan_piece& piece, double y,
         if (!next) {
             // At a level point below it ends, and no iteration can follow it there.
             const bool ends = std::any_of(beginnings_.begin(), beginnings_.end(), [&](auto& b) {
-                constexpr double beside = 0.1; // of the parameters
+                constexpr double beside = 0.1; // in the parameters
                 return b.y < y && b.y > y - 1 &&
                        std::hypot(b.at.u - s.at.u, b.at.v - s.at.v) < beside;
             });

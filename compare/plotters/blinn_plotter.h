@@ -27,7 +27,7 @@ public:
     /// Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
-    /// What all iterations took since the plotter was made.
+    /// The effort of all iterations since the plotter was made.
     const l3d_scan_effort& effort() const { return effort_; }
 
 private:
@@ -66,9 +66,9 @@ private:
     std::vector<l3d_scan_edge> edges_;
     std::vector<border> borders_;
     std::vector<beginning> beginnings_;
-    std::size_t begun_ = 0; ///< of these
+    std::size_t begun_ = 0; ///< number of beginnings used
     std::vector<silhouette> silhouettes_;
-    std::vector<l3d_scan_crossing> crossings_[2]; ///< of the back, of the front
+    std::vector<l3d_scan_crossing> crossings_[2]; ///< for the back, for the front
     l3d_scan_effort effort_;
 };
 

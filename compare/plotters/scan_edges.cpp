@@ -69,7 +69,7 @@ double l3d_chord_start(const l3d_scan_edge& edge, double y) {
 }
 
 l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y) {
-    constexpr double accuracy = 1e-9; // of the parameter
+    constexpr double accuracy = 1e-9; // in the parameter
     constexpr int most_rounds = 60;
     const height of(edge, y);
     double low = 0, high = 1, t = l3d_chord_start(edge, y);
@@ -89,7 +89,7 @@ l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y) {
 
 std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, double start,
                                           double accuracy, int& rounds) {
-    constexpr double rim = 1e-9; // of the parameter: a rounding
+    constexpr double rim = 1e-9; // in the parameter: a rounding
     const height of(edge, y);
     const auto& p = edge.curve.points;
     const double least = std::min({p[0][2], p[1][2], p[2][2], p[3][2]});

@@ -17,7 +17,7 @@ struct l3d_scan_root {
 /// How much Newton's iterations did: rounds are evaluations of the surface, or of a curve of it.
 struct l3d_scan_effort {
     std::int64_t solved = 0, failed = 0;               ///< iterations
-    std::int64_t solved_rounds = 0, failed_rounds = 0; ///< of these, and of those
+    std::int64_t solved_rounds = 0, failed_rounds = 0; ///< rounds of these iterations
 
     void add(bool is_solved, int rounds) {
         (is_solved ? solved : failed) += 1;

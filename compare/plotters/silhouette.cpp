@@ -69,7 +69,7 @@ std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int s
 std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece, double y,
                                                     l3d_scan_root start, double accuracy,
                                                     int& rounds) {
-    constexpr double step_at_rest = 1e-4; // of the parameters
+    constexpr double step_at_rest = 1e-4; // in the parameters
     double u = start.u, v = start.v;
     for (int round = 0; round < l3d_scan_piece::most_rounds; ++round) {
         ++rounds;
@@ -91,7 +91,7 @@ std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece,
 /// With y = Y / W: Y_u W - Y W_u = 0, and the same of v.
 std::vector<l3d_scan_root> l3d_level_points(const l3d_scan_piece& piece, int& rounds) {
     constexpr int places = 5;
-    constexpr double same = 1e-6, step_at_rest = 1e-9; // of the parameters
+    constexpr double same = 1e-6, step_at_rest = 1e-9; // in the parameters
     std::vector<l3d_scan_root> found;
     for (int place = 0; place < places * places; ++place) {
         double u = (place % places + 0.5) / places, v = (place / places + 0.5) / places;

@@ -26,7 +26,7 @@ public:
     /// Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
-    /// What all iterations took since the plotter was made.
+    /// The effort of all iterations since the plotter was made.
     const l3d_scan_effort& effort() const { return effort_; }
 
 private:
@@ -56,7 +56,7 @@ private:
 
     double accuracy_ = 0; ///< within which an iteration rests, in pixels
     std::vector<l3d_scan_edge> found_;
-    std::vector<tracked> edges_[2]; ///< of the back, of the front
+    std::vector<tracked> edges_[2]; ///< for the back, for the front
     std::vector<end> ends_;
     l3d_scan_effort effort_;
 };

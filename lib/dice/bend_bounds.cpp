@@ -16,8 +16,8 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// What grey levels are off by beside interpolation: rounding to a whole level, and the arithmetic
-/// of floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
+/// Error of grey levels beside interpolation: rounding to a whole level, and the arithmetic of
+/// floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
 /// Bounds of |S_uuuv| and |S_uvvv| by the parameters of the piece's blocks: 18 times differences of
@@ -25,7 +25,7 @@ constexpr double rounded_level = 0.5 + 0.01;
 struct mixed_thirds {
     double uuuv = 0, uvvv = 0;
 
-    /// Units: unit is what a scaled w of 1 is long; x and y have `focal` as well.
+    /// Units: unit is the length of a scaled w of 1; x and y have `focal` as well.
     mixed_thirds(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal) {
         const auto third = [&](std::size_t line, bool turned) {
             const std::size_t first = turned ? line : 4 * line, step = turned ? 4 : 1;
@@ -71,14 +71,14 @@ l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     return result;
 }
 
-/// What levels are off by that are linear over two triangles of a quad.
+/// Error of levels that are linear over two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
-/// What normals are off by that are linear between those of corners, or in parameters over a quad.
-/// What clipping makes is brought to length 1 again, at each of six planes: then they are off by
-/// less than the square of what normals are apart (NUMERICS, section 24).
+/// Error of normals that are linear between those of corners, or in parameters over a quad.
+/// Clipping makes normals that are brought to length 1 again, at each of six planes: their error
+/// grows by less than the square of the angle between corners' normals (NUMERICS, section 24).
 double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bool clipped) {
     const double off = levels_off_linear(b, h_u, h_v) / per_cosine;
     const double apart = h_u * b.turn_u + h_v * b.turn_v;
@@ -87,12 +87,12 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
     return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
 }
 
-/// What levels are off by in the slit along a side with steps h, if triangles reach that far.
+/// Error of levels in the slit along a side with steps h, if triangles reach that far.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
-/// sides. All six are numbers of one parameter. So their parabola is off by as much as one along a
-/// line. What the row itself is off by counts 5/3 times, the most that the sizes of six weights add
-/// up to. A plane's weights are positive.
+/// sides. All six depend on one parameter. So their parabola has the error of one along a line.
+/// The row's own error counts 5/3 times, the most that the sizes of six weights add up to. A
+/// plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;
     if (std::isinf(bent + straight)) // beyond the row's end
@@ -106,8 +106,8 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
     return off;
 }
 
-/// The same of normals, which are planes over its triangles. Corners that are between the row's are
-/// off by as much as its chords, and once more by as much since their length is made 1.
+/// Error of normals in a slit, which are linear over its triangles. Corners between the row's have
+/// the error of its chords, and once more as much since their length is made 1.
 double normals_off_slit(double h, double longest, double n_2, double turn) {
     if (std::isinf(longest)) // beyond the row's end
         return longest;
@@ -117,8 +117,8 @@ double normals_off_slit(double h, double longest, double n_2, double turn) {
 
 } // namespace
 
-/// Of blocks without a normal, all that bends may bend along it; what corners are off a plane by is
-/// measured when they are there (l3d_most_off_plane).
+/// Blocks without a normal get all their bends as if along it; the distance of corners from a plane
+/// is measured when there are corners (l3d_most_off_plane).
 void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_piece& of) const {
     unsigned without = 0;
     for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i)
@@ -367,7 +367,7 @@ bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                        depth_budget * l3d_bend_error_of(only(needs, needs.without_normals), plan);
     if (off <= depth_budget + l3d_snapped_planes)
         return false;
-    constexpr double most = 2; // what is measured may be far from what smaller quads have
+    constexpr double most = 2; // the measured quads may be far larger than the smaller ones
     const double more = std::min(std::sqrt(off / depth_budget), most);
     for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
         if ((needs.without_normals >> i & 1) != 0) {

@@ -16,9 +16,9 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// What third derivatives add to the error of a chord along the normal, over h^3 of them at most:
-/// the largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance). It holds if one end of the chord
-/// is moved, or both, or none.
+/// The share of third derivatives in the error of a chord along the normal, over h^3 of them at
+/// most: the largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance). The bound holds if one end
+/// of the chord is moved, or both, or none.
 constexpr double of_moved_thirds = 0.0322;
 
 /// A cubic's difference over a step h is h times its derivative at any point of the step. To this,
@@ -34,7 +34,8 @@ constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 
-/// What depth asks of steps, and what the steps leave. NUMERICS, section 3, Depth.
+/// The steps that depth asks for, and the errors that remain with chosen steps. NUMERICS, section
+/// 3, Depth.
 class bend_planner {
 public:
     explicit bend_planner(const l3d_block_needs& needs) : per_strip_(1.0 / needs.strips) {
@@ -75,8 +76,8 @@ public:
         return hn::Add(hn::Add(chords, times(0.25, hn::Mul(both, twist))), fourths);
     }
 
-    /// Of slits along the piece's sides, whose chords are not balanced: in lanes of `along_side`
-    /// those along the strip, times `at_side` those across.
+    /// Errors of slits along the piece's sides, whose chords are not balanced: in lanes of
+    /// `along_side` those along the strip, times `at_side` those across.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
                                     const strip_numbers& s, lane_vec along_side,
                                     lane_vec at_side) const {
@@ -90,7 +91,7 @@ private:
         return hn::Mul(hn::Set(lane_tag(), factor), v);
     }
 
-    /// What chords of steps h along `which` are off by, `bend` multiplying second derivatives.
+    /// Error of chords of steps h along `which`, `bend` multiplying second derivatives.
     HWY_INLINE lane_vec chord(direction which, direction d, std::size_t strip, std::size_t lane,
                               lane_vec h, lane_vec bend) const {
         const lane_vec cube = hn::Mul(hn::Mul(h, h), h);
@@ -98,7 +99,7 @@ private:
                        times(of_moved_thirds, hn::Mul(cube, third_[which].in(d, strip, lane))));
     }
 
-    /// What the corners' mixed difference has of higher derivatives, over both steps: |S_uuuv|,
+    /// The corners' mixed difference beyond its second derivative, over both steps: |S_uuuv|,
     /// |S_uvvv|, and |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4 |S_uvvv|, |S_uuuvvv| <= 8 |S_uuuv| by
     /// the piece's parameters, which run over a block `strips` times as fast.
     HWY_INLINE lane_vec rest(direction d, std::size_t strip, std::size_t lane,

@@ -21,8 +21,8 @@ struct l3d_dice_vertex {
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
-    std::array<of_blocks, 2> bent{};     ///< of those whose levels are parabolas
-    std::array<of_blocks, 2> straight{}; ///< of those whose levels are planes
+    std::array<of_blocks, 2> bent{};     ///< for triangles whose levels are parabolas
+    std::array<of_blocks, 2> straight{}; ///< for triangles whose levels are planes
 };
 
 /// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface

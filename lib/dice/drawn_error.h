@@ -30,11 +30,11 @@ inline double l3d_power_form_error(double largest) {
 ///
 /// Units: x, y, w those of homogeneous points; pixels from the picture's centre.
 struct l3d_vertex_accuracy {
-    double error_xy = 0, error_w = 0; ///< of homogeneous coordinates, before the division
+    double error_xy = 0, error_w = 0; ///< errors of homogeneous coordinates, before the division
     double w_low = 0;                 ///< least w of the exact surface where something is drawn
-    double seen_reach = 0;            ///< of the part that is seen
-    double reach = 0;                 ///< of the vertices, which may lie far outside the window
-    double snap_error = 0;            ///< of a vertex, in pixels
+    double seen_reach = 0;            ///< reach of the part that is seen
+    double reach = 0;      ///< reach of the vertices, which may lie far outside the window
+    double snap_error = 0; ///< error of a vertex, in pixels
 
     /// Largest w of a chord in terms of the exact w at the same parameters. Steps are chosen so
     /// that w is off by at most an eighth in front of the near plane. Another eighth is for a drawn

@@ -55,7 +55,7 @@ HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
 /// A vertex on a grid's border, the next one inwards, and where the side between them has its bend.
 struct border_side {
     std::size_t at, inner;
-    std::size_t component, bend_at; ///< of l3d_micro_grid::normal
+    std::size_t component, bend_at; ///< indices into l3d_micro_grid::normal
 };
 
 /// Calls visit(border_side) for all of them.

@@ -27,14 +27,14 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// Turns the grid's normals to the side that is seen, if all of it shows the same one; else says
 /// that it shows_both.
 ///
-/// Where a surface bends away from the eye, an outline passes through quads. Of such a quad one
-/// side is drawn, whichever sides its corners show. That is the one that the eye would see, so all
-/// of the quad is lit as this side. The other side of the surface begins at the same drawn line and
-/// lies behind.
+/// Where a surface bends away from the eye, an outline passes through quads. One side of such a
+/// quad is drawn, whichever sides its corners show. The eye would see that side, so all of the quad
+/// is lit as this side. The other side of the surface begins at the same drawn line and lies
+/// behind.
 ///
 /// Where a side of a patch is nearly a point, normals may be those of the other side: dS along it
-/// turns round. Such a vertex on the grid's border shows what its inner neighbour shows. It is told
-/// by a normal that is more than a right angle off that one's.
+/// turns round. Such a vertex on the grid's border shows what its inner neighbour shows. The sign
+/// for this is a normal more than a right angle off the inner neighbour's.
 /// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex; it is brought to what is
 ///        said here.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);

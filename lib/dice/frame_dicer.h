@@ -77,7 +77,7 @@ private:
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
-        l3d_bend_bounds bends;                      ///< of the patch that is diced
+        l3d_bend_bounds bends;                      ///< bends of the patch that is diced
         std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
 
         void reserve_as(const worker_space& other) {
@@ -122,8 +122,8 @@ private:
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches
-    std::size_t first_slot_ = 0, next_slot_ = 0; ///< of the last batch; behind it
-    std::size_t patches_before_ = 0;             ///< of the frame's batches before the last one
+    std::size_t first_slot_ = 0, next_slot_ = 0; ///< the last batch's; the one behind it
+    std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;
     std::vector<outcome> outcomes_;   ///< likewise
     std::vector<std::size_t> wanted_; ///< the slots that are to be diced

@@ -309,7 +309,7 @@ void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt v
         l3d_boundary_point& point = boundary_.emplace_back();
         point.t = along.t0 + (along.t1 - along.t0) * fraction;
         point.vertex = along_u ? vertex_at(line, i) : vertex_at(i, line);
-        if (out.has_levels) // what sides bend by is not known of the pieces that clipping makes
+        if (out.has_levels) // the bends of sides are not known for pieces that clipping makes
             std::fill_n(point.vertex.dice.vertex.normal + 1, 2, 0.0F);
         point.vertex.dice.u = along_u ? parameters[k] : across;
         point.vertex.dice.v = along_u ? across : parameters[k];

@@ -78,7 +78,7 @@ polygon cut_by(const polygon& in, const plane& cut, const l3d_dice_view& view) {
     return out;
 }
 
-/// What can be drawn lies between these.
+/// The planes that bound the part that can be drawn.
 std::array<plane, 6> planes_of(const l3d_dice_view& view) {
     const double g = l3d_guard_band;
     return {{{{0, 0, 1}, view.near},
@@ -137,8 +137,8 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
                        const l3d_dice_view& view, l3d_diced_piece& out) {
     if (a.drawable && b.drawable && c.drawable)
         return out.add_triangle(a.dice, b.dice, c.dice);
-    // What lies in the near or the far plane is not drawn. Slits in it would have long chords, as
-    // edges there are left out.
+    // Triangles in the near or the far plane are not drawn. Slits in such a plane would have long
+    // chords, as edges there are left out.
     const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
     if (farthest <= view.near || nearest >= view.far)
         return;

@@ -94,7 +94,7 @@ private:
         l3d_block_needs needs;
         double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
         double depth_budget = 0, excess = 0;
-        double depth_growth = 1; ///< of what is divided by w, as w of its chords is off
+        double depth_growth = 1; ///< growth of quotients by w, as w of its chords is off
     };
 
     /// A piece that is still too coarse.

@@ -117,7 +117,7 @@ void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d
     accuracy.error_w += walk_w;
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
-    // What w is off by counts along the line of sight.
+    // An error of w counts along the line of sight.
     const double more = walking - vertex_error_ + view.focal * walk_w / accuracy.w_low;
     walked_ = more <= view.walk_allowance(vertex_error_);
     if (walked_) {

@@ -32,7 +32,7 @@ constexpr direction other(direction d) {
 }
 
 /// A number of each block in two orders: in `by[d]` the blocks of a strip of direction d lie side
-/// by side. Those of strips that there are not are 0.
+/// by side. Blocks of missing strips have 0.
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips] = {};
 
@@ -43,7 +43,7 @@ struct block_numbers {
                     of[strips * b + a];
     }
 
-    /// Of the blocks of a strip, from `lane` on.
+    /// Numbers of the blocks of a strip, from `lane` on.
     HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
         return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
     }
@@ -72,8 +72,8 @@ alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
 struct steps_along {
     int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
     alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h
-    alignas(64) double bend[most_strips] = {};           ///< what multiplies a second derivative
-    alignas(64) double moved[most_strips] = {};          ///< how much of it vertices are moved by
+    alignas(64) double bend[most_strips] = {};           ///< factor of a second derivative
+    alignas(64) double moved[most_strips] = {}; ///< part of bend by which vertices are moved
 
     void set(std::size_t strip, int steps, bool balanced) {
         const double h = 1.0 / steps;
@@ -84,7 +84,7 @@ struct steps_along {
     }
 };
 
-/// What steps do to the blocks of a strip of one direction, from some lane on.
+/// Effect of steps on the blocks of a strip of one direction, from some lane on.
 struct strip_numbers {
     lane_vec step, bend, moved; ///< across the strip: those of the other direction
     lane_vec own_step, own_bend, own_moved;

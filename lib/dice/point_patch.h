@@ -13,7 +13,7 @@
 
 /// The one pixel's centre that can be covered by a patch whose hull is no wider than the tolerance.
 struct l3d_point_place {
-    std::int32_t x = 0, y = 0; ///< of the centre, in 1/256 pixel from the picture's corner
+    std::int32_t x = 0, y = 0; ///< place of the centre, in 1/256 pixel from the picture's corner
     double bound = 0;          ///< how far any point of the patch is from what is drawn; in pixels
 };
 

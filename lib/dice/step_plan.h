@@ -131,7 +131,7 @@ struct l3d_step_plan {
 ///          Enough steps are taken that the exact w is then at least half of that.
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
-/// What other steps than those planned make of depth, as l3d_step_plan::bend_error.
+/// Error of depth with other steps than those planned, as l3d_step_plan::bend_error.
 double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
 
 /// Steps from the blocks' nets. Shape and what is expected: those of l3d_needs_of.

@@ -76,7 +76,7 @@ public:
         }
     }
 
-    /// What is left along the normal.
+    /// The error that remains along the normal.
     HWY_INLINE double bend_error() const {
         lane_vec most = hn::Zero(lane_tag());
         if (bends_)
@@ -187,7 +187,7 @@ private:
         }
     }
 
-    /// What steps do to the blocks of a strip of direction d, from `lane` on.
+    /// Effect of the steps on the blocks of a strip of direction d, from `lane` on.
     HWY_INLINE strip_numbers numbers_of(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         const steps_along &own = steps_[d], &across = steps_[other(d)];
@@ -216,8 +216,8 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// Of w, in budgets. Balanced or not: with n >= 2, all that balance adds is within the 1/8 that
-    /// it saves from. NUMERICS, section 3.
+    /// Errors of w, in budgets. They hold balanced or not: with n >= 2, all that balance adds stays
+    /// within the 1/8 of a chord. NUMERICS, section 3.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));
@@ -240,7 +240,7 @@ private:
                                           hn::Set(lane_tag(), at_ends[strip])));
     }
 
-    /// Of the slits along the piece's sides, where the block lies at one.
+    /// Errors of the slits along the piece's sides, where the block lies at one.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         if (!needs_.balanced)
@@ -282,7 +282,7 @@ private:
     steps_along steps_[2];
 };
 
-/// What steps have to keep for outlines to be finer.
+/// The needs of steps for finer outlines.
 l3d_block_needs with_outlines(const l3d_block_needs& needs) {
     l3d_block_needs result = needs;
     const auto strips = static_cast<std::size_t>(needs.strips);

@@ -15,7 +15,7 @@
 /// Shape: the number of control points along it is points(); knots do not decrease, and
 ///        knots[degree] <= from < to <= knots[points()].
 struct L3D_PUBLIC l3d_bspline_direction {
-    int degree = 0; ///< of the polynomials between knots; 3 for cubic ones
+    int degree = 0; ///< degree of the polynomials between knots; 3 for cubic ones
     /// Parameters where the polynomials meet; one of multiplicity m stands m times.
     std::vector<double> knots;
     /// The range of the parameter that is part of the surface.

@@ -11,7 +11,7 @@
 #include <limits>
 #include <type_traits>
 
-/// What happens when a result does not fit.
+/// The treatment of a result that does not fit.
 enum class L3D_PUBLIC l3d_overflow {
     wrap,     ///< modulo 2^bits, as unsigned integers do; the fastest
     saturate, ///< the nearest end of the range
@@ -104,7 +104,7 @@ public:
     /// The integer that holds a number.
     using storage = Storage;
     static constexpr int fraction_bits = FractionBits; ///< the binary digits after the point
-    static constexpr l3d_overflow overflow = Overflow; ///< what becomes of results out of range
+    static constexpr l3d_overflow overflow = Overflow; ///< treatment of results out of range
 
     /// Uninitialised, as an int is.
     l3d_fixed() = default;

@@ -13,8 +13,8 @@
 /// Units: colours are pixel words 0x00RRGGBB, encoded as pictures are. A surface that would be grey
 ///        of level g, were it white, shows round(c g / 255) in a channel whose colour is c.
 struct L3D_PUBLIC l3d_material {
-    std::uint32_t color = 0xffffff; ///< of light that is scattered to all sides
-    std::uint32_t highlight = 0;    ///< of light that is mirrored; black has none
+    std::uint32_t color = 0xffffff; ///< colour of light that is scattered to all sides
+    std::uint32_t highlight = 0;    ///< colour of mirrored light; black mirrors none
     /// How small highlights are: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 

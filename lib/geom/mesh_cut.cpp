@@ -140,7 +140,7 @@ private:
     l3d_polygon_mesh kept_;
     std::vector<point> points_;
     std::vector<double> sides_;
-    std::vector<l3d_polygon_mesh::vector> normals_; ///< of new vertices
+    std::vector<l3d_polygon_mesh::vector> normals_; ///< normals of new vertices
     std::vector<index> corners_;
     std::map<edge, index> crossings_; ///< by the ends of the edge, the one in front first
     std::map<edge, std::size_t> rim_; ///< edges of caps, and the face beside each

@@ -65,7 +65,7 @@ std::string l3d_parts::complaint(std::string_view name) const {
     if (names_.empty())
         return why + "; the model has none";
     why += "; there are ";
-    constexpr std::size_t most = 40; // what a screen of text has room for
+    constexpr std::size_t most = 40; // as many as a screen of text has room for
     for (std::size_t i = 0; i < std::min(most, names_.size()); ++i)
         why += (i > 0 ? ", " : "") + l3d_detail::printable(names_[i]);
     if (names_.size() > most)

@@ -66,7 +66,7 @@ public:
 
 private:
     std::vector<std::string> names_;
-    std::vector<std::uint32_t> of_; ///< of each thing; empty if there are no names
+    std::vector<std::uint32_t> of_; ///< the part of each thing; empty if there are no names
 };
 
 #endif

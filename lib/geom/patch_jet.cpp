@@ -29,7 +29,7 @@ vector second_of(const four& p, double t) {
            ((p[3] - p[2]) - (p[2] - p[1])) * (6 * t);
 }
 
-/// What is made of each row of the net, along u.
+/// Applies `of` to each row of the net, along u.
 template <class Of> four of_rows(const l3d_bezier_patch<double, 3>& patch, double u, const Of& of) {
     four result;
     for (int r = 0; r < 4; ++r)

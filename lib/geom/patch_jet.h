@@ -18,7 +18,7 @@ struct l3d_patch_jet : l3d_patch_place {
     vector along_uu, along_uv, along_vv;
 };
 
-/// What a patch has at a place where its normal is known.
+/// Normal and curvature of a patch at a place where its normal is known.
 struct l3d_patch_bend {
     using vector = l3d_vector<double, 3>;
     vector normal;             ///< unit, of dS/du x dS/dv

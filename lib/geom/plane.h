@@ -22,8 +22,8 @@ template <class T> struct L3D_PUBLIC l3d_plane {
     /// A direction.
     using vector = l3d_vector<T, 3>;
 
-    vector normal; ///< of length 1, towards the front
-    T d;           ///< its distance from the origin, positive if the origin is in front
+    vector normal; ///< unit normal, towards the front
+    T d;           ///< the plane's distance from the origin, positive if the origin is in front
 
     /// Through a point; the normal's length is of no account. Expects: it is not 0.
     static l3d_plane through(const l3d_point<T>& point, const vector& normal) noexcept {

@@ -26,7 +26,7 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
-    double share = 0; ///< of the side, from its corner to the place
+    double share = 0; ///< part of the side, from its corner to the place
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 
@@ -141,7 +141,7 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
 /// Expects: the other mesh's faces are not added yet.
 void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
     const auto first = index_of(faces());
-    // What has no name shall not become part of the last one here.
+    // Faces without a name shall not become part of the last one here.
     if (!parts.empty() && (more.parts.empty() || more.parts.front().first > 0))
         parts.push_back({"", first});
     for (const l3d_part_run& part : more.parts)

@@ -83,7 +83,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
-    /// What a face is made of: its material, if that has a look, in the product of its colours.
+    /// The look of a face: its material, if that has a look, in the product of its colours.
     /// Expects: face < faces().
     l3d_material look_of(std::size_t face) const;
 

@@ -12,7 +12,7 @@
 
 /// A key and what it stands for.
 struct L3D_PUBLIC l3d_sort_item {
-    std::uint32_t key = 0;   ///< what is sorted by
+    std::uint32_t key = 0;   ///< the number to sort by
     std::uint32_t index = 0; ///< which of the caller's items has the key
     friend bool operator==(const l3d_sort_item&, const l3d_sort_item&) = default;
 };

@@ -9,7 +9,7 @@ std::string_view l3d_teapot_bpt() {
     return text;
 }
 
-/// Of the 28 patches, the rim has 4, the body 8, handle and spout 4 each, and the lid 8.
+/// The rim has 4 of the 28 patches, the body 8, handle and spout 4 each, and the lid 8.
 std::vector<l3d_part_run> l3d_teapot_parts() {
     return {{"body", 0}, {"handle", 12}, {"spout", 16}, {"lid", 20}};
 }

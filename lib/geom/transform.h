@@ -208,7 +208,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 /// Source:  Gram and Schmidt.
 template <class T>
 std::optional<l3d_matrix<T>> l3d_orthonormalized(const l3d_matrix<T>& m) noexcept {
-    // Of an angle whose sine is smaller, the rounding of floats, 2^-24, takes more than a 16th.
+    // Axes at an angle with a smaller sine lose more than a 16th of it to the rounding of floats,
+    // 2^-24.
     constexpr double least_sine = 0x1p-20;
     l3d_matrix<T> result = m;
     l3d_vector<double, 3> axes[3];

@@ -37,7 +37,7 @@ namespace l3d_detail {
 template <class Unsigned> constexpr Unsigned integer_root(Unsigned value) noexcept {
     if (value == 0)
         return 0;
-    int digits = 0; // of base 4: value < 4^digits, so root < 2^digits
+    int digits = 0; // base 4: value < 4^digits, so root < 2^digits
     for (Unsigned rest = value; rest != 0; rest >>= 2)
         ++digits;
     Unsigned root = Unsigned{1} << digits;

@@ -51,7 +51,7 @@ l3d_image_point at(curve p, double t) {
 }
 
 void add_curve(image_lines& to, const curve& of) {
-    constexpr int chords = 16; // of a quarter of a circle, radius 400 px, within half a pixel
+    constexpr int chords = 16; // for a quarter of a circle, radius 400 px, within half a pixel
     for (int i = 0; i < chords; ++i)
         to.add(at(of, static_cast<double>(i) / chords),
                at(of, static_cast<double>(i + 1) / chords));

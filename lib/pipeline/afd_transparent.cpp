@@ -142,8 +142,8 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     return white * most_off / (far - double{fog.near}) + rounding;
 }
 
-/// What is drawn in a pixel stands for an exact point within the bound of places. A pixel is seen
-/// under the largest angle in the picture's middle.
+/// A pixel's shade stands for an exact point within the bound of places. A pixel is seen under the
+/// largest angle in the picture's middle.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(shading, scene_.materials(), size,

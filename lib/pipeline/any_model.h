@@ -14,13 +14,13 @@
 #include <variant>
 #include <vector>
 
-/// What a model file holds: patches, or polygons.
+/// The contents of a model file: patches, or polygons.
 using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
 
 /// The model of a file in any format of l3d_read_model: its patches if it holds nothing else, or
 /// its polygons. Patches among polygons become quads, as by l3d_polygon_model::load, so that
-/// nothing is missing. What was skipped of the file is added to `notes`. Errors: throws
-/// l3d_error(bad_input) with file, line and reason, also for a file that holds
+/// nothing is missing. Notes on skipped lines are added to `notes`.
+/// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file that holds
 ///         neither, and for patches that l3d_patch_model::from_patches refuses.
 L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);

@@ -15,8 +15,8 @@ struct L3D_PUBLIC l3d_caption_row {
     std::string text; ///< such as "left, down, up, right"
 };
 
-/// What a program shows and which keys it obeys. The program's --help says it, and so does a panel
-/// in its window, for some seconds and whenever the user asks for help.
+/// Text on a program and its keys. The program's --help shows it, and so does a panel in its
+/// window, for some seconds and whenever the user asks for help.
 ///
 ///     l3d_program program("dot", l3d_caption{.what = "A dot moves.", .keys = {{"p", "rest"}}},
 ///                         {320, 200});
@@ -26,7 +26,8 @@ struct L3D_PUBLIC l3d_caption {
     /// A sentence or two.
     std::string what;
 
-    /// What one can learn from it, in a sentence or two; it makes the program a lesson of the book.
+    /// The lesson that the program teaches, in a sentence or two; makes the program a lesson of the
+    /// book.
     std::string teaches{};
 
     /// The program's own keys. Those that every program has follow by themselves.
@@ -42,7 +43,7 @@ struct L3D_PUBLIC l3d_caption {
     /// All keys: the program's own, F11, those of help, and the end.
     std::vector<l3d_caption_row> all_keys() const;
 
-    /// What --help says: the sentences, and a list of all keys below them.
+    /// The text of --help: the sentences, and a list of all keys below them.
     std::string text() const;
 };
 

@@ -9,7 +9,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// Of a picture; a larger hint would hide what it speaks of.
+/// Limit of a panel's share of the picture; a larger hint would hide its subject.
 constexpr int largest_share = 5, largest_share_of_lesson = 4; // one part of so many
 
 } // namespace

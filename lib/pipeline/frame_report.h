@@ -13,7 +13,7 @@
 
 /// Times of the stages of a frame of patches. Units: milliseconds.
 struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
-    double transform = 0; ///< what may be seen, sorted front to back
+    double transform = 0; ///< finding what may be seen, sorted front to back
     double dice = 0;      ///< control nets to the image, bounds, steps, forward differences
     double outlines = 0;  ///< finding the pixels that outlines reach; not part of total
     double error_map = 0; ///< bounding the error of each pixel; not part of total
@@ -23,8 +23,8 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0; ///< the error of places that was asked for, in pixels
     double near = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
-    l3d_stage_times time_ms;  ///< what each stage took, in milliseconds
-    std::int64_t patches = 0; ///< of all instances, seen or not
+    l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
+    std::int64_t patches = 0; ///< patches of all instances, seen or not
     l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
     /// Pixels that stay from the last frame, as nothing changed there.
     std::int64_t pixels_kept = 0;

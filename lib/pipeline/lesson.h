@@ -18,8 +18,8 @@ L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragg
 /// A pipeline of a world in which time passes. The user can stop it, begin again, and take hold of
 /// it with the mouse.
 ///
-/// Pictures have a dark ground, or a black one if the canvas is classic. What a subclass draws lies
-/// on the picture before, unless it clears that.
+/// Pictures have a dark ground, or a black one if the canvas is classic. A subclass draws on top of
+/// the picture before, unless it clears that.
 /// Lives: as l3d_pipeline_2d.
 class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
 public:
@@ -39,7 +39,7 @@ protected:
     /// Whether pictures are those of the book: hard edges, letters of dots, a black ground.
     bool is_classic() const { return is_classic_; }
 
-    /// What pictures show where nothing is drawn: dark, or black if they are classic.
+    /// The background where nothing is drawn: dark, or black if pictures are classic.
     const l3d_background& ground() const { return ground_; }
     /// Changes it from the next picture on.
     void set_ground(const l3d_background& ground) { ground_ = ground; }

@@ -43,13 +43,13 @@ private:
 
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
-    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< what inspects, if that one does not
+    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< inspects, if `surface_` cannot
     const l3d_surface_rasterizer* used_;                ///< in the last frame
     l3d_inspected_scene inspected_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;
-    std::unique_ptr<l3d_frame_outlines> outlines_; ///< of the last frame, if it asked for them
+    std::unique_ptr<l3d_frame_outlines> outlines_; ///< the last frame's, if it asked for them
 };
 
 #endif

@@ -20,7 +20,7 @@ class L3D_PUBLIC l3d_method_factory {
 public:
     /// Makes a method that fills with surfaces of these rasterizers, by these workers.
     /// Expects: never returns null.
-    /// Errors:  what it throws leaves the pipeline's constructor.
+    /// Errors:  exceptions of the call leave the pipeline's constructor.
     /// Lives:   the method may borrow the workers, but not the rasterizers.
     using create_call = std::function<std::unique_ptr<l3d_surface_method>(
         const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)>;
@@ -41,7 +41,7 @@ public:
     bool is_default() const { return is_default_; }
 
     /// Makes a method; never null.
-    /// Errors: what the call throws.
+    /// Errors: exceptions of the call.
     /// Lives:  the method borrows the workers.
     std::unique_ptr<l3d_surface_method> create(const l3d_rasterizer_factory& rasterizers,
                                                l3d_workers& workers) const;

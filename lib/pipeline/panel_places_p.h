@@ -11,10 +11,10 @@
 
 namespace l3d_detail {
 
-/// What is left of a picture, as its largest free rectangles, which overlap. A panel comes into the
-/// one that holds it as it wants to be, nearest to its corner: first along its edge of the picture,
-/// then farther from that. Where none does, it is wrapped more narrowly, and if that is not enough
-/// it takes the largest with smaller letters.
+/// The free rest of a picture, as its largest free rectangles, which overlap. A panel takes the
+/// rectangle that holds it unwrapped, nearest to its corner: first along its edge of the picture,
+/// then farther from the edge. If none does, the panel is wrapped more narrowly; at last it takes
+/// the largest rectangle, with smaller letters.
 class panel_places {
 public:
     panel_places(l3d_size picture, const l3d_panel_style& style)

@@ -14,7 +14,7 @@
 /// The named parts of all models of a scene, one of which is chosen, and each of which is shown or
 /// hidden. Parts of one name are one, in whichever instance.
 ///
-/// What is shown stands in the scene: a hidden part's patches are taken out of their instances.
+/// Only shown parts stand in the scene: a hidden part's patches are taken out of their instances.
 /// An instance that a program gives another model has all of that model again.
 /// Lives: borrows the scene.
 class L3D_PUBLIC l3d_part_switch {
@@ -26,9 +26,9 @@ public:
     /// Returns: a line that says which.
     std::string choose_next();
 
-    /// Hides the chosen part, or shows it again. Without one, the first is chosen. What is left is
-    /// never nothing. Returns: a line that says what has become of it.
-    /// Cost: what is known of the patches that stay is found again: some microseconds for each.
+    /// Hides the chosen part, or shows it again. Without one, the first is chosen. One part at
+    /// least stays shown. Returns: a line that tells the part's new state.
+    /// Cost: bounds of the patches that stay are computed again: some microseconds for each.
     std::string switch_chosen();
 
     /// The name of the chosen part; "" if none is.
@@ -49,7 +49,7 @@ private:
     bool shows_nothing() const;
 
     l3d_patch_scene& scene_;
-    std::vector<std::string> names_;  ///< of all parts, in the order of the instances
+    std::vector<std::string> names_;  ///< names of all parts, in the order of the instances
     std::vector<std::string> hidden_; ///< some of them
     std::string chosen_;              ///< one of them; "" at first
     std::vector<taken> instances_;

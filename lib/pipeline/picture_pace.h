@@ -31,11 +31,11 @@ public:
     /// Drawing ends. Expects: begin() was called.
     void end();
 
-    /// What drawing a picture took. Units: milliseconds. 0 before the first end().
+    /// The time that drawing a picture takes. Units: milliseconds. 0 before the first end().
     double milliseconds() const;
-    /// From the first of the pictures that count to the last begin(). 0 at rest.
+    /// Pictures a second, from the first that counts to the last begin(). 0 at rest.
     double per_second() const;
-    /// Both, as people read them; at rest what drawing took, and "" before the first end().
+    /// Both numbers, for people; at rest only the time, and "" before the first end().
     std::string text() const;
 
 private:

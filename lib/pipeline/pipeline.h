@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-/// What happened to a frame after it was drawn. Units: seconds.
+/// Times of a frame after it was drawn. Units: seconds.
 struct L3D_PUBLIC l3d_frame_times {
     double show = 0;  ///< bringing the pixels to the screen
     double write = 0; ///< writing picture files
@@ -77,12 +77,11 @@ public:
     /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
     virtual bool is_at_rest() const { return false; }
 
-    /// What the caption of a window says as long as it is so, in some lines that \n divides; "" for
-    /// nothing.
+    /// The caption of the window until it changes: lines that \n divides; "" for nothing.
     virtual std::string message() const { return {}; }
 
-    /// How long it stays at rest, if no event comes. Units: seconds, more than 0. Then, or at the
-    /// event, rest_event comes. Expects: is_at_rest().
+    /// Time that the program stays at rest if no event comes. Units: seconds, more than 0. After
+    /// it, or at the event, rest_event comes. Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
     /// So many seconds of a rest went by, for which no update_event comes.

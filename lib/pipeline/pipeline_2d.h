@@ -34,7 +34,7 @@ public:
     void draw_event() final;
 
 protected:
-    /// What `draw` gets.
+    /// The rasterizer that `draw` gets.
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
 private:

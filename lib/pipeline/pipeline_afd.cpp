@@ -142,7 +142,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;
-    if (settings_.antialias) // what covers no pixel's centre is still seen in parts of pixels
+    if (settings_.antialias) // surfaces between pixel centres still show in parts of pixels
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     stages_->view.most_samples = settings_.most_samples;

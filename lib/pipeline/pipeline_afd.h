@@ -29,7 +29,7 @@ class l3d_pixel_boxes;
 /// benchmarks that compare with and without a rule set these.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
-    bool drawing = false;      ///< of what the last frame drew
+    bool drawing = false;      ///< that of drawing the last frame's contents again
 
     /// Every such work, as if no rule could skip any.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
@@ -49,11 +49,11 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// How the filled surface gets its colours.
     l3d_shade shade = l3d_shade::lambert;
 
-    /// What the shades that inspect a surface show. Only the library's own method draws them.
+    /// The quantity that the inspecting shades show. Only the library's own method draws them.
     l3d_inspection inspection{};
 
-    /// What l3d_shade::own shows. Only the library's own method draws it. After a change of what
-    /// the function does, call redraw().
+    /// The function that l3d_shade::own shows. Only the library's own method draws it. After a
+    /// change of what the function does, call redraw().
     l3d_own_shade own{};
 
     /// Viewers draw the scale of a shade that inspects into the picture.
@@ -73,12 +73,12 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Edges are means over pixels, not stairs; see l3d_shading.
     bool antialias = true;
 
-    /// What far surfaces fade into. Only the library's own method has it, for shades of light and
-    /// normals. The certificate of shades then counts what the bound of depth makes of it
-    /// (NUMERICS, section 23).
+    /// The colour that far surfaces fade into. Only the library's own method has it, for shades of
+    /// light and normals. The certificate of shades then includes the fog's share of the bound of
+    /// depth (NUMERICS, section 23).
     l3d_fog fog{};
 
-    /// What is seen where nothing is drawn.
+    /// The picture's colours where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 
     /// The lines of the adaptive grid are drawn instead of the filled surface.
@@ -116,7 +116,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// on.
     int threads = l3d_usual_threads();
 
-    /// What fills surfaces. From the first frame on only l3d_pipeline_afd::take_method changes it.
+    /// Makes the method that fills surfaces. From the first frame on only
+    /// l3d_pipeline_afd::take_method changes it.
     l3d_method_factory method{};
 };
 
@@ -151,9 +152,9 @@ public:
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }
 
-    /// What is drawn; a reference to change it. The next draw_event draws what scene, camera and
-    /// settings say then. A program with a dispatcher calls redraw() after a change of camera or
-    /// settings. Only the pipeline calls the scene's forget_changes().
+    /// The scene that is drawn; a reference to change it. The next draw_event draws what scene,
+    /// camera and settings say then. A program with a dispatcher calls redraw() after a change of
+    /// camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
     /// The eye that the next frame is drawn for; a reference to change it.
     l3d_camera& camera() { return camera_; }
@@ -173,17 +174,18 @@ public:
     /// it may show something.
     std::string why_empty() const;
 
-    /// What a shade that inspects the surface shows in the next frame: the settings', with a scale
-    /// that suits the scene if they leave that open. Its colours are l3d_inspection_colors.
+    /// The inspection of the next frame: the settings', with a scale that suits the scene if they
+    /// leave that open. Its colours are l3d_inspection_colors.
     /// Cost: if the scene changed, some 7 us a patch, but at most 30 ms.
     l3d_inspection inspection();
 
-    /// What is seen at (x, y) of the picture: l3d_pick_at, with the present camera and settings.
+    /// Finds the surface at (x, y) of the picture: l3d_pick_at, with the present camera and
+    /// settings.
     std::optional<l3d_pick> pick(double x, double y) const;
 
     /// Fills surfaces with another method from the next frame on.
     /// Expects: no frame is being drawn.
-    /// Errors:  what the factory throws; then the old method stays.
+    /// Errors:  exceptions of the factory; then the old method stays.
     void take_method(const l3d_method_factory& method);
 
     /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.

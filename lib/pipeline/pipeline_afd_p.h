@@ -28,7 +28,7 @@ struct l3d_pipeline_afd::basis {
     friend bool operator==(const basis&, const basis&) = default;
 };
 
-/// What is drawn, and where.
+/// The task of one drawing: the scene, and its place.
 struct l3d_pipeline_afd::drawing {
     const l3d_patch_scene& scene;
     l3d_pixels target;
@@ -44,15 +44,15 @@ struct l3d_pipeline_afd::stages {
 
     l3d_workers workers;
     std::unique_ptr<l3d_surface_method> method;
-    basis drawn; ///< of the picture that is in the pixels
+    basis drawn; ///< basis of the picture that is in the pixels
     l3d_image_transform transform;
     l3d_dice_view view;
     l3d_box_lanes moved_to; ///< kept for its memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
-    l3d_detail::light_mix mix;                ///< of pictures with and without what is transparent
-    l3d_image mixed;                          ///< one of them
-    std::unique_ptr<l3d_frame_doubts> doubts; ///< of the last frame, if it asked for them
+    l3d_detail::light_mix mix; ///< mixes pictures with and without transparent things
+    l3d_image mixed;           ///< one of those pictures
+    std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
 };
 
 #endif

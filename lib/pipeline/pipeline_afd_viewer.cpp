@@ -157,7 +157,7 @@ void l3d_pipeline_afd_viewer::draw_panels() {
     controls_.draw(rasterizer(), lines, key, standing);
 }
 
-/// What colours mean, for people: pictures in files have what was asked for, and nothing else. A
+/// Explains the colours to people in a window: pictures in files have only their own legend. A
 /// shade that shows numbers is asked for with its scale.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;

@@ -19,16 +19,16 @@ struct L3D_PUBLIC l3d_common_times {
     double write = 0;   ///< writing picture files; not part of total
 };
 
-/// What the reports of all frames have in common.
+/// The entries that the reports of all frames share.
 struct L3D_PUBLIC l3d_common_report {
     int frame = 0;              ///< its number, from 0; skipped frames count
     std::string method;         ///< the name of the method that filled surfaces
     std::string renderer;       ///< the GL that filled surfaces; empty if processors did
     std::string real;           ///< the number type of the library, l3d_real_name()
     std::string simd;           ///< vector instructions, as l3d_simd_target names them
-    l3d_size size;              ///< of the picture, in pixels
+    l3d_size size;              ///< size of the picture, in pixels
     int threads = 1;            ///< that drew
-    l3d_surface_counts surface; ///< what filling counted
+    l3d_surface_counts surface; ///< counts of the filling
     std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };
 

@@ -24,7 +24,7 @@ struct l3d_dice_view;
 ///
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
-    const l3d_patch_scene& scene; ///< what is drawn
+    const l3d_patch_scene& scene; ///< the scene to draw
     /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< from where
@@ -76,7 +76,7 @@ public:
 
     /// The counts of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
-    /// What filling counted in the last frame, covered pixels among it.
+    /// The counts of the last frame's filling, covered pixels among them.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
     /// The pixels of the last frame that outlines reach, if it asked for them. Methods that do not

@@ -14,11 +14,11 @@ using vector = l3d_camera::vector;
 constexpr double degree = std::numbers::pi / 180;
 /// A drag across 360 pixels is one turn.
 constexpr double drag_turn = degree;
-/// Of a notch of the wheel.
+/// Zoom for a notch of the wheel.
 constexpr double notch_zoom = 1.1;
-/// Of a pixel of a drag: 70 pixels are a factor of two.
+/// Zoom for a pixel of a drag: 70 pixels are a factor of two.
 constexpr double pixel_zoom = 1.01;
-/// Beyond what l3d_camera::orbit stops at, 0.02.
+/// Just beyond the sine at which l3d_camera::orbit stops, 0.02.
 constexpr double sine_beside_pole = 0.021;
 
 /// How much farther from the eye is the picture's height than its smaller side.
@@ -85,7 +85,7 @@ void l3d_view_steering::pan(double right, double down) {
 void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
-    // What is nearer than `near` is not drawn.
+    // Places nearer than `near` are not drawn.
     const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near;
     if (is_seen && there.is_valid())
         camera_ = there;
@@ -200,7 +200,8 @@ bool l3d_view_steering::go_on(const l3d_event& motion) {
     return false;
 }
 
-/// What was grabbed stays under the pointer, which moved so many pixels right and down.
+/// Moves the eye so that the grabbed place stays under the pointer, which moved so many pixels
+/// right and down.
 void l3d_view_steering::move(double right, double down) {
     const l3d_camera::frame axes = camera_.axes();
     const double pixel = depth_of(grabbed_) / camera_.focal_length(screen_.pixels().size());

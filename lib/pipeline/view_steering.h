@@ -20,8 +20,8 @@ struct L3D_PUBLIC l3d_pointed_place {
     std::string text; ///< a line that tells what is there
 };
 
-/// What the controls ask a viewer of what it shows. A function that is empty leaves out what needs
-/// it.
+/// The questions that the controls ask a viewer about its picture. An empty function leaves out the
+/// controls that need it.
 struct L3D_PUBLIC l3d_viewed {
     /// The camera that shows everything along the line of sight of the given one.
     std::function<l3d_camera(const l3d_camera&)> framed{};
@@ -59,11 +59,11 @@ public:
     /// How much more keys and the pointer turn than usual. Expects: more than 0.
     void set_turn_speed(double factor) { turn_speed_ = factor; }
 
-    /// The eye circles the target. Units: radians, about what is upright and about the picture's
-    /// right.
+    /// Moves the eye around the target. Units: radians, about the upright axis and about the
+    /// picture's right.
     void turn(double around_up, double around_right);
-    /// Turns the picture about its middle, clockwise. What is up in it then is upright for turn()
-    /// until look_from or go_home. Units: radians.
+    /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
+    /// turn() until look_from or go_home. Units: radians.
     void roll(double angle);
     /// Moves what is at the target's depth so many pixels to the right and down.
     void pan(double right, double down);
@@ -106,9 +106,9 @@ private:
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
     l3d_camera kept_;  ///< as a home or a frame left it; differs from camera_ if that was moved
-    bool is_home_ = false, is_framed_ = false; ///< what kept_ is
-    vector upright_;                           ///< of the model, whatever the picture shows
-    vector up_;                                ///< what the eye turns about: that, unless rolled
+    bool is_home_ = false, is_framed_ = false; ///< whether kept_ is so
+    vector upright_;                           ///< the model's, whatever the picture shows
+    vector up_; ///< the eye's axis of turning: upright_, unless rolled
     double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;

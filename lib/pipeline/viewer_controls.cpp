@@ -22,7 +22,7 @@ using l3d_detail::formatted;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double key_turn = 5 * degree;
 constexpr double zoom_factor = 1.1;
-constexpr double pan_share = 0.05; // of the picture's smaller side
+constexpr double pan_share = 0.05; // share of the picture's smaller side
 /// The key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
@@ -54,7 +54,7 @@ void l3d_viewer_controls::add(l3d_viewer_row row) {
     assert(each_key_is_in_one_row(rows_));
 }
 
-/// Of the eye.
+/// Rows of the eye.
 std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
     const auto towards = [this](int right, int down) {
         return [this, right, down] { arrow(right, down); };
@@ -82,7 +82,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
             {"Ctrl+click", "what is there; a second one: the distance"}};
 }
 
-/// Of the model's sides, by the keys that Blender has for them.
+/// Rows of the model's sides, by the keys that Blender has for them.
 std::vector<l3d_viewer_row> l3d_viewer_controls::convex_fill() {
     const auto look = [this](double right, double up, double front) {
         return [this, right, up, front] {
@@ -100,7 +100,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::convex_fill() {
     };
 }
 
-/// Of the program.
+/// Rows of the program.
 std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                                            std::function<void()> reset) {
     const auto pause = [this] {
@@ -293,7 +293,7 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// What a key was answered with has room first, help what is left.
+/// Places the panels: the answer to a key has room first, help takes the rest.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);

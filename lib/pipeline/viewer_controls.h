@@ -24,9 +24,9 @@
 /// A row of a viewer's help, and what its keys do.
 struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< as the help calls them
-    const char* text; ///< what they do
+    const char* text; ///< their effect
 
-    /// What to do for each key, an ASCII code or l3d_key; none for what is done elsewhere.
+    /// The action for each key, an ASCII code or l3d_key; none if the action is elsewhere.
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
@@ -124,7 +124,7 @@ public:
     /// A line that is shown until the next key. Expects: an action of a row is running.
     void say(std::string line) { message_ = std::move(line); }
 
-    /// What the key l of a viewer of surfaces does: takes the other value, and says so.
+    /// Performs the key l of a viewer of surfaces: takes the other value, and says so.
     void switch_headlight(bool& is_on);
 
     /// That line; "" if there is none.
@@ -176,7 +176,7 @@ private:
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
-    std::ptrdiff_t own_end_ = 0;                ///< of the viewer's own rows
+    std::ptrdiff_t own_end_ = 0;                ///< end of the viewer's own rows
     std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
     std::vector<l3d_camera::vector> marks_;     ///< places that were clicked on
     bool control_ = false, shift_ = false;

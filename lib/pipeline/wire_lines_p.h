@@ -15,7 +15,7 @@
 namespace l3d_detail {
 
 /// Draws the steps that were taken: the sides of all quads, and of the triangles that clipping
-/// leaves. What neighbours share is one line.
+/// leaves. Neighbours share one line.
 class wire_lines {
 public:
     explicit wire_lines(wire_drawer drawer) : drawer_(std::move(drawer)) {}
@@ -55,8 +55,7 @@ private:
             add_shared({e.from_x, e.from_y, e.to_x, e.to_y});
         }
         const l3d_micro_grid& g = part.grid;
-        const std::array rows{0, g.columns - 1, g.rows - 1,
-                              0}; // of sides: above, right, below, left
+        const std::array rows{0, g.columns - 1, g.rows - 1, 0}; // sides above, right, below, left
         for (int side = 0; side < 4; ++side) {
             if (noted[static_cast<std::size_t>(side)])
                 continue;

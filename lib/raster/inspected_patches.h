@@ -28,7 +28,7 @@ struct l3d_inspected_patches {
     vector direction{0.0, 1.0, 0.0};
     /// The patches, by the material of their parts.
     std::vector<l3d_bezier_patch<double, 3>> nets;
-    /// What they are made of, for a program's own shade; none for the others.
+    /// The patches' materials, for a program's own shade; none for the others.
     std::vector<l3d_material> materials;
     /// The eye, and the axes to the right, down and forward, in the world.
     vector eye{0.0, 0.0, 0.0};
@@ -39,7 +39,7 @@ struct l3d_inspected_patches {
         return axes[0] * of_axes[0] + axes[1] * of_axes[1] + axes[2] * of_axes[2];
     }
 
-    /// What the eye sees at a place of the picture lies along this, 1 deep. Units: pixels.
+    /// Direction from the eye to a place of the picture, 1 deep. Units: pixels.
     vector ray(double x, double y) const {
         return {(x - centre_x) / focal, (y - centre_y) / focal, 1.0};
     }

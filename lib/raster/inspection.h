@@ -20,11 +20,11 @@
 /// - `draft`: the angle between the surface and the direction, from red over yellow, 0, to green.
 ///   It is positive where n goes along the direction.
 struct L3D_PUBLIC l3d_inspection {
-    /// What angles of `zebra` and `draft` are told from. World space, any length but 0.
+    /// The direction from which `zebra` and `draft` measure angles. World space, any length but 0.
     std::array<double, 3> direction{0, 1, 0};
 
-    /// The number at the scale's end; at its beginning is the same below 0. 0 stands for one that
-    /// suits the scene. Units: 1 / world units squared for `gaussian`, 1 / world units for `mean`,
+    /// The number at the scale's end; its negative is at the beginning. 0 chooses one that suits
+    /// the scene. Units: 1 / world units squared for `gaussian`, 1 / world units for `mean`,
     /// degrees for `draft`.
     double scale = 0;
 

@@ -65,7 +65,7 @@ struct L3D_PUBLIC l3d_micro_grid {
         return !cut.empty() && std::binary_search(cut.begin(), cut.end(), p00);
     }
 
-    /// Makes room for so many vertices along u and v. What was in the arrays means nothing after.
+    /// Makes room for so many vertices along u and v. Former contents of the arrays are lost.
     void resize(int new_columns, int new_rows) {
         shows_both = false;
         cut.clear();

@@ -33,7 +33,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
 
     std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes
     std::size_t count = 0;     ///< the number of triangles
-    /// Of each triangle, if not all have the one of their l3d_surface_part; else empty.
+    /// Each triangle's material, if not all have the one of their l3d_surface_part; else empty.
     std::vector<std::uint32_t> materials;
 
     /// Forgets all triangles.

@@ -12,7 +12,7 @@
 #include <limits>
 #include <span>
 
-/// What the eye sees of a patch in a pixel. Places and directions are in world space.
+/// The place of a patch that the eye sees in a pixel. Places and directions are in world space.
 struct L3D_PUBLIC l3d_seen_place {
     double x = 0, y = 0; ///< where in the picture, from its top left corner, in pixels
     double u = 0, v = 0; ///< the patch's parameters there
@@ -26,8 +26,8 @@ struct L3D_PUBLIC l3d_seen_place {
 /// A function of the program that colours surfaces, for l3d_shade::own.
 ///
 /// It gets runs of neighbouring pixels of a row, and writes a pixel word 0x00RRGGBB for each. At
-/// edges, it is asked for single places within a pixel, whose colours are mixed. What does not
-/// depend on the places alone makes the picture depend on the number of threads.
+/// edges, it gets single places within a pixel, whose colours are mixed. Colours that depend on
+/// more than the places make the picture depend on the number of threads.
 /// Expects: a function that may be called by several threads at once, and does not throw.
 struct L3D_PUBLIC l3d_own_shade {
     /// Colours places. Shape: as many words as places.

@@ -12,8 +12,8 @@
 /// Units:   pixels, y down, as in l3d_rasterizer_2d.
 struct L3D_PUBLIC l3d_placement_2d {
     l3d_point_2d origin{};     ///< where (0, 0) goes
-    l3d_point_2d across{1, 0}; ///< what a step of 1 to the right becomes
-    l3d_point_2d down{0, 1};   ///< what a step of 1 downwards becomes
+    l3d_point_2d across{1, 0}; ///< image of a step of 1 to the right
+    l3d_point_2d down{0, 1};   ///< image of a step of 1 downwards
 
     /// Moved only.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_placement_2d {
                 origin.y + (p.x * across.y + p.y * down.y)};
     }
 
-    /// What takes points back to where they were. Expects: a placement that leaves areas.
+    /// The inverse map. Expects: a placement that leaves areas.
     l3d_placement_2d inverted() const {
         const double area = across.x * down.y - across.y * down.x;
         const l3d_point_2d a{down.y / area, -across.y / area}, d{-down.x / area, across.x / area};

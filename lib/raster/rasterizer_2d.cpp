@@ -16,7 +16,7 @@
 
 namespace {
 
-/// What a kind of output that tells no size may show.
+/// The size of an output that tells none.
 constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
 
 } // namespace

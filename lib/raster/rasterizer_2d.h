@@ -44,7 +44,7 @@ struct L3D_PUBLIC l3d_line_2d {
 struct L3D_PUBLIC l3d_coverage_2d {
     /// The first column and row, and the numbers of columns and rows, which are not negative.
     int left = 0, top = 0, width = 0, height = 0;
-    const std::uint8_t* values = nullptr; ///< of the first row
+    const std::uint8_t* values = nullptr; ///< values of the first row
     std::ptrdiff_t pitch = 0;             ///< from one row to the next
 
     /// Row i of the shape. Expects: 0 <= i < height.
@@ -85,7 +85,8 @@ struct L3D_PUBLIC l3d_fill {
     l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
     /// Only pixels in this box are drawn; by default, all of them.
     l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
-    /// How the colour is mixed with what is there. What cannot read its own picture mixes coded.
+    /// How the colour is mixed with the present one. Outputs that cannot read their own picture mix
+    /// coded.
     l3d_blending blending = l3d_blending::coded;
 };
 
@@ -158,9 +159,9 @@ public:
     void draw_point(int x, int y, std::uint32_t color) { imp_.do_draw_point(x, y, color); }
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
-    /// long) lights the pixel nearest to the ideal line. Of two equally near, it lights the upper
-    /// or left one. The same pixels in both directions; clipped, exactly those of them that are in
-    /// the target.
+    /// long) lights the pixel nearest to the ideal line. If two are equally near, it lights the
+    /// upper or left one. The same pixels in both directions; clipped, exactly those of them that
+    /// are in the target.
     void draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
         imp_.do_draw_line(x0, y0, x1, y1, color);
     }
@@ -240,7 +241,7 @@ public:
 
     /// Draws an image wherever it is placed, over what is there.
     ///
-    /// Of the fill, alpha, clip, clip_inside, box and blending count. l3d_image_filter says which
+    /// The fill's alpha, clip, clip_inside, box and blending count. l3d_image_filter says which
     /// colour a pixel gets. The image's own edges and the clip path's are smooth as those of paths;
     /// with l3d_image_filter::nearest, only the clip path's are. Colours are mixed in double, and
     /// rounded once: within 1/2 + 10^-6 levels, where shares of 1/255 are exact. Nothing is drawn
@@ -279,8 +280,7 @@ public:
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Completes the picture: afterwards, everything drawn so far is in the target's pixels. Call
-    /// it before anybody else reads or writes them. What is drawn next goes on top of what they
-    /// wrote.
+    /// it before anybody else reads or writes the pixels. Later drawing goes on top of that.
     void finish() { imp_.do_finish(); }
 
 private:

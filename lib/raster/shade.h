@@ -36,8 +36,8 @@ enum class L3D_PUBLIC l3d_shade {
     /// The angle between the surface and a direction.
     draft,
 
-    /// What a function of the program says, l3d_own_shade, of each pixel's exact place on its
-    /// patch. It has no name: users cannot choose it.
+    /// The program's function, l3d_own_shade, colours each pixel's exact place on its patch. It has
+    /// no name: users cannot choose it.
     own,
 
     /// Lambert's grey from levels that were made with the surface: vertices have their level and

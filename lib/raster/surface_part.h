@@ -63,7 +63,7 @@ struct L3D_PUBLIC l3d_surface_part {
     l3d_block_starts block_rows;
     /// Where the blocks along u begin.
     l3d_block_starts block_columns;
-    /// What belongs to no grid.
+    /// Triangles that belong to no grid.
     l3d_micro_triangles triangles;
     /// Where the surface ends or goes on in another part, for anti-aliasing. It may be known in
     /// part or not at all: then pixels there are drawn in a slower way, and what is thinner than a

@@ -38,10 +38,11 @@ struct L3D_PUBLIC l3d_shading {
     /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
-    /// What pixels show that no surface covers, and the rest of those that are covered in part.
+    /// The picture's colours where no surface covers a pixel, or a part of it.
     l3d_background background{};
 
-    /// What far surfaces fade into. A rasterizer that inspects has it, others draw without.
+    /// The colour that far surfaces fade into. A rasterizer that inspects has fog, others draw
+    /// without.
     l3d_fog fog{};
 
     l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
@@ -49,12 +50,12 @@ struct L3D_PUBLIC l3d_shading {
     /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
-    /// What the shades that inspect a surface show, and what they need of it. Such shades expect
-    /// patches, vertices with their parameters u and v in place of the first two numbers of
-    /// normals, and parts whose material is the index of their patch.
+    /// The quantity that inspecting shades show, and its settings. Such shades expect patches,
+    /// vertices with their parameters u and v in place of the first two numbers of normals, and
+    /// parts whose material is the index of their patch.
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    const l3d_own_shade* own = nullptr;               ///< of such a shade; borrowed likewise
+    const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed likewise
 
     /// Whether surfaces of these materials take more than one level in each pixel: unless the
     /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
@@ -231,7 +232,7 @@ protected:
     /// The materials of the frame that was begun last; none if its mode shows no light.
     std::span<const l3d_material> materials() const { return materials_of_frame_; }
 
-    /// What each kind of begin does first: takes what was said of the next frame.
+    /// The first step of each kind of begin: takes the settings of the next frame.
     void begin_frame(const l3d_shading& shading) {
         counts_pixels_ = counting_wanted_;
         materials_of_frame_ =

@@ -15,7 +15,8 @@ constexpr std::int64_t one = l3d_subpixel_one, half = one / 2;
 /// Units: pixels.
 constexpr double thinnest = 0.25;
 
-/// Of 1 / w: its division, its scale, the corners' means and the pixel's own, each half of 2^-23.
+/// Rounding of 1 / w: its division, its scale, the corners' means and the pixel's own, each half of
+/// 2^-23.
 constexpr double rounding = 4 * 0x1p-24;
 
 /// The pixels right of an edge, by the rule that left and top edges belong to a polygon.

@@ -29,7 +29,7 @@ inline constexpr double l3d_least_up_sine = 1e-6;
 struct L3D_PUBLIC l3d_upright {
     /// A direction in the world.
     using vector = l3d_vector<double, 3>;
-    vector right, ///< of the person who looks at the model's front
+    vector right, ///< to the right hand of a person who looks at the model's front
         up,       ///< above the model
         front;    ///< from the model to that person
 

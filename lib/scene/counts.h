@@ -14,8 +14,8 @@
 struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t drawn = 0;     ///< the shapes that reached the picture
     std::int64_t offscreen = 0; ///< left out: beyond one side of the window
-    std::int64_t subpixel = 0;  ///< left out: what is around it holds no pixel centre
-    std::int64_t clipped = 0;   ///< of those drawn, at the near plane, the far one or guard band
+    std::int64_t subpixel = 0;  ///< left out: its box holds no pixel centre
+    std::int64_t clipped = 0;   ///< drawn shapes cut at the near plane, the far one or guard band
 
     /// Adds the counts of other shapes.
     void add(const l3d_seen_counts& other) {
@@ -84,7 +84,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     double near = 0;              ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
     std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
-    std::int64_t unfinished = 0;  ///< of these, patches that a larger budget would make finer
+    std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
     l3d_coarse_patch coarsest;    ///< the worst of those
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
@@ -92,7 +92,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     double depth_bound_px = 0;
 
     /// How far normals that are interpolated over quads and slits are from the exact unit normals
-    /// at the same parameters, if vertices have normals. What polygons' shapes add is not in it.
+    /// at the same parameters, if vertices have normals. Polygons' shapes add to this, and are not
+    /// included.
     double normal_off = 0;
 
     /// How far greys are from those of the exact surface at the same parameters. Units: levels.

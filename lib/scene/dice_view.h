@@ -60,7 +60,7 @@ struct l3d_dice_view {
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
-    double error_xy = 0;        ///< of a transformed control point
+    double error_xy = 0;        ///< error of a transformed control point
     double error_w = 0;
 
     /// Bound of the terms that the points' coordinates are summed up from, those of the eye among

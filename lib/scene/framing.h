@@ -49,15 +49,15 @@ L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
                                       const l3d_reach& reach, bool is_parallel = false);
 
-/// What l3d_why_unseen says of a model smaller than a pixel, which may still cover a pixel's
+/// The answer of l3d_why_unseen for a model smaller than a pixel, which may still cover a pixel's
 /// middle.
 inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
 
-/// What l3d_why_unseen says of a model that no eye may be near enough to.
+/// The answer of l3d_why_unseen for a model that no eye may be near enough to.
 inline constexpr const char* l3d_too_small =
     "too small for any view, whose eye is 1e-32 away at least";
 
-/// What pipelines say of a model whose faces or patches are all points or lines.
+/// The answer of pipelines for a model whose faces or patches are all points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 
 /// The camera itself if it l3d_shows_well, else l3d_framed. Expects, Errors: as these.

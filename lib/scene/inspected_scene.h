@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the shades that inspect a surface need to know of a scene.
+// l3d_inspected_scene: the facts on a scene that inspecting shades need.
 #ifndef L3D_SCENE_INSPECTED_SCENE_H
 #define L3D_SCENE_INSPECTED_SCENE_H
 

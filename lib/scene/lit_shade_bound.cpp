@@ -19,7 +19,7 @@ constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 /// Rounding of a channel to a whole level, and its float arithmetic.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// What is left out of a highlight: powers of less than this.
+/// Powers below this are left out of a highlight.
 constexpr double least_power = 0x1p-12;
 
 constexpr double white = 255, scattered_part = 0.9;

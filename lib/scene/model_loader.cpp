@@ -18,7 +18,7 @@
 namespace {
 
 /// A file that another one names: beside it, also if it is named by a place on another machine, or
-/// as Windows writes places. What comes through a pipe has no folder: the present one is meant.
+/// as Windows writes places. A model from a pipe has no folder: the present one is meant.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);

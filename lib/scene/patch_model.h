@@ -29,8 +29,8 @@ struct l3d_patch_points;
 ///
 /// Shape: edges in the order of l3d_edge_polylines.
 struct L3D_PUBLIC l3d_patch_reach {
-    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< of all 16 control points, for x, y and z
-    std::array<l3d_vector<double, 3>, 4> edges{}; ///< of the four control points of each edge
+    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< for all 16 control points, for x, y and z
+    std::array<l3d_vector<double, 3>, 4> edges{}; ///< for the four control points of each edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
@@ -111,7 +111,7 @@ public:
 
     /// A model of some parts alone, in their colours; what belongs to no part is left out.
     /// Expects: indices of parts().names().
-    /// Cost:    what is known of the patches is found again: some microseconds for each.
+    /// Cost:    bounds of the patches are computed again: some microseconds for each.
     l3d_patch_model only(std::span<const std::size_t> parts) const;
 
     /// A model without some parts. Expects, Cost: as only().

@@ -300,7 +300,7 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     };
     if (std::ranges::all_of(instances_, is_plain))
         return materials_;
-    materials_.emplace_back(); // of all that is plain
+    materials_.emplace_back(); // the material of all that is plain
     std::map<const void*, std::uint32_t> firsts;
     for (const l3d_patch_instance& instance : instances_) {
         const auto next = static_cast<std::uint32_t>(materials_.size());

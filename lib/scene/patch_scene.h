@@ -134,8 +134,8 @@ public:
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
     /// Makes an instance transparent: a pixel that it covers shows `opacity` of the light that it
-    /// would show, and the rest of what is seen without it. Of the instance itself, what is nearest
-    /// is seen. It stays so as with paint().
+    /// would show, and the rest of what is seen without it. The instance itself shows its nearest
+    /// surface alone. The opacity lasts as long as a paint() does.
     /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
@@ -185,7 +185,7 @@ public:
     /// Called by a pipeline that has drawn the scene as it is now.
     void forget_changes();
 
-    /// What stands where, in the order in which it was added.
+    /// The instances with their placements, in the order in which they were added.
     std::span<const l3d_patch_instance> instances() const { return instances_; }
 
     /// The number of patches of all instances together.
@@ -217,14 +217,14 @@ private:
     std::int64_t patch_count_ = 0;
     std::size_t transparent_count_ = 0;
     l3d_box_lanes boxes_;
-    mutable whole extent_; ///< of the first extent_count_ instances
+    mutable whole extent_; ///< extent of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
     mutable std::vector<l3d_material> materials_;
-    mutable std::vector<std::uint32_t> first_materials_; ///< of each instance, in materials_
+    mutable std::vector<std::uint32_t> first_materials_; ///< by instance, in materials_
     mutable bool knows_materials_ = true;
     bool is_rebuilt_ = true;
     std::vector<std::size_t> moved_;
-    std::vector<bool> is_moved_; ///< of each instance, whether it is in moved_
+    std::vector<bool> is_moved_; ///< whether each instance is in moved_
     l3d_box_lanes moved_from_;
 };
 

@@ -23,10 +23,10 @@ using l3d_detail::formatted;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Roundings of a coordinate that is a sum of a few products. The axes are good to 24 of them,
-/// products and sums add 8, placing the model 8. Halving adds 6, as what it halves becomes smaller,
-/// and evaluating 12. Twice that is enough. Units: of the sum of all terms' magnitudes.
+/// products and sums add 8, placing the model 8. Halving adds 6, as halves become smaller, and
+/// evaluating 12. Twice that is enough. Units: the sum of all terms' magnitudes.
 constexpr double ray_rounding = 128 * 0x1p-53;
-/// The same of a world coordinate.
+/// The same for a world coordinate.
 constexpr double world_rounding = 16 * 0x1p-53;
 
 /// The ray through a place of a picture: coordinates that vanish along it, and the depth.
@@ -46,7 +46,7 @@ public:
                 depth};
     }
 
-    /// Of what seen() makes of a point whose terms sum up to `reach`.
+    /// Rounding of seen() for a point whose terms sum up to `reach`.
     double rounding(double reach) const {
         const double eye = std::max({std::abs(eye_[0]), std::abs(eye_[1]), std::abs(eye_[2])});
         return ray_rounding * 3 * (reach + eye) * slant();
@@ -82,7 +82,7 @@ struct place_in_scene {
     std::size_t instance, patch;
 };
 
-/// What a normal or a point is off by, as a length.
+/// Length of the error of a normal or a point.
 double length_of_radii(const l3d_surface_jet::vector& v) {
     double squares = 0;
     for (const l3d_interval& coordinate : v)

@@ -68,12 +68,12 @@ struct L3D_PUBLIC l3d_pick {
 /// How a scene is picked.
 struct L3D_PUBLIC l3d_pick_view {
     l3d_camera camera;      ///< its near and far planes hide what is beyond
-    l3d_size size;          ///< of the picture, in pixels
+    l3d_size size;          ///< size of the picture, in pixels
     bool one_sided = false; ///< backs are not seen, as l3d_afd_settings has it
 };
 
-/// What is seen at (x, y) of a picture. Nothing if the ray meets no patch between the near and the
-/// far plane.
+/// Finds the surface that is seen at (x, y) of a picture. Nothing if the ray meets no patch between
+/// the near and the far plane.
 ///
 /// Units:   pixels from the picture's left upper corner; a pixel's middle is at 1/2. Any place may
 ///          be asked for, also one outside the picture.

@@ -116,13 +116,13 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
-    l3d_image_box margin_; ///< of the part of the picture that is wanted
+    l3d_image_box margin_; ///< box of the wanted part of the picture
     bool is_part_ = false;
     l3d_dice_counts counts_;
 
     std::vector<seen_instance> instances_;
     std::vector<ticket> instance_line_; ///< farthest first
-    std::vector<seen_patch> patches_;   ///< of the instances that were opened
+    std::vector<seen_patch> patches_;   ///< patches of the instances that were opened
     std::vector<ticket> patch_line_;
     std::size_t sorted_ = 0; ///< so many at the end of patch_line_ are its nearest, nearest last
     std::vector<l3d_matrix<double>> matrices_;

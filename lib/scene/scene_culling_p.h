@@ -24,10 +24,10 @@ struct placing_terms {
 struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
-    row least, most; ///< of w
+    row least, most; ///< bounds of w
     row inside;      ///< below 0: wholly beyond one side of the margin
-    row share;       ///< of the view's errors: l3d_dice_view::share_of
-    row near;        ///< of that share
+    row share;       ///< share of the view's errors: l3d_dice_view::share_of
+    row near;        ///< the near plane for that share
 
     /// Pixels from the picture's centre. Only where `least` is greater than `near`, and
     /// only written if there is such a box that is inside.

@@ -17,9 +17,9 @@
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
-    static constexpr std::size_t sides = 4; ///< of a patch
+    static constexpr std::size_t sides = 4; ///< sides of a patch
 
-    /// What is beyond a side.
+    /// The kind of neighbour beyond a side.
     enum class kind : unsigned char {
         open,  ///< the surface ends
         point, ///< the side is a point, around which the surface goes on
@@ -31,12 +31,12 @@ public:
         kind is = kind::open;
         /// Both are walked in the same direction, so their normals are opposite.
         bool turns = false;
-        std::uint32_t patch = 0, side = 0; ///< of a paired side, the other one
+        std::uint32_t patch = 0, side = 0; ///< the other side of the pair
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);
 
-    /// What is beyond a side. Expects: a patch of the model, side < sides.
+    /// The neighbour beyond a side. Expects: a patch of the model, side < sides.
     const beyond& at(std::size_t patch, std::size_t side) const { return beyond_[patch][side]; }
 
     /// The parameters (u, v) at t of a side, which begins at t = 0. Expects: side < sides.

@@ -12,7 +12,7 @@
 /// An event and the frame (from 0) before which it happens.
 struct L3D_PUBLIC l3d_script_event {
     int frame = 0;   ///< the number of the frame, from 0
-    l3d_event event; ///< what happens
+    l3d_event event; ///< the event
 };
 
 /// Makes frames as fast as it can, each a fixed step of time after the one before; one frame if

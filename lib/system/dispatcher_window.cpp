@@ -166,7 +166,7 @@ l3d_exit l3d_dispatcher_window::loop::run() {
     try {
         make_frames();
     } catch (const l3d_interrupted&) {
-        handle_events(); // of which one says why
+        handle_events(); // one of the events says why
     }
     l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
     if (stale_ && !settings_.output.empty())

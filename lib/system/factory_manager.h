@@ -19,7 +19,7 @@ class l3d_options;
 /// One row of the table: a way to show pictures.
 struct L3D_PUBLIC l3d_backend {
     std::string name;          ///< the word that --backend takes
-    std::string purpose;       ///< what it is for, in a few words
+    std::string purpose;       ///< its use, in a few words
     bool automatic = false;    ///< taken without asking if it is the first such row that can serve
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file

@@ -32,7 +32,7 @@ struct L3D_PUBLIC l3d_frame_settings {
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
 
-    /// What the highest bytes of pixel words say in the files that are written.
+    /// The meaning of the highest bytes of pixel words in the files that are written.
     l3d_alpha alpha = l3d_alpha::none;
 
     /// The beginning of lines on stderr.

@@ -29,7 +29,7 @@ void check_ending(const std::string& name, l3d_alpha alpha) {
         refuse(name, no_transparency);
 }
 
-/// What begins with % and looks like a number field of printf's: %d, %04d, %-4ld. Else empty.
+/// A number field of printf's at the beginning of a text, as %d, %04d or %-4ld; else empty.
 std::string_view field_at_front(std::string_view text) {
     const std::size_t end = text.find_first_not_of("0123456789+-l", 1);
     return text.starts_with('%') && end != text.npos && text[end] == 'd' ? text.substr(0, end + 1)

@@ -45,7 +45,7 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
         request.title = shows + " - " + request.title;
     l3d_canvas canvas{
         factories_.create_screen(request), factories_.chosen().rasterizer_factory, {}, is_classic_};
-    // What is drawn by GL, or by a factory of the program's own, keeps the edges that it has.
+    // Pictures by GL, or by a program's own factory, keep the edges that they have.
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)
         canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);

@@ -8,8 +8,8 @@
 
 namespace l3d_detail {
 
-/// What went wrong. Our own errors say it themselves. Those of the standard library name its
-/// functions and types, which help no user.
+/// The reason of a failure. Our own errors carry their reason. Those of the standard library name
+/// its functions and types, which help no user.
 std::string reason_of(const std::exception& error);
 
 } // namespace l3d_detail

@@ -101,8 +101,8 @@ public:
     }
 
 private:
-    /// What a person who looks at a window likes better: a word about the help. Pictures that are
-    /// counted are the same in windows and files.
+    /// Adds a word about the help, which onlookers of a window like. Pictures that are counted are
+    /// the same in windows and files.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -134,7 +134,8 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// What the options did, and what undoes it; nothing makes an area, nor a model larger.
+    /// Tells how to undo the option that emptied the picture; nothing mends an area or a model too
+    /// small.
     std::string way_to_mend(const std::string& reason) const {
         if (reason == l3d_without_area || reason == l3d_too_small)
             return "";
@@ -158,7 +159,7 @@ private:
     const l3d_afd_options& asked_;
     bool in_window_ = false;
     std::int64_t frames_ = 0, polygons_ = 0; ///< drawn
-    double seconds_ = 0;                     ///< of drawing
+    double seconds_ = 0;                     ///< time of drawing
     std::string command_;
     std::optional<l3d_report_writer> reports_;
 };

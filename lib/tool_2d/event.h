@@ -63,7 +63,7 @@ enum class L3D_PUBLIC l3d_event_type {
 
 /// One event. Fields that do not belong to the type are zero.
 struct L3D_PUBLIC l3d_event {
-    /// What happened.
+    /// The kind of event.
     l3d_event_type type{};
     /// key_*: the key's ASCII code or l3d_key. 0 for a key that only types, as a letter of another
     /// script may; it comes without a release.

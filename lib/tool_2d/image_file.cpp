@@ -60,7 +60,7 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     });
 }
 
-/// What a PPM of that size begins with, and the bytes behind it.
+/// The header of a PPM of that size, and the number of bytes that follow it.
 std::string ppm_head(l3d_size size) {
     return "P6\n" + std::to_string(size.width) + " " + std::to_string(size.height) + "\n255\n";
 }

@@ -15,7 +15,7 @@
 // nor a power failure costs the old picture or leaves half a new one. The same pixels give the same
 // bytes: no time and no program name is stored.
 
-/// What a word's highest byte says in a file.
+/// The meaning of a pixel word's highest byte in a file.
 enum class L3D_PUBLIC l3d_alpha {
     none,         ///< nothing: the file has red, green and blue
     transparency, ///< how transparent a pixel is (l3d_pixels): the file has an alpha channel

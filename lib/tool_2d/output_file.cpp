@@ -33,7 +33,8 @@ std::string folder_of(const std::string& target) {
     return folder.empty() ? "." : folder.string();
 }
 
-/// What a name leads to through links, whether or not it is there. Expects: not round and round.
+/// Follows a name through links to its target, which need not exist. Expects: the links form no
+/// circle.
 std::string led_to(fs::path name) {
     constexpr int most_links = 40; // as many as Linux follows
     for (int i = 0; i < most_links; ++i) {

@@ -50,7 +50,7 @@ private:
     void sync_folder() const;
 
     std::string path_;      ///< as the user wrote it, for messages
-    std::string target_;    ///< what it leads to through links
+    std::string target_;    ///< the file that `path_` leads to through links
     std::string temporary_; ///< the name that the file has before its own; empty: none
     unique_file file_;
     bool is_direct_ = false;

@@ -89,7 +89,7 @@ private:
     int scale_;
     row_function write_row_;
     replicate_function replicate_;
-    dither_table red_{}, green_{}, blue_{}; ///< of the palette, or of masks of at most eight bits
+    dither_table red_{}, green_{}, blue_{}; ///< for a palette, or masks of at most eight bits
 };
 
 } // namespace l3d_detail

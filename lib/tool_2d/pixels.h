@@ -70,7 +70,7 @@ struct L3D_PUBLIC l3d_pixel_box {
         return empty() ? 0 : (std::int64_t{right} - left) * (std::int64_t{bottom} - top);
     }
 
-    /// What lies in both; empty if nothing does.
+    /// The box that both share; empty if they do not meet.
     l3d_pixel_box intersected(const l3d_pixel_box& other) const {
         return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
                 std::min(bottom, other.bottom)};

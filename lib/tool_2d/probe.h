@@ -18,9 +18,9 @@ struct L3D_PUBLIC l3d_probe {
     };
 
     std::string what;                ///< "MIT-SHM", "visual"
-    std::string result;              ///< what was found, or why nothing was
+    std::string result;              ///< the finding, or the reason why there is none
     verdict outcome = verdict::good; ///< how far it serves
-    std::string remedy; ///< what to install, set or leave out; empty if nothing is wrong
+    std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
 };
 
 /// The l3d_probe::what of the display itself: if it is bad, no window can be had.

@@ -14,12 +14,13 @@
 #include <utility>
 #include <vector>
 
-/// What a program hears of the pointer.
+/// Chooses which motion of the pointer a program hears of.
 enum class L3D_PUBLIC l3d_pointer {
     dragged,  ///< its motion while a button is held
     followed, ///< all its motion over the window
-    /// It is hidden and kept in the window, and its motion has no end: l3d_event::right and down.
-    /// So views of a first person turn. Without the keyboard the window lets it go.
+    /// The pointer is hidden and kept in the window, and its motion has no end: l3d_event::right
+    /// and down. First-person views turn by this. A window without the keyboard lets the pointer
+    /// go.
     held,
 };
 
@@ -74,8 +75,8 @@ public:
     /// line these parts go first, and exactly.
     void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
 
-    /// What is heard of the pointer from now on; at first it is `dragged`. A screen that is no
-    /// window has no pointer.
+    /// Chooses which motion of the pointer is heard from now on; at first `dragged`. A screen that
+    /// is no window has no pointer.
     void set_pointer(l3d_pointer how) { do_set_pointer(how); }
 
     /// Covers the whole display, or no longer. A screen that is no window stays as it is.
@@ -119,11 +120,11 @@ enum class L3D_PUBLIC l3d_remote {
     off,       ///< whole pictures, as to a display of this machine
 };
 
-/// What a program wants of its screen.
+/// Settings of a screen that a program asks for.
 struct L3D_PUBLIC l3d_screen_request {
-    l3d_size size{1024, 768};  ///< of the picture, in pixels of the program; see scale
+    l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< UTF-8, for people
-    std::string name = "l3d";  ///< of the program, for window managers and their rules
+    std::string name = "l3d";  ///< name of the program, for window managers and their rules
     /// Side of the square of the display's pixels that shows one of ours. 0: one of the display's,
     /// and the picture is larger than `size` by as much as the display is finer than 96 dots an
     /// inch.

@@ -37,7 +37,7 @@ struct L3D_PUBLIC l3d_pixel_layout {
     std::uint32_t red_mask = 0xFF0000;            ///< the bits of red in a pixel
     std::uint32_t green_mask = 0x00FF00;          ///< the bits of green in a pixel
     std::uint32_t blue_mask = 0x0000FF;           ///< the bits of blue in a pixel
-    std::endian byte_order = std::endian::native; ///< of a stored pixel
+    std::endian byte_order = std::endian::native; ///< order of a stored pixel's bytes
     int scanline_pad = 32; ///< every row starts at a multiple of so many bits
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 

@@ -60,7 +60,7 @@ private:
     l3d_pixels words_; ///< its words, or the given ones
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;
-    std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< of packed pixels, else null
+    std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them
 };
 
 /// Makes screens without a display; serves everywhere.

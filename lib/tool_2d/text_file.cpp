@@ -19,7 +19,7 @@ namespace {
 
 /// A mesh counts in 32 bits, and so does the container of glTF.
 constexpr std::uint64_t most_of_file = std::uint64_t{1} << 32;
-/// What gives more than any model that comes through a pipe, as /dev/zero does, has no end.
+/// A pipe that gives more than this has no end, as /dev/zero: no model is so large.
 constexpr std::uint64_t most_of_stream = std::uint64_t{256} << 20;
 /// A shell starts both ends of a pipe together; one of them is there first.
 constexpr int patience_ms = 2000;

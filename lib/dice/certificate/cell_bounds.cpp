@@ -123,7 +123,7 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
     }
 }
 
-/// Joins all pieces that meet in the cell. What is said of a sheet is said by its root.
+/// Joins all pieces that meet in the cell. The root of a sheet holds its facts.
 void l3d_cell_bounds::connect() {
     const bool are_too_many = pieces_.size() > most_pieces;
     for (std::size_t i = 0; i < members_.size(); ++i)

@@ -19,8 +19,8 @@
 /// Lives: kept for its memory. Cost: grows with the square of the pieces.
 class l3d_cell_bounds {
 public:
-    /// What the exact picture shows in a cell. Shape: indices into leaves, of all pieces that may
-    /// reach into the cell.
+    /// Bounds the exact picture in a cell. Shape: indices into leaves, of all pieces that may reach
+    /// into the cell.
     l3d_doubt_verdict judge(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
@@ -30,22 +30,22 @@ public:
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
 
-    /// What the exact picture shows in a part of the cell that was judged last. Expects: a single
-    /// surface, or the background, was found to fill that.
+    /// Bounds the exact picture in a part of the cell that was judged last. Expects: a single
+    /// surface, or the background, was found to fill that cell.
     l3d_doubt_verdict judge_alone(const l3d_image_box& part,
                                   const l3d_light_bounds& background) const;
 
-    /// Sets what stands for the pieces that may be seen in the cell that was judged last. Of sheets
-    /// that are wholly hidden there nothing needs to be known: what hides them is nearer, also in
-    /// parts of the cell.
+    /// Sets the flags of the pieces that may be seen in the cell that was judged last. Sheets that
+    /// are wholly hidden there need no bounds: nearer surfaces hide them, also in parts of the
+    /// cell.
     void mark_seen(std::vector<bool>& pieces) const;
 
-    /// What is needed of a piece to find out which others it meets.
+    /// The facts on a piece that tell which others it meets.
     struct member {
-        l3d_image_box part; ///< of the piece's box that is in the cell
+        l3d_image_box part; ///< part of the piece's box that is in the cell
         double u0, u1, v0, v1;
         const l3d_doubt_patch* of;
-        unsigned sides; ///< bits of those that it reaches
+        unsigned sides; ///< bits of the sides that it reaches
         int facing;
         std::uint32_t index; ///< among all pieces
         std::size_t parent;  ///< one of the same sheet; the root is its own
@@ -73,7 +73,7 @@ private:
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
     std::vector<const l3d_doubt_leaf*> pieces_;
-    std::vector<member> members_; ///< of the same
+    std::vector<member> members_; ///< members for pieces_, in order
     std::vector<sheet> sheets_;   ///< those of roots mean something
     std::size_t only_ = nowhere;  ///< the root of the sheet that is seen alone
 };

@@ -27,7 +27,7 @@ place projected(const l3d_image_point& p) {
 /// How a piece lies in the picture.
 struct linear_picture {
     plane x, y;
-    double off = 0; ///< of the piece's points from this, in pixels
+    double off = 0; ///< distance of the piece's points from these planes, in pixels
 
     /// The picture is sum B_i (x_i - X w_i) off a linear one of value X, over w. That equals sum
     /// B_i d_i + sum B_i (X_i - X) (w_i - w_mean), as sum B_i X_i = X.

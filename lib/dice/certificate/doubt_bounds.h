@@ -16,7 +16,7 @@
 /// Grey levels of the exact picture: ambient light, and the most that the cosine adds.
 inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
 
-/// What a frame's pieces have in common.
+/// The settings that a frame's pieces share.
 ///
 /// Units: pixels from the picture's top left corner; w as l3d_dice_view has it.
 struct l3d_doubt_view {
@@ -71,8 +71,8 @@ struct l3d_doubt_bounds {
     double w_margin = 0;
     l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
 
-    /// Of each lamp, if the patch has lighting; none if nothing is known. Then the level's line
-    /// tells only how well it is known.
+    /// Cosines of each lamp, if the patch has lighting; none if nothing is known. With lamps, the
+    /// level's line tells only how well it is known.
     std::vector<l3d_doubt_cosines> lamps;
 
     /// The parameters from -1/2 to 1/2 of a place. Shape: du/dx, du/dy, dv/dx, dv/dy.

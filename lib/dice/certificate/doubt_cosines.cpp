@@ -54,8 +54,8 @@ struct half_way {
     }
 };
 
-/// What a channel's level may change by for each unit of a cosine, at most, in the brightest
-/// channel. Shape: of n.l, then of n.h.
+/// The most that a channel's level changes for each unit of a cosine, in the brightest channel.
+/// Shape: for n.l, then for n.h.
 std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lamp,
                             double most_facing) {
     double scattered = 0, mirrored = 0;

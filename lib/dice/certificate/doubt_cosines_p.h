@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// Of sums of a few dozen products in double, some 2^-53 each, with much to spare.
+/// Rounding of sums of a few dozen products in double, some 2^-53 each, with much to spare.
 inline constexpr double rounding = 0x1p-40;
 
 /// A linear function of a piece's parameters, from -1/2 to 1/2, that is close to four corners.
@@ -38,7 +38,7 @@ struct seen_normals {
     static constexpr std::size_t count = l3d_doubt_piece::order * l3d_doubt_piece::order;
 
     vector axis{0.0, 0.0, 0.0};
-    std::array<double, count> along; ///< of each
+    std::array<double, count> along; ///< each normal's part along the axis
     double most_along = 0;           ///< in size
     double most_across = 0, longest = 0;
     double most_slope = 0; ///< across over along; infinite if a normal is far from the axis

@@ -13,8 +13,8 @@ namespace {
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;
 
-/// Of lamps' light the mean is known to so many levels, or cells are cut in more rows and columns,
-/// as long as that helps: by a quarter at least.
+/// Lamps' mean light is known to so many levels, or cells are cut in more rows and columns, as long
+/// as that helps: by a quarter at least.
 constexpr double known_levels = 0.5, worth_while = 0.75;
 constexpr int most_cuts = 16;
 
@@ -66,7 +66,7 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
-/// What lamps add to a channel: least and most, of a surface that is white or mirrors all.
+/// The lamps' light in a channel: least and most, for a surface that is white or mirrors all.
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 

@@ -23,8 +23,8 @@ struct interval {
     }
 };
 
-/// What decides the light of a piece: its level, or the cosines of all lamps and w. A few numbers
-/// that are nearly linear in the place.
+/// The numbers that decide the light of a piece: its level, or the cosines of all lamps and w. All
+/// are nearly linear in the place.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
@@ -62,9 +62,9 @@ private:
     const l3d_image_box& cell_;
     const l3d_light_bounds& background_;
     const l3d_doubt_leaf* best_ = nullptr;
-    const l3d_doubt_leaf* first_ = nullptr; ///< of those that are added
+    const l3d_doubt_leaf* first_ = nullptr; ///< first of the leaves that are added
     bool is_one_look_ = true, is_known_ = true;
-    l3d_light_bounds light_;       ///< of all of them
+    l3d_light_bounds light_;       ///< light of all of them
     light_ranges ranges_, beside_; ///< numbers, and how far they are off the best piece's lines
 };
 

@@ -32,17 +32,17 @@ struct l3d_doubt_lighting {
 /// A patch that stands in the picture.
 struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
-    double error_xy = 0, error_w = 0;      ///< of its homogeneous points
-    double near = 0;                       ///< nothing nearer is drawn
-    double normal_off = 0;                 ///< of its normals, whose length is that of the model's
-    const l3d_side_pairs* sides = nullptr; ///< of its model
+    double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
+    double near = 0;                  ///< nothing nearer is drawn
+    double normal_off = 0;            ///< error of its normals, whose length is that of the model's
+    const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
     bool one_sided = false;
     double back = 1;
-    l3d_color_parts color{1, 1, 1}; ///< of its material
+    l3d_color_parts color{1, 1, 1}; ///< colour of its material
     l3d_color_parts highlight{};    ///< likewise
     int sharpness = 1;
-    /// Of the frame; nothing if that has a single white light, and no fog and highlights.
+    /// The frame's lights and fog; null for one white light without highlights and fog.
     const l3d_doubt_lighting* lighting = nullptr;
 
     /// Whether it looks like another one in the same light.
@@ -54,12 +54,12 @@ struct l3d_doubt_patch {
 /// A part of a patch by halves. Shape: nets as l3d_bezier_patch and l3d_normal_net have them.
 struct l3d_doubt_piece {
     using vector = l3d_vector<double, 3>;
-    static constexpr std::size_t order = 6; ///< of normals, of degree 5
+    static constexpr std::size_t order = 6; ///< order of normals, of degree 5
 
     const l3d_doubt_patch* of = nullptr;
     l3d_image_patch net;
     std::array<vector, order * order> normals; ///< in the world
-    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;     ///< of the patch; exact
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;     ///< parameters in the patch; exact
 
     /// The halves along u, or along v.
     std::pair<l3d_doubt_piece, l3d_doubt_piece> split(bool along_u) const;

@@ -11,12 +11,12 @@
 
 namespace {
 
-/// Cells are no smaller than 2^-4 pixel: those that may show several surfaces. Those that show one
-/// are no smaller than 2^-3. Of what is drawn they are no smaller than 2^-3, or than the bound.
+/// Cells that may show several surfaces are no smaller than 2^-4 pixel, those that show one no
+/// smaller than 2^-3. Cells of drawn surfaces are no smaller than 2^-3, or than the bound.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// Pixels are cut no further if less of their levels is unknown. Of single cells that are smaller
-/// more may be unknown, in proportion to 1 / their width, since they are small parts of a pixel.
+/// Pixels are cut no further if less of their levels is unknown. Single smaller cells may have more
+/// unknown levels, in proportion to 1 / their width, since they are small parts of a pixel.
 constexpr double fine_levels = 1;
 
 /// From cells of 2^-3 pixel on, pixels are cut further only if more of their levels is unknown.
@@ -27,7 +27,7 @@ constexpr double costly_levels = 4;
 /// whole pixels, parts of a cell.
 constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 
-/// Of one tile; if there are more, nothing is known of it.
+/// Limit of one tile; above it, nothing is known of the tile.
 constexpr std::size_t most_leaves = 100'000;
 
 /// A piece that is a smaller part of its patch is not cut further. Only pieces around the eye get
@@ -242,7 +242,7 @@ l3d_doubt_pixel& l3d_doubt_tile::pixel_of(const cell& c) {
                                             (c.column >> fineness_))];
 }
 
-/// Finds out what it can of a cell. What smaller cells may tell better is not yet kept.
+/// Finds out what it can of a cell. Cells are kept only if smaller ones may not tell more.
 void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
     const l3d_image_box box = box_of(c);
     const double part = std::ldexp(1.0, -2 * fineness_);

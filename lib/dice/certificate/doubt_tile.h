@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-/// What is certain of a pixel of the exact picture. Units: parts of the square.
+/// Bounds of a pixel of the exact picture. Units: parts of the square.
 struct l3d_doubt_pixel {
     /// Its light, where that is certain.
     l3d_light_bounds light;
@@ -26,23 +26,23 @@ struct l3d_doubt_pixel {
     /// The part that certainly shows one surface in the exact picture.
     double covered = 0;
 
-    /// Its light is worth being known better.
+    /// Whether its light is worth being known better.
     bool is_open = true;
 };
 
-/// Cuts patches into pieces as small as pixels and judges each pixel. What is not certain is cut
-/// in four, and again, and so are the pieces that reach into it.
+/// Cuts patches into pieces as small as pixels and judges each pixel. Uncertain cells are cut in
+/// four, and again, and so are the pieces that reach into them.
 ///
 /// Lives: kept from tile to tile for its memory.
 /// Cost:  some 7 us a pixel inside a surface, and a millisecond a pixel at an outline.
 class l3d_doubt_tile {
 public:
-    static constexpr int side = 32; ///< of a tile, in pixels
+    static constexpr int side = 32; ///< side of a tile, in pixels
 
     /// Starts a tile. Lives: borrows the view until the next one.
     void begin(const l3d_doubt_view& view, const l3d_pixel_box& tile);
 
-    /// Adds a patch that may reach into the tile. Lives: borrows what it belongs to.
+    /// Adds a patch that may reach into the tile. Lives: borrows the piece's patch.
     void add(const l3d_doubt_piece& whole);
 
     /// Judges all pixels. Shape: row by row, of the tile. Lives: until the next tile.
@@ -52,12 +52,12 @@ public:
     std::int64_t cuts() const { return cuts_; }
 
 private:
-    /// A square, and what is still to be found out of it. Shape: column and row in the tile, at
-    /// the present fineness.
+    /// A square, and the questions still open in it. Shape: column and row in the tile, at the
+    /// present fineness.
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        l3d_light_bounds light{};       ///< its part of what is certain of the pixel
+        l3d_light_bounds light{};       ///< its part of the pixel's certain light
         double unsure = 0, covered = 0; ///< likewise
     };
 
@@ -83,13 +83,13 @@ private:
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
     bool is_too_much_ = false;
-    double areas_left_out_ = 0; ///< of pieces whose light is not counted
+    double areas_left_out_ = 0; ///< area of pieces whose light is not counted
     std::int64_t cuts_ = 0;
     std::vector<cell> cells_;
-    std::vector<std::int32_t> grid_; ///< of all cells there could be: the index in cells_, or -1
+    std::vector<std::int32_t> grid_; ///< index in cells_ for each possible cell, or -1
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
-    std::vector<bool> is_needed_; ///< of each leaf, whether something of it may be seen later on
-    std::vector<std::uint32_t> first_, touching_; ///< of each cell, in a row
+    std::vector<bool> is_needed_; ///< whether some of each leaf may be seen later on
+    std::vector<std::uint32_t> first_, touching_; ///< leaves of each cell, in a row
     std::vector<l3d_doubt_pixel> pixels_;
     l3d_cell_bounds judge_;
 };

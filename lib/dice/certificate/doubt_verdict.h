@@ -5,12 +5,12 @@
 
 #include "dice/certificate/light_bounds.h"
 
-/// What is known of a cell. Units: levels.
+/// Bounds of a cell. Units: levels. Units: levels.
 struct l3d_doubt_verdict {
     bool is_certain = false; ///< one surface of one colour, or the background, fills it
     bool is_covered = false; ///< and that is no background
     l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
-    double spread = 0;                                ///< of its levels that is not known
+    double spread = 0;                                ///< unknown spread of its levels
 };
 
 #endif

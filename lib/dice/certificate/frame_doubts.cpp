@@ -14,7 +14,7 @@ namespace {
 using vector = l3d_vector<double, 3>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Of the sums of light in double and of the map's floats. Units: levels.
+/// Rounding of the sums of light in double and of the map's floats. Units: levels.
 constexpr double rounding = 1e-4;
 
 /// Where drawn things may be farther off, pixels are not searched for other surfaces: all of a

@@ -24,14 +24,14 @@ struct l3d_doubted_frame {
     const l3d_matrix<double>& to_image; ///< the world to the view's units
     const l3d_dice_view& view;
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
-    /// Of places and of depth; infinite if there is none. Units: pixels.
+    /// Bounds of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
     /// It shows Lambert's levels of one white light, without highlights and fog; else, its lamps.
     bool has_levels = true;
     l3d_lighting lighting{}; ///< beside the direction of the first light
     l3d_fog fog{};
     l3d_pixels drawn;            ///< greys in all three channels, or any colours
-    l3d_background background{}; ///< what is exactly seen behind all surfaces; not none
+    l3d_background background{}; ///< the exact background behind all surfaces; not none
 };
 
 /// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,
@@ -67,7 +67,7 @@ private:
         l3d_doubt_patch of;
         l3d_image_box box;
     };
-    /// What is certain of a pixel; the mean of all choices of what is transparent.
+    /// Bounds of a pixel; the mean of all choices of transparent surfaces.
     struct pixel {
         l3d_light_bounds light;
         double unsure = 0, unsure_drawn = 0, covered = 0; ///< the most of any choice
@@ -85,7 +85,7 @@ private:
                    tile_result& result);
 
     l3d_doubt_view view_;
-    std::map<const void*, l3d_side_pairs> sides_; ///< of the frame's models, by identity
+    std::map<const void*, l3d_side_pairs> sides_; ///< sides of the frame's models, by identity
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
     l3d_error_map map_, coverage_;

@@ -179,9 +179,9 @@ private:
             }
     }
 
-    /// What the light has to be multiplied by of the side that the quad shows which begins at
-    /// vertex i of the row, or ends there if it is the last one. How a slit's triangle turns is
-    /// chance.
+    /// Factor of the light beside vertex i of the row: it turns light to the side that is shown by
+    /// the quad that begins there, or that ends there if the vertex is the last one. The turn of a
+    /// slit's triangle is chance.
     float side_beside(std::size_t i) const {
         const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
         return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)
@@ -233,7 +233,7 @@ private:
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_, side_;
-    double per_t_, at_zero_; ///< of parameters along the side by the edge's: whole powers of two
+    double per_t_, at_zero_; ///< side's parameters by the edge's: whole powers of two
 };
 
 } // namespace

@@ -123,7 +123,7 @@ double depth_matters_below(const l3d_dice_view& view, bool balanced) {
 
 /// The inputs of bounds of blocks besides their nets, about the net's centre.
 struct block_surroundings {
-    const l3d_image_box& window; ///< what is seen at most
+    const l3d_image_box& window; ///< the largest part that is seen
     float reach;                 ///< largest |x' / w| or |y' / w|
     float grown_by;              ///< how far vertices may leave the net's box
     float deep_below;            ///< width and height together below which depth matters

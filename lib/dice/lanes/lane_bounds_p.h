@@ -17,7 +17,7 @@ namespace l3d_detail {
 struct centred_net {
     alignas(64) double points[3][16];
     std::int32_t x = 0, y = 0; ///< X, Y: whole pixels from the picture's centre
-    double largest_xy = 0;     ///< of |x'|, |y'| of the points
+    double largest_xy = 0;     ///< largest |x'|, |y'| of the points
 };
 
 /// All of a patch that is needed to choose steps and to judge its vertices.

@@ -81,7 +81,7 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
     const auto exact_enough = [&](double walk_xy, double walk_w, double snap, double allowance) {
         vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
         walk_w_ = walk_w;
-        // What w is off by counts along the line of sight.
+        // An error of w counts along the line of sight.
         return vertex_error_ + view.focal * walk_w / bounds_.least_w - exact <= allowance;
     };
 

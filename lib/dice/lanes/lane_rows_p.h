@@ -45,8 +45,8 @@ struct lane_walk {
     int strips;
     bool balanced;
     std::array<int, 4> rows;         ///< steps of each strip along v
-    std::int32_t origin_x, origin_y; ///< of x' / w' = 0, in sub-pixels from the picture's corner
-    double register_xy = 1, register_w = 1; ///< what 1 is in the registers: a power of two
+    std::int32_t origin_x, origin_y; ///< x' / w' = 0 in the picture, in sub-pixels from its corner
+    double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
     float depth_scale = 1;
 };
 

@@ -41,7 +41,7 @@ private:
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1;
-    std::map<const void*, l3d_patch_neighbours> sides_; ///< of the frame's models, by identity
+    std::map<const void*, l3d_patch_neighbours> sides_; ///< by the identity of the frame's models
     l3d_two_layer_depths depths_;
     l3d_outline_mask mask_;
 };

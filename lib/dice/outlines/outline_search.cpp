@@ -24,7 +24,7 @@ constexpr double longest_line = 16;
 /// 2^-20 of a patch along both directions: where that is not enough, nothing is known.
 constexpr int most_levels = 40;
 
-/// Of a frame; what is left then is taken as a box.
+/// Pieces in a frame; beyond it, the rest is taken as boxes.
 constexpr std::int64_t most_pieces = std::int64_t{1} << 21;
 
 /// Normals are sums of 36 products of differences of coordinates.

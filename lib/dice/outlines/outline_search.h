@@ -43,7 +43,7 @@ public:
 
 private:
     using vector = l3d_vector<double, 3>;
-    static constexpr std::size_t order = 6; ///< of normals, of degree 5
+    static constexpr std::size_t order = 6; ///< order of normals, of degree 5
 
     /// A part of a patch, and what it may still have.
     struct piece {
@@ -72,12 +72,12 @@ private:
                       double radius);
 
     const l3d_dice_view& whole_;
-    l3d_dice_view view_; ///< of the patch's share of errors, as all down to window_
+    l3d_dice_view view_; ///< view with the patch's share of errors, as all down to window_
     double focal_, bound_, depth_bound_, farthest_near_;
-    double radius_ = 0, fold_radius_ = 0; ///< of what a side, or a fold, reaches
+    double radius_ = 0, fold_radius_ = 0; ///< widths that a side, or a fold, reaches
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
-    double allowed_; ///< what a line may be too wide by
+    double allowed_; ///< the most that a line may be too wide
     const l3d_two_layer_depths& depths_;
     l3d_outline_mask& mask_;
     std::int64_t pieces_ = 0;

@@ -285,8 +285,8 @@ private:
     l3d_polygon_mesh& mesh_;
     l3d_detail::face_materials materials_;
     std::string object_;                    ///< the name of the current object
-    std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
-    std::size_t base_ = 0, first_face_ = 0; ///< where it begins
+    std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
+    std::size_t base_ = 0, first_face_ = 0; ///< beginnings of the current mesh
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

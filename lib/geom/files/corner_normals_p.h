@@ -50,12 +50,12 @@ public:
 
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
-    /// Of a face of which nothing is said.
+    /// The entry of a face for which the file gives nothing.
     static constexpr std::uint64_t unsaid = ~std::uint64_t{0};
 
-    // What a corner says beside the number of a normal, which is less than `none`: groups that are
-    // `numbered`, groups that are bits, `unsaid`, or that its face is flat. A vertex without a
-    // corner is free.
+    // Other entries of a corner than the number of a normal, which is less than `none`: groups that
+    // are `numbered`, groups that are bits, `unsaid`, or a flat face. A vertex without a corner is
+    // free.
     static constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
 
     struct faces_around;

@@ -54,7 +54,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
     std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
-    std::vector<l3d_material_file> material_files{}; ///< what the mesh's materials look like
+    std::vector<l3d_material_file> material_files{}; ///< looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
     /// The part of the model's x and y that is to be seen: `w` of .obj. For programs in two
     /// dimensions.
@@ -117,15 +117,15 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 
 /// A material by its name.
 struct L3D_PUBLIC l3d_named_material {
-    std::string name;  ///< what faces and patches call it
+    std::string name;  ///< the name that faces and patches use
     l3d_material look; ///< its colour and highlights
 
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
 };
 
-/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d and Tr. What cannot be read is
-/// skipped, with a note "name:line: what" for each of the first 20 such lines: no model is lost for
-/// a colour.
+/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d and Tr. Unreadable values are skipped,
+/// with a note "name:line: what" for each of the first 20 such lines: no model is lost for a
+/// colour.
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 

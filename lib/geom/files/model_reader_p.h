@@ -44,7 +44,7 @@ public:
         mesh_.face_materials.push_back(material);
     }
 
-    /// What stands for the material of a thing that has none, until all is read.
+    /// The place of a missing material, until all is read.
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     /// If some faces have a material, the others get one without a name, and so do patches; if none
@@ -133,11 +133,11 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
     return word;
 }
 
-/// What is said of such colours.
+/// The note on such colours.
 inline constexpr const char* vertex_colors_note =
     "the colours of vertices become those of faces, as means";
 
-/// What is said of vertices that are nowhere.
+/// The note on unused vertices that are not finite, or too far.
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 

@@ -44,7 +44,7 @@ L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
 l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
 /// The text of a .bpt file; reading it gives the same patches, bit for bit.
-/// Expects: what l3d_read_bpt would accept.
+/// Expects: patches that l3d_read_bpt would accept.
 L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
 /// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the

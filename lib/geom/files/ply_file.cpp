@@ -274,7 +274,7 @@ private:
     static constexpr std::uint32_t ends_strip = std::numeric_limits<std::uint32_t>::max();
 
     l3d_detail::ply::header header_;
-    std::optional<std::endian> order_; ///< of a binary file
+    std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
     l3d_detail::vertex_colors vertex_colors_;

@@ -55,7 +55,7 @@ meaning face_meaning(std::string_view name, bool is_list) {
     return color_meaning(name);
 }
 
-/// What a scanner measured, which no picture shows.
+/// Whether a property is a scanner's measurement, which no picture shows.
 bool is_measure(std::string_view name) {
     return name == "confidence" || name == "intensity" || name == "quality";
 }

@@ -30,10 +30,10 @@ enum class meaning { nothing, x, y, z, normal_x, normal_y, normal_z, red, green,
 struct property {
     meaning means = meaning::nothing;
     number_type type = number_type::float32;
-    std::optional<number_type> count; ///< of a list
+    std::optional<number_type> count; ///< type of a list's length
 };
 
-/// What an element's rows are to us.
+/// The use of an element's rows.
 enum class row_kind { other, vertex, face, strip };
 
 struct element {
@@ -68,7 +68,7 @@ public:
     /// The element of that kind, or null. Expects: not `other`.
     const element* find(row_kind kind) const;
 
-    /// Of a binary file; nothing for a text.
+    /// The byte order of a binary file; nothing for a text.
     std::optional<std::endian> order() const { return order_; }
 
 private:
@@ -81,7 +81,7 @@ private:
 
     text_cursor& text_;
     std::vector<element> elements_;
-    std::unordered_set<std::string_view> names_; ///< of the elements
+    std::unordered_set<std::string_view> names_; ///< names of the elements
     std::optional<std::endian> order_;
 };
 

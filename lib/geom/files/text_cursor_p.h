@@ -158,8 +158,8 @@ private:
     }
 
     std::string_view text_;
-    std::string_view rest_;  ///< what has not been taken yet
-    std::string_view token_; ///< what has been taken last
+    std::string_view rest_;  ///< text not yet taken
+    std::string_view token_; ///< the token taken last
     std::string name_, why_;
     std::vector<std::string> notes_;
     std::size_t unkept_notes_ = 0;

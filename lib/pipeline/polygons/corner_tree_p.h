@@ -72,7 +72,7 @@ private:
         std::size_t left = 0; ///< corners not yet removed
     };
     struct half {
-        std::size_t node, begin, end; ///< of `order_`
+        std::size_t node, begin, end; ///< places in `order_`
     };
 
     /// Corners in a leaf: fewer are looked at one by one.
@@ -104,7 +104,7 @@ private:
 
     std::span<const flat_place> places_;
     std::vector<std::size_t> order_;    ///< corners, halves side by side
-    std::vector<std::size_t> position_; ///< of each corner in `order_`
+    std::vector<std::size_t> position_; ///< each corner's place in `order_`
     std::vector<bool> removed_;
     std::vector<bounds> boxes_; ///< node n has the halves 2n and 2n + 1; the whole is 1
 };

@@ -45,7 +45,7 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
             corners[next[face[i]]++] = {f, before, face[(i + 1) % face.size()]};
     }
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        // What a file says of a vertex counts.
+        // A normal that the file gives counts.
         if (!mesh.vertex_normals.empty() && mesh.vertex_normals[v] != vector{0.0, 0.0, 0.0})
             continue;
         const std::span<const corner> around(corners.data() + ends[v], ends[v + 1] - ends[v]);
@@ -86,7 +86,7 @@ void crease_normals::divide(std::uint32_t vertex, std::span<const corner> around
         is_one = first_of(groups_, i) == 0 && is_one;
     if (is_one)
         return;
-    // Of each group, the sum comes before the number of its normal.
+    // Each group's sum is complete before its normal gets a number.
     sums_.assign(around.size(), vector{0.0, 0.0, 0.0});
     numbers_.assign(around.size(), none);
     for (std::uint32_t i = 0; i < around.size(); ++i)

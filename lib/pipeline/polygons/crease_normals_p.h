@@ -66,7 +66,7 @@ private:
         std::uint32_t vertex, corner;
         friend auto operator<=>(const end&, const end&) = default;
     };
-    /// Of the corners around a vertex; kept for their memory.
+    /// The corners around a vertex; kept for their memory.
     std::vector<end> ends_;
     std::vector<std::uint32_t> groups_; ///< another one that hangs together with it
     std::vector<vector> sums_;

@@ -32,7 +32,7 @@ enum class L3D_PUBLIC l3d_polygon_style {
     hidden_lines, ///< the sides, without what faces hide
 };
 
-/// What l3d_pipeline_polygons::why_empty says if all faces were left out as they are seen from
+/// The answer of l3d_pipeline_polygons::why_empty if all faces were left out as they are seen from
 /// behind.
 inline constexpr const char* l3d_turning_its_back = "turning its back";
 
@@ -66,13 +66,14 @@ struct L3D_PUBLIC l3d_polygon_settings {
     std::optional<l3d_material> material{};
 
     /// Faces that are seen from behind are left out. Else both sides of all faces are shown, with
-    /// the normals turned to the eye. What closed bodies hide costs nothing then, either.
+    /// the normals turned to the eye. Faces that closed bodies hide then cost nothing, either.
     bool cull = false;
 
-    /// What is seen where nothing is drawn.
+    /// The picture's colours where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 
-    /// What far surfaces fade into, in perspective. Hidden lines and wireframes have none.
+    /// The colour that far surfaces fade into, in perspective. Hidden lines and wireframes have
+    /// none.
     l3d_fog fog{};
 
     /// Edges are means over pixels, not stairs, and lines are smooth.
@@ -124,7 +125,7 @@ public:
     /// l3d_without_area; "" if it may show something.
     std::string why_empty() const;
 
-    /// What is seen at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
+    /// Finds the face at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
     /// settings.
     std::optional<l3d_polygon_pick> pick(double x, double y) const;
 

@@ -46,7 +46,7 @@ private:
 
     const char* method_;
     std::unique_ptr<l3d_surface_rasterizer> rasterizer_;
-    std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< what has fog, if that one has not
+    std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< has fog, if `rasterizer_` has not
     l3d_depth_buffer depth_;
     std::vector<l3d_painter_triangle> triangles_; ///< with their sides, for hidden lines
 };

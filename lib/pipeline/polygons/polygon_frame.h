@@ -75,20 +75,21 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// Unasked, so many triangles of the model are one item of work, and one part: some 10^4
-    /// cycles at the least. Of 16, workers get even shares. More than the most would not stay in a
-    /// cache of the second level.
+    /// Triangles of the model in one item of work, and in one part, unless asked otherwise: some
+    /// 10^4 cycles at the least. 16 chunks give workers even shares. Chunks above the largest would
+    /// not stay in a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
         l3d_surface_part part;
-        /// The triangles that are drawn: what they are in the model. Those of a clipped one follow
-        /// each other.
+        /// Numbers in the model of the triangles that are drawn. Pieces of a clipped triangle
+        /// follow each other.
         std::vector<std::uint32_t> names;
-        /// A float's sign bit if one is seen from behind, else 0; of pieces, their place behind 1.
+        /// A float's sign bit for a triangle seen from behind, else 0; a piece has its place behind
+        /// 1.
         std::vector<std::uint32_t> signs;
-        std::vector<l3d_painter_triangle> pieces; ///< of clipped triangles
-        l3d_diced_piece clipped;                  ///< those of one triangle
+        std::vector<l3d_painter_triangle> pieces; ///< pieces of clipped triangles
+        l3d_diced_piece clipped;                  ///< pieces of one triangle
         l3d_polygon_counts counts;
     };
 
@@ -126,15 +127,15 @@ private:
     /// How a triangle of the model turns in the picture.
     enum class turn : std::uint8_t { not_drawn, none, right, left, clipped };
 
-    std::optional<frame_input> input_; ///< of the last make
+    std::optional<frame_input> input_; ///< input of the last make
     l3d_detail::placed_vertices vertices_;
     l3d_detail::triangle_neighbours neighbours_;
-    std::vector<turn> turns_; ///< of each triangle of the model, for anti-aliasing
+    std::vector<turn> turns_; ///< turn of each model triangle, for anti-aliasing
     std::vector<chunk> chunks_;
-    std::size_t count_ = 0; ///< of chunks that are in use
+    std::size_t count_ = 0; ///< chunks that are in use
     std::vector<const l3d_surface_part*> parts_;
     l3d_polygon_counts counts_;
-    double depth_base_ = 0, depth_step_ = 0; ///< of a parallel projection
+    double depth_base_ = 0, depth_step_ = 0; ///< for a parallel projection
 };
 
 #endif

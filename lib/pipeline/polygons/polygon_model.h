@@ -22,21 +22,21 @@ struct L3D_PUBLIC l3d_model_triangle {
     std::uint32_t sides = 0;
 };
 
-/// What some triangles' faces have in common, side by side in the list of a model's triangles.
+/// Bounds that some triangles' faces share, side by side in the list of a model's triangles.
 ///
 /// Each face's normal is at most `spread` away from `axis`, and its triangle's first corner at most
 /// `reach` from `middle`. So a view may show at once that all are seen from the same side.
 struct L3D_PUBLIC l3d_facing_block {
     static constexpr std::size_t triangles = 32; ///< the last block may have fewer
 
-    l3d_vector<double, 3> axis{0.0, 0.0, 0.0};   ///< of the normals
-    l3d_vector<double, 3> middle{0.0, 0.0, 0.0}; ///< of the corners
-    double spread = 0;                           ///< of the normals
-    double reach = 0;                            ///< of the corners
+    l3d_vector<double, 3> axis{0.0, 0.0, 0.0};   ///< axis of the normals
+    l3d_vector<double, 3> middle{0.0, 0.0, 0.0}; ///< middle of the corners
+    double spread = 0;                           ///< largest angle of a normal to it
+    double reach = 0;                            ///< largest distance of a corner
 };
 
-/// Faces whose normals differ by more have a crease where they meet. Of 12 and more sides, a prism
-/// that stands for a round body is smooth. Units: degrees.
+/// Faces whose normals differ by more have a crease where they meet. A prism of 12 and more sides,
+/// which stands for a round body, is smooth. Units: degrees.
 inline constexpr double l3d_usual_crease_angle = 30;
 
 /// A polygon mesh ready to be drawn: faces as triangles, normals of faces and vertices, its box.
@@ -124,7 +124,7 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain.
+    /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain.
     std::span<const l3d_material> materials() const { return contents_->materials; }
     /// The place of a face's material in materials(); 0 if there are none. Expects: face <
     /// mesh().faces().
@@ -169,7 +169,8 @@ private:
         std::vector<l3d_facing_block> facing_blocks;
         std::vector<direction> face_normals, vertex_normals;
         std::vector<direction> crease_normals;
-        /// Of each triangle's corners, the place in these, or no_crease. Empty if there are none.
+        /// For each triangle's corners, places in crease_normals, or no_crease. Empty if there are
+        /// none.
         std::vector<std::array<std::uint32_t, 3>> crease_corners;
         std::vector<l3d_material> materials;
         std::vector<std::uint32_t> materials_of_faces; ///< places in these

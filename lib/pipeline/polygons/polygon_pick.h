@@ -20,8 +20,8 @@ struct L3D_PUBLIC l3d_polygon_pick {
     std::size_t face = 0;                   ///< index in the mesh
     std::string part{};                     ///< its name; empty if the face belongs to none
     std::array<std::uint32_t, 3> corners{}; ///< vertices of the triangle of the face that is met
-    std::array<double, 3> weights{};        ///< of these corners: the point is their mean
-    double weights_error = 0;               ///< of each weight
+    std::array<double, 3> weights{};        ///< weights of the corners, whose mean the point is
+    double weights_error = 0;               ///< error of each weight
 
     l3d_camera::vector point{0.0, 0.0, 0.0}; ///< in the world
     double point_error = 0;                  ///< in world units
@@ -38,8 +38,9 @@ struct L3D_PUBLIC l3d_polygon_pick {
     std::string line() const;
 };
 
-/// What is seen at (x, y) of a picture. Nothing if the ray meets no face between the near and the
-/// far plane. Faces that turn their back are not met if `culls`; nor are faces without an area.
+/// Finds the face that is seen at (x, y) of a picture. Nothing if the ray meets no face between the
+/// near and the far plane. Faces that turn their back are not met if `culls`; nor are faces without
+/// an area.
 ///
 /// Units:   pixels from the picture's left upper corner; a pixel's middle is at 1/2.
 /// Expects: finite x and y.

@@ -24,9 +24,9 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 /// Counts of the work that a frame's order took.
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< handed in
-    std::int64_t pairs = 0;     ///< of triangles, compared as they may have pixels in common
+    std::int64_t pairs = 0;     ///< pairs of triangles compared as they may share pixels
     std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
-    std::int64_t knotted = 0;   ///< triangles in them
+    std::int64_t knotted = 0;   ///< triangles in the knots
     std::int64_t cuts = 0;      ///< triangles and pieces cut in two
 };
 
@@ -38,8 +38,8 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 
 /// The report of one frame of polygons.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
-    l3d_polygon_times time_ms;   ///< what each stage took, in milliseconds
-    std::int64_t faces = 0;      ///< of the model
+    l3d_polygon_times time_ms;   ///< times of the stages, in milliseconds
+    std::int64_t faces = 0;      ///< faces of the model
     std::int64_t triangles = 0;  ///< that its faces are
     l3d_polygon_counts polygons; ///< triangles drawn, and left out, by reason
     l3d_painter_order_counts

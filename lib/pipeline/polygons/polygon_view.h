@@ -11,7 +11,7 @@
 
 /// How depth changes what is seen.
 enum class L3D_PUBLIC l3d_projection {
-    perspective, ///< what is twice as far is half as large
+    perspective, ///< things twice as far are half as large
     parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
 };
 

@@ -34,7 +34,7 @@ private:
         std::uint8_t outside; ///< a bit for each plane that it is beyond
     };
     std::vector<place> places_;
-    std::vector<std::uint8_t> seen_; ///< of each triangle: 1 if it is not culled
+    std::vector<std::uint8_t> seen_; ///< for each triangle: 1 if it is not culled
     l3d_detail::triangle_neighbours neighbours_;
     std::vector<l3d_detail::wire> lines_;
 };

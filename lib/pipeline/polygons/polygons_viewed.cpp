@@ -13,7 +13,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// Of the triangles' corners; other vertices are not drawn.
+/// Bounds the triangles' corners; other vertices are not drawn.
 l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
     return [&model, placement](const vector& direction) {
         double moved = 0, most = -std::numeric_limits<double>::infinity();

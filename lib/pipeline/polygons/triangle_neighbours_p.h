@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// Of each side of each triangle of a model, the triangle on its other side.
+/// For each side of each triangle of a model, the triangle beyond it.
 ///
 /// Vertices at the same place are the same, whatever their numbers. A triangle with two corners at
 /// one place has no neighbours: those on its two sides meet.

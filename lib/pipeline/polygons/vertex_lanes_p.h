@@ -34,7 +34,7 @@ struct placed_vertices {
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
-    double depth_base = 0, depth_step = 0; ///< of a parallel projection
+    double depth_base = 0, depth_step = 0; ///< for a parallel projection
 };
 
 /// Places vertices [begin, end), and turns their normals if there are any. The places and depths
@@ -60,7 +60,7 @@ struct chosen_triangles {
     static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;
 
     std::array<std::uint32_t, room> triangle;
-    /// What normals are turned round by: from_behind, or 0 for triangles that are seen from the
+    /// The bit that turns normals round: from_behind, or 0 for triangles that are seen from the
     /// front.
     std::array<std::uint32_t, room> sign;
     std::size_t count = 0;

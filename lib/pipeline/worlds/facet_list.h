@@ -15,7 +15,7 @@
 
 /// In which order polygons are drawn.
 enum class L3D_PUBLIC l3d_draw_order {
-    as_added,  ///< what comes later covers what came before
+    as_added,  ///< later ones cover earlier ones
     far_first, ///< the painter's: by the mean distance of the corners, equal ones as added
     by_depth,  ///< each pixel shows the polygon that is nearest there
 };
@@ -62,9 +62,9 @@ private:
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
     l3d_size size_{1, 1};
     l3d_matrix<real> viewing_ = l3d_identity<real>();
-    std::vector<l3d_point<real>> points_;         ///< of one object, in the camera's coordinates
-    std::vector<std::uint32_t> clipped_, before_; ///< of one polygon
-    std::vector<l3d_point_2d> corners_;           ///< of all polygons
+    std::vector<l3d_point<real>> points_; ///< points of one object, in the camera's coordinates
+    std::vector<std::uint32_t> clipped_, before_; ///< corners of one polygon
+    std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
     std::vector<polygon> polygons_;
     std::vector<l3d_sort_item> order_, sorting_;
 };

@@ -118,7 +118,7 @@ private:
     std::vector<l3d_matrix<real>> transforms_;
     mutable l3d_matrix<real> product_ = l3d_identity<real>();
     mutable bool product_is_old_ = false;
-    mutable std::optional<l3d_polygon_model> model_; ///< of the mesh, once somebody asked for it
+    mutable std::optional<l3d_polygon_model> model_; ///< made of the mesh once it is needed
     l3d_object* parent_ = nullptr;
     std::vector<l3d_object*> children_;
     std::unique_ptr<l3d_object_behaviour> behaviour_; // last: it may refer to all above

@@ -16,11 +16,11 @@ extern "C" {
 /** An object of the program's world, as plug-ins see it: by the functions below alone. */
 typedef struct l3d_plugin_object l3d_plugin_object;
 
-/** What the program does for plug-ins. All functions may be called from within the plug-in's own
-   functions only; what they are given is copied. Those that return an int return 1 for success.
-   They return 0 if an argument is not right; the program reports that, and the plug-in has only to
-   return. Numbers have to be finite, and in the range of the program's own: below 2^31 where it is
-   built for fixed point, 2^128 for float. */
+/** The functions that a program offers to plug-ins. All functions may be called from within the
+   plug-in's own functions only; what they are given is copied. Those that return an int return 1
+   for success. They return 0 if an argument is not right; the program reports that, and the plug-in
+   has only to return. Numbers have to be finite, and in the range of the program's own: below 2^31
+   where it is built for fixed point, 2^128 for float. */
 typedef struct l3d_plugin_host {
     uint32_t size;    /**< of this structure, in bytes */
     uint32_t version; /**< L3D_PLUGIN_VERSION */
@@ -57,7 +57,7 @@ typedef struct l3d_plugin_host {
     int (*set_name)(l3d_plugin_object* object, const char* name);
 } l3d_plugin_host;
 
-/** What a plug-in is: a shared library that defines one of these by the name l3d_plugin. */
+/** A plug-in is a shared library that defines one of these by the name l3d_plugin. */
 typedef struct l3d_plugin_interface {
     uint32_t size;    /**< of this structure, in bytes */
     uint32_t version; /**< L3D_PLUGIN_VERSION */

@@ -84,7 +84,7 @@ private:
     bool is_removed(const l3d_object* object) const;
     void drop_removed();
 
-    std::unique_ptr<camera_type> owned_camera_; ///< what `camera` names
+    std::unique_ptr<camera_type> owned_camera_; ///< the camera that `camera` names
     std::vector<std::unique_ptr<l3d_object>> objects_;
     std::vector<const l3d_object*> removed_; ///< while objects are updated, those that are to go
     int updates_ = 0;                        ///< calls of update_all that have not returned

@@ -58,14 +58,14 @@ l3d_polygon_model reshaped(const l3d_polygon_mesh& mesh, const l3d_matrix<double
 
 } // namespace
 
-/// What all objects of a frame share.
+/// The input that all objects of a frame share.
 struct l3d_world_surfaces::frame_input {
     l3d_camera camera; ///< right-handed
     l3d_size size;
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;
     l3d_shading shading;
-    std::array<vector, 4> sides; ///< of the view, right-handed, from the eye; they point inwards
+    std::array<vector, 4> sides; ///< the view's, right-handed, from the eye, inwards
 
     /// Whether a ball may be seen, in the right-handed world.
     bool may_show(const vector& centre, double radius) const {
@@ -86,7 +86,7 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
     const l3d_picture_fit fit{camera.fovx * size.width / (camera.fovy * size.height), 0.5};
     const l3d_camera ours = l3d_right_handed(camera);
     const l3d_camera::frame axes = ours.axes();
-    // What is seen of a pixel reaches half a pixel beyond its centre; one more for rounding.
+    // A pixel shows things up to half a pixel beyond its centre; one more is for rounding.
     const double right = (1 + 2.0 / size.width) / (2 * camera.fovx);
     const double up = (1 + 2.0 / size.height) / (2 * camera.fovy);
     frame_input in{ours,

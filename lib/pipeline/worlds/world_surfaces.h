@@ -29,7 +29,8 @@ public:
                      const l3d_world_target& target);
 
 private:
-    /// What one object becomes. It is kept from frame to frame for its memory, and for its shape.
+    /// The drawable form of one object. The form is kept from frame to frame for its memory, and
+    /// for its shape.
     struct placed {
         std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid

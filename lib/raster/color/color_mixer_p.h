@@ -32,7 +32,7 @@ public:
         return light_ != nullptr ? light_->level(value) : static_cast<std::uint32_t>(value + 0.5);
     }
 
-    /// What covers `share` of a place with the colour of a word.
+    /// The mixed colour that covers `share` of a place with a word's colour.
     mixed_color color(std::uint32_t word, double share = 1) const {
         mixed_color result{{}, share};
         for (std::size_t k = 0; k < 3; ++k)

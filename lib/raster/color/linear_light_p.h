@@ -31,7 +31,7 @@ public:
     Real light_between(Real lit) const { return light_at_level(level_of(lit)); }
 
     /// The light of a level that need not be whole: between the tables' levels on a straight line.
-    /// What is less than 0 or more than 255 counts as these.
+    /// Levels below 0 or above 255 count as these.
     Real light_at_level(Real level) const {
         const Real held = level > 0 ? level : Real(0);
         const auto below = static_cast<std::size_t>(held);

@@ -17,7 +17,7 @@ bool is_in_reach(l3d_point_2d p) {
     return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; // false for what is no number
 }
 
-/// What may be added up of a colour, so many times.
+/// Adds `times` times a colour to a sum.
 void add(mixed_color& sum, const mixed_color& color, double times) {
     for (std::size_t k = 0; k < 3; ++k)
         sum.values[k] += color.values[k] * times;

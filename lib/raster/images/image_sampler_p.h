@@ -20,8 +20,8 @@ class image_sampler {
 public:
     image_sampler(const l3d_placed_image& image, const color_mixer& mixer);
 
-    /// What of the picture the image may reach: its outline, or for hard edges the pixels around
-    /// it. Empty if nothing is to be drawn.
+    /// The part of the picture that the image may reach: its outline, or for hard edges the pixels
+    /// around it. Empty if nothing is to be drawn.
     l3d_path reach() const;
 
     /// Whether the image is only moved by whole pixels, and how many to the right and down.
@@ -51,7 +51,7 @@ private:
     double determinant_;
     bool upright_, moved_only_;
     std::int32_t moved_x_ = 0, moved_y_ = 0;
-    // of area_mean: the columns and rows of the image that a pixel reaches
+    // for area_mean: the columns and rows of the image that a pixel reaches
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
     std::vector<double> areas_; ///< row by row, sums of areas yet to be summed from left to right
 };

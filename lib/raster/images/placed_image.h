@@ -24,7 +24,7 @@ enum class L3D_PUBLIC l3d_image_filter {
 /// a placement that moves nothing draws it into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;                                ///< the image; borrowed while drawing
-    l3d_placement_2d place{};                         ///< of the image in the picture
+    l3d_placement_2d place{};                         ///< place of the image in the picture
     l3d_image_filter filter = l3d_image_filter::area; ///< which colour a pixel gets
     bool transparent = false; ///< the words' highest byte says how transparent they are
 };

@@ -14,8 +14,8 @@ void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
                     std::span<const l3d_painter_triangle> triangles,
                     const l3d_background& background, const l3d_line_look& look) {
     assert(target.size() == depth.size());
-    constexpr double rounding = 0x1p-20; // of a float, some steps of it
-    constexpr double in_lanes = 1e-5;    // of the corners' range, by docs/POLYGONS.md
+    constexpr double rounding = 0x1p-20; // some units in the last place of a float
+    constexpr double in_lanes = 1e-5;    // as part of the corners' range, by docs/POLYGONS.md
     l3d_background().fill(target);
     for (const l3d_painter_triangle& t : triangles) {
         const l3d_picture_plane plane(t.v);

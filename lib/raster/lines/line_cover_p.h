@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // line_cover: a picture of how much lines cover, before it has colours.
 //
-// Neighbouring triangles share a side, and each of them draws it. What lines cover of a pixel is
-// the most that one of them covers, so twice the same line is the line.
+// Neighbouring triangles share a side, and each of them draws it. A pixel gets the largest of their
+// coverages, so drawing a line twice changes nothing.
 #ifndef L3D_RASTER_LINES_LINE_COVER_P_H
 #define L3D_RASTER_LINES_LINE_COVER_P_H
 

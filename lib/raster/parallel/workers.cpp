@@ -117,7 +117,7 @@ struct l3d_workers::threads {
         threads* owner = nullptr;
         int worker = 0;
         pthread_t thread{};
-        item_range range; ///< of items that this worker begins with
+        item_range range; ///< items that this worker begins with
     };
 
     std::vector<member> members;
@@ -168,13 +168,13 @@ private:
         }
     }
 
-    std::mutex mutex; ///< of all below
+    std::mutex mutex; ///< guards all below
     std::condition_variable begun, ended;
     const std::function<void(int)>* present = nullptr; ///< work that others may join
-    std::uint64_t rounds = 0;                          ///< of work, so that nobody joins one twice
-    std::atomic<int> busy{0};                          ///< others that work; written under the lock
+    std::uint64_t rounds = 0; ///< rounds of work, so that nobody joins one twice
+    std::atomic<int> busy{0}; ///< others that work; written under the lock
     bool is_over = false;
-    std::exception_ptr failure; ///< what work has thrown first
+    std::exception_ptr failure; ///< the first exception of the work
 };
 
 int l3d_usual_threads() {

@@ -26,12 +26,12 @@ struct row_windows {
     window left, right;
     alignas(64) double heights[rows];
     std::int32_t others[rows]; ///< not 0: the row is left to others
-    std::int32_t joint[rows];  ///< not 0: they share columns
-    /// What covered_span has of each row, if they do not.
+    std::int32_t joint[rows];  ///< not 0: the chains share columns
+    /// The fields of each row's covered_span, if the chains share no columns.
     alignas(64) std::int32_t begins[rows][4]; ///< row, first, between, beyond
     std::int32_t ends[rows][2];               ///< last, value
     /// Whether each row has a group of values on both sides, and a middle that is worth a span.
-    /// And these groups.
+    /// The groups on both sides.
     bool alike = true;
     std::int32_t groups[rows][2];
 };
@@ -73,7 +73,8 @@ HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
     return !hn::AllFalse(di, joint);
 }
 
-/// Of lanes from begin + at on; only straight chains have lanes from `begin` = rows on.
+/// Fills the windows of lanes from begin + at on; only straight chains have lanes from `begin` =
+/// rows on.
 HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t begin, std::size_t at,
                                       row_windows& result) {
     const eight_doubles d;

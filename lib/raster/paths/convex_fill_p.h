@@ -16,7 +16,7 @@ namespace l3d_detail {
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
-    /// Of one that is straight: cover_rows tells of each row by a bit.
+    /// Rows of a straight block: cover_rows tells of each row by a bit.
     static constexpr std::size_t most_straight_rows = 32;
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
@@ -61,7 +61,7 @@ public:
     /// Where it is now.
     double x() const { return x_; }
 
-    /// What it is in a row of a block.
+    /// Its piece in a row of a block.
     row_piece piece_of(const side_block& block, std::int32_t row, std::size_t lane) const;
 
 private:
@@ -87,7 +87,7 @@ struct side_pair {
     std::size_t count;
     /// Columns from 0 to width - 1 are seen.
     std::int32_t width;
-    /// What is added to the columns and rows of spans.
+    /// Offsets that are added to the columns and rows of spans.
     std::int32_t x, y;
     /// The value of a pixel that is covered wholly.
     double full;
@@ -95,7 +95,7 @@ struct side_pair {
 
 /// Where spans go.
 struct pair_spans {
-    static constexpr std::size_t most_values = 64; ///< of a row
+    static constexpr std::size_t most_values = 64; ///< values of a row
 
     covered_span* spans;       ///< has room for one for each row
     std::uint8_t* values;      ///< has room for most_values for each row

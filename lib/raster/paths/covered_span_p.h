@@ -14,7 +14,7 @@ namespace l3d_detail {
 /// Columns first <= column < last of a row, all of which have one value, or each its own.
 struct covered_run {
     std::int32_t row, first, last;
-    std::int32_t value; ///< of all columns; -1: each has its own
+    std::int32_t value; ///< value of all columns; -1: each has its own
     std::size_t values; ///< the place of the first one's
 };
 
@@ -22,7 +22,7 @@ struct covered_run {
 /// before `between` and from `beyond` on, and the same for all in the middle.
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
-    std::int32_t value; ///< of the middle
+    std::int32_t value; ///< value of the middle
     std::size_t values; ///< the place of the first one; those from `beyond` on follow
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }

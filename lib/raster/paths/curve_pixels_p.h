@@ -156,7 +156,7 @@ inline double pixel_steps(const l3d_curve_2d& curve) {
     return 3 * (place + reach * weight) / least;
 }
 
-/// Adds the pixels nearest to the points of a curve. What is not seen ends the run.
+/// Adds the pixels nearest to the points of a curve. A part out of sight ends the run.
 template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& seen, Run& run) {
     if (seen.misses(curve))
         return run.end();

@@ -80,7 +80,8 @@ void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d
 /// as long to set up as a short curve does.
 using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
 
-/// Calls lines(points) for the ends of chords, some at a time. What is not seen becomes one chord.
+/// Calls lines(points) for the ends of chords, some at a time. A part out of sight becomes one
+/// chord.
 template <class Lines>
 void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, flat_room& room,
              const Lines& lines) {

@@ -159,7 +159,7 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
         const piece& p = piece_at(of.place, place);
         return p.at(place);
     }
-    constexpr double least = 0x1p-40; // of a change that is told from none
+    constexpr double least = 0x1p-40; // the smallest change that counts
     if (wide < least) {
         double place = 0;
         sum = piece_at(of.place, place).at(place);

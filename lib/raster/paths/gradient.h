@@ -19,7 +19,7 @@ struct L3D_PUBLIC l3d_color_stop {
     double alpha = 1;        ///< from 0, nothing, to 1, opaque
 };
 
-/// What a gradient shows before its beginning and behind its end.
+/// The colours before a gradient's beginning and behind its end.
 enum class L3D_PUBLIC l3d_spread {
     pad,    ///< the first and the last stop's colour
     repeat, ///< the same again, from 0 to 1
@@ -30,10 +30,9 @@ enum class L3D_PUBLIC l3d_spread {
 ///
 /// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
 /// words. A pixel gets the mean over its square, in which colours count by their alpha: also where
-/// stops jump or a gradient repeats within a pixel. Of a linear gradient it is exact. A radial one
-/// counts as linear in each of up to 32 x 32 parts of the square. That moves a place where stops
-/// jump by less than 1/512 pixel, beyond 1/8 pixel of the focus. What is stored is the nearest
-/// whole number.
+/// stops jump or a gradient repeats within a pixel. A linear gradient is exact. A radial one counts
+/// as linear in each of up to 32 x 32 parts of the square. That moves a place where stops jump by
+/// less than 1/512 pixel, beyond 1/8 pixel of the focus. Pixels store the nearest whole number.
 /// Units:   pixels, as in l3d_rasterizer_2d.
 /// Cost:    with stops that are not within a pixel, a square root and some products; else some
 ///          products more for each of them and each part.
@@ -81,7 +80,7 @@ private:
     /// How a place in the gradient changes over a square of the picture.
     struct slope {
         double place;
-        double right, down; ///< what the square's width and height add
+        double right, down; ///< change over the square's width, and over its height
     };
 
     l3d_gradient(std::span<const l3d_color_stop> stops, l3d_spread spread);
@@ -103,7 +102,7 @@ private:
     double narrowest_ = 1, widest_ = 1; ///< the least and the most that to_unit_ makes of a pixel
     l3d_point_2d focus_{};              ///< in these coordinates
     double period_ = 0;                 ///< 0 for one that is padded
-    std::vector<piece> pieces_;         ///< of a period, without gaps
+    std::vector<piece> pieces_;         ///< pieces of a period, without gaps
 };
 
 /// A tensor product patch with a colour at each corner, as in PDF shadings of type 7.

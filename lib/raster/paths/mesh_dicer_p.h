@@ -41,7 +41,7 @@ struct mesh_curve {
     std::array<std::array<double, 3>, 2> ends;
 };
 
-/// What is between two steps along u and two along v.
+/// A part of the patch between two steps along u and two along v.
 struct mesh_cell {
     std::array<mesh_corner, 4> corners; ///< at (0, 0), (1, 0), (0, 1), (1, 1) of it
     bool rises;                         ///< its diagonal, from (0, 1) to (1, 0)
@@ -58,7 +58,7 @@ struct mesh_cell {
 /// The cells between two rows. Their triangles have the order of the standard.
 struct mesh_strip {
     const mesh_row &above, &below;
-    const std::vector<double>& rises; ///< of each cell, 1 or 0
+    const std::vector<double>& rises; ///< 1 or 0 for each cell
 
     std::size_t cells() const { return above.size - 1; }
     mesh_cell cell(std::size_t i) const {
@@ -77,7 +77,7 @@ public:
     mesh_dicer(std::span<const l3d_mesh_patch> patches, mesh_colors colors)
         : patches_(patches), dicings_(dicings_of(patches, colors)) {}
 
-    /// Of the patch that is visited: its parameters at corners.
+    /// The visited patch's parameters at corners.
     const mesh_knots& along() const { return along_; }
     const mesh_knots& down() const { return down_; }
 

@@ -95,7 +95,7 @@ std::array<net, 4> quarters(const net& p) {
 
 /// No vector of the patch is longer.
 double longest(const nets& of) {
-    curve squares{}; // of four at once
+    curve squares{}; // squares of four vectors at once
     for (std::size_t r = 0; r < 4; ++r)
         for (std::size_t c = 0; c < 4; ++c)
             squares[c] =
@@ -156,7 +156,7 @@ int whole_steps(double steps, int most) {
     return static_cast<int>(std::ceil(std::clamp<double>(steps, 1, most)));
 }
 
-/// What a patch needs by itself.
+/// The dicing that a patch needs by itself.
 mesh_dicing dicing_of(const l3d_mesh_patch& patch, mesh_colors colors) {
     mesh_dicing result;
     if (!is_finite(patch))

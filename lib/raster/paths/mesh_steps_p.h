@@ -41,13 +41,13 @@ struct mesh_knots {
 
     std::size_t size = 0;
     std::vector<double> at;
-    std::array<std::vector<double>, 4> weights; ///< of control points: the Bernstein polynomials
-    std::vector<std::size_t> quarter;           ///< of the step that ends here
+    std::array<std::vector<double>, 4> weights; ///< the Bernstein polynomials of control points
+    std::vector<std::size_t> quarter;           ///< quarter of the step that ends here
 
     void set(const mesh_steps& steps);
 };
 
-/// What lies between the corners of a triangle.
+/// The colours between the corners of a triangle.
 enum class mesh_colors {
     linear,  ///< the colours of its corners
     bilinear ///< those of the patch, at parameters that are linear
@@ -65,9 +65,9 @@ struct mesh_dicing {
     }
 };
 
-/// Of each patch: its triangles err by no more than is allowed, and patches have the same steps
-/// along a common border, whichever way it runs in each.
-/// What is not finite has any.
+/// The dicing of each patch: its triangles err by no more than is allowed, and patches have the
+/// same steps along a common border, whichever way it runs in each. Patches that are not finite
+/// have any.
 std::vector<mesh_dicing> dicings_of(std::span<const l3d_mesh_patch> patches, mesh_colors colors);
 
 } // namespace l3d_detail

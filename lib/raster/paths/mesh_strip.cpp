@@ -28,7 +28,7 @@ using lane_integers = hn::Rebind<std::int32_t, eight_doubles>;
 using lane_floats = hn::Rebind<float, eight_doubles>;
 using condition = hn::Mask<eight_doubles>;
 
-/// What becomes of a triangle.
+/// The state of a triangle that is set up.
 enum : std::int32_t { left_to_others = 0, empty = 1, to_be_filled = 2 };
 
 /// The most by which a channel may change from a lattice unit to the next: by 2^12 levels over
@@ -43,9 +43,9 @@ struct set_up_triangles {
     using floats_of_all = std::array<float, most_lanes>;
 
     alignas(64) integers_of_all state, left, top, columns, rows;
-    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< of edges
-    alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< of linear colours
-    /// Of a bilinear colour, without the linear one: `twist` times the shares, in a place, of both
+    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< those of edges
+    alignas(64) std::array<floats_of_all, 3> start, across, down; ///< those of linear colours
+    /// Added to the linear colour for a bilinear one: `twist` times the shares, in a place, of both
     /// corners on the diagonal.
     alignas(64) std::array<floats_of_all, 3> twist;
     struct share {
@@ -193,7 +193,7 @@ struct lane_plane {
     number start, across, down; ///< by a lattice unit
 };
 
-/// What the planes of a triangle share.
+/// The numbers that the planes of a triangle share.
 struct lane_planes {
     number px, py, qx, qy, rx, ry, scale;
 

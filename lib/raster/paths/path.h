@@ -38,7 +38,7 @@ inline constexpr double l3d_flat_enough = 1.0 / 1024;
 /// Cost:    the memory of its points; adding allocates when there are more than ever before.
 class L3D_PUBLIC l3d_path {
 public:
-    /// What a piece is, and how many points of its own it has.
+    /// The kind of a piece, with the number of its own points.
     enum class kind : std::uint8_t {
         move,  ///< 1 point: an outline begins
         line,  ///< 1 point

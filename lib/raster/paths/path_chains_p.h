@@ -116,8 +116,8 @@ inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
 
 /// Takes outlines, and cuts them at the sides of a picture and where they turn up or down.
 ///
-/// What is outside of the sides moves to them: so the windings inside stay as they are, and
-/// outlines closed. Level edges belong to the chain before them.
+/// Corners outside of the sides move to them: so the windings inside stay as they are, and outlines
+/// closed. Level edges belong to the chain before them.
 /// Cost:    linear in the corners; allocates when there are more than ever before.
 class path_chains {
 public:
@@ -135,7 +135,7 @@ public:
 
     /// An outline that is seen.
     struct outline {
-        l3d_pixel_box box;         ///< of all pixels that it reaches
+        l3d_pixel_box box;         ///< box of all pixels that it reaches
         std::size_t first, chains; ///< its chains, and how many
         bool apart;                ///< by find_apart: its box meets no other's
     };
@@ -172,7 +172,7 @@ private:
     std::vector<outline> outlines_;
     std::vector<outline*> active_;
     std::vector<std::uint32_t> order_;
-    std::vector<std::size_t> begins_; ///< of each row, the first place in order_
+    std::vector<std::size_t> begins_; ///< each row's first place in order_
 };
 
 } // namespace l3d_detail

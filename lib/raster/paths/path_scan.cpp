@@ -215,7 +215,7 @@ void path_scan::add_row(std::int32_t row) {
         else
             add_cluster(row, std::span(places_).subspan(begin, i - begin), w);
         if (!bordered_)
-            continue; // what is left of it goes on
+            continue; // the cluster's rest goes on
         if (was_inside)
             add_solid(row, done, first, full_value_);
         add_values(row, {first, last}, was_inside ? 1 : 0);

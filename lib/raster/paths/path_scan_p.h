@@ -24,15 +24,15 @@ namespace l3d_detail {
 ///
 /// Pieces of chains in one row whose columns meet form a cluster. Outlines are closed, and pieces
 /// that follow each other meet. So windings do not change down the row between two clusters, and
-/// what lies there is covered all or not at all. The same is true of a gap between pieces within a
-/// cluster. What lies between two gaps is a run: mostly a single piece, or two that only meet where
-/// an outline turns. The others go to row_areas::add_cluster.
+/// pixels there are covered wholly or not at all. The same holds for a gap between pieces within a
+/// cluster. A run lies between two gaps: mostly a single piece, or two that only meet where an
+/// outline turns. The others go to row_areas::add_cluster.
 /// Cost:    a few operations for each edge and row; for each row and piece, some more; linear in
 ///          the columns of clusters; nothing for columns between them. Allocates when a path has
 ///          more edges or spans than ever before.
 class path_scan {
 public:
-    /// What is to be drawn of a path.
+    /// A request to draw a path.
     struct order {
         const l3d_path& path;
         l3d_winding inside;
@@ -52,7 +52,7 @@ public:
     const std::uint8_t* values() const { return values_.data(); }
 
 private:
-    static constexpr std::size_t most_lanes = 16; ///< of span_kernels' vectors
+    static constexpr std::size_t most_lanes = 16; ///< lanes of span_kernels' vectors
 
     /// A piece of the row.
     struct place {
@@ -102,7 +102,7 @@ private:
     fill_rules rules_;
     path_chains chains_;
     flat_room flat_room_;
-    std::vector<place> places_; ///< of the row, from left to right
+    std::vector<place> places_; ///< places of the row, from left to right
     std::vector<place> begun_, merged_;
     std::vector<row_edge> edges_;
     bool bordered_ = false; ///< the cluster has a border
@@ -112,7 +112,7 @@ private:
     kept_list<std::uint8_t> values_;
 };
 
-/// What l3d_rasterizer_2d::draw_path asks for, in a picture.
+/// The order for l3d_rasterizer_2d::draw_path, in a picture.
 inline path_scan::order order_of(const l3d_path& path, const l3d_fill& fill,
                                  const l3d_pixel_box& picture) {
     return {path,

@@ -71,7 +71,7 @@ void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed)
 /// False if it has no length. The pen is square to a curve where this begins or ends.
 bool pen_outline::add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to) {
     const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
-    const double length = std::sqrt(dx * dx + dy * dy); // of numbers below 2^32
+    const double length = std::sqrt(dx * dx + dy * dy); // from numbers below 2^32
     if (!(length > 0))
         return false;
     const l3d_point_2d own{dx / length, dy / length};

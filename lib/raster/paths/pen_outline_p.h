@@ -66,12 +66,12 @@ private:
     const l3d_stroke& pen_;
     l3d_path& result_;
     double radius_, most_angle_;
-    double least_cosine_; ///< of a turn by that
+    double least_cosine_; ///< cosine of most_angle_
     double most_turn_;    ///< between points of an arc
     std::vector<chord> chords_;
     std::vector<l3d_point_2d> outline_; ///< that is being made
     std::vector<l3d_point_2d> turns_;
-    std::vector<l3d_point_2d> half_turn_; ///< of all round caps; empty before the first one
+    std::vector<l3d_point_2d> half_turn_; ///< arc of all round caps; empty before the first one
 };
 
 } // namespace l3d_detail

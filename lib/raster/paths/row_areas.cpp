@@ -189,8 +189,7 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
     }
 }
 
-/// From crossing to crossing, two chords that are beside each other change places. What is inside
-/// changes at these two alone.
+/// Two neighbouring chords change places at a crossing, and the inside changes at these two alone.
 windings row_areas::add_crossing(std::span<const chord> chords, double top, double bottom,
                                  const windings& left, const fill_rules& rules) {
     find_crossings(chords, top, bottom);

@@ -27,13 +27,13 @@ struct row_edge {
 struct windings {
     std::array<int, 2> turns{};
 
-    /// What has a direction and a layer.
+    /// Crosses a border, which has a direction and a layer.
     template <class Border> void cross(const Border& border) {
         turns[border.layer] += border.direction;
     }
 };
 
-/// What is inside, for both layers.
+/// Winding rules of both layers.
 struct fill_rules {
     std::array<l3d_winding, 2> rule{};
     bool clips = false; ///< there is a second layer
@@ -135,7 +135,7 @@ private:
     std::vector<track> tracks_;
     std::vector<windings> before_; ///< left of each place
     std::vector<std::size_t> by_lower_;
-    std::vector<double> least_after_; ///< of the lower ends, from each chord on
+    std::vector<double> least_after_; ///< least of the lower ends, from each chord on
     std::vector<const row_edge*> sorted_;
     std::vector<std::vector<row_edge>> strips_;
     std::vector<change> changes_; ///< from top to bottom

@@ -99,14 +99,14 @@ struct side_lanes {
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }
-    /// Of what it reaches.
+    /// Columns that the side reaches.
     HWY_ATTR HWY_INLINE number columns() const { return most - floor_of(least); }
 };
 
-/// What a chain covers to its right in columns from `first` on.
+/// A chain's areas to its right in columns from `first` on.
 struct window {
     alignas(64) double areas[most_groups * group][rows];
-    std::int32_t words[most_groups][rows]; ///< of values
+    std::int32_t words[most_groups][rows]; ///< values, four in a word
     std::int32_t first[rows];
     std::int32_t used[rows];  ///< columns that have values, some groups
     std::int32_t known[rows]; ///< columns that have areas; in all others it is the height

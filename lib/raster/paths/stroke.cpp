@@ -24,7 +24,7 @@ bool is_set(l3d_point_2d direction) {
 
 /// The same direction with length 1. (0, 0) has none.
 l3d_point_2d unit(l3d_point_2d v) {
-    const double length = std::sqrt(v.x * v.x + v.y * v.y); // of numbers below 2^500
+    const double length = std::sqrt(v.x * v.x + v.y * v.y); // from numbers below 2^500
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
@@ -247,7 +247,7 @@ private:
         dash_.points.clear();
     }
 
-    /// What is drawn where a closed outline ends goes on as its first dash.
+    /// Joins the dash at the end of a closed outline with its first dash.
     void join_first() {
         if (first_.points.empty())
             return;

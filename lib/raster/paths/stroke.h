@@ -25,8 +25,8 @@ enum class L3D_PUBLIC l3d_join {
 /// A pen.
 struct L3D_PUBLIC l3d_stroke {
     double width = 1;                ///< in pixels; more than 2^30 counts as 2^30
-    l3d_cap cap = l3d_cap::butt;     ///< of ends
-    l3d_join join = l3d_join::miter; ///< of corners
+    l3d_cap cap = l3d_cap::butt;     ///< shape of ends
+    l3d_join join = l3d_join::miter; ///< shape of corners
     /// The longest miter, from the inner corner to the outer one, in widths of the pen.
     double miter_limit = 4;
     /// Lengths of a dash, of a gap, of a dash and so on, again and again; empty: no gaps. With an

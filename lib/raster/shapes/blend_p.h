@@ -38,7 +38,7 @@ inline std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, i
     return result;
 }
 
-/// What is left of a share for a word that may be transparent, to nearest. Units: 1/255.
+/// A word's share after its transparency, to nearest. Units: 1/255.
 inline int share_of(std::uint32_t word, int share) {
     const int opacity = 255 - static_cast<int>(word >> 24);
     return (share * opacity + 127) / 255;

@@ -77,8 +77,8 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
 }
 
 /// Words towards a colour by shares of 255, each channel to nearest. Two channels share a lane, 16
-/// bits each: sums stay below 2^16. Of whole t, t / 255 to nearest is (u + u / 256) / 256 for
-/// u = t + 128, rounded down each time, up to t = 255^2.
+/// bits each: sums stay below 2^16. For whole t, t / 255 to nearest is (u + u / 256) / 256 with u =
+/// t + 128, rounded down each time, up to t = 255^2.
 /// Expects: the highest eight bits of words and of the colour are 0.
 template <class D>
 HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {

@@ -21,8 +21,8 @@ public:
     /// Only rows that are kept will be found. Expects: corners as of scan_point.
     triangle_runs(const std::array<scan_point, 3>& corners, scan_rows kept);
 
-    /// Finds further rows; the first ones at first. What is in `runs` is forgotten. A row may have
-    /// no columns in a picture of that width: then its end is not behind its beginning.
+    /// Finds further rows; the first ones at first. The former contents of `runs` are lost. A row
+    /// may have no columns in a picture of that width: then its end is not behind its beginning.
     /// Returns: false if there are no further rows.
     bool next(std::int32_t width, wide_runs& runs);
 
@@ -33,7 +33,8 @@ private:
     std::int32_t found_ = 0;
     /// Whether the side from the highest to the lowest corner, the long one, is on the left.
     bool is_long_left_ = false;
-    /// Of the long side, of the one from the highest corner, of the one to the lowest corner.
+    /// Lines of the long side, of the side from the highest corner, of the side to the lowest
+    /// corner.
     std::array<scan_edge::line, 3> lines_{};
 };
 

@@ -16,9 +16,9 @@
 ///
 /// Lines are laid out as Unicode says. HarfBuzz kerns and joins letters. Scripts from right to left
 /// stand among others as they are read. Letters that the font does not have come from another font
-/// of this machine, if it has one. What no font has is the font's sign for that,
-/// mostly a box, and so are bytes that are no UTF-8. A tab goes to the next multiple of eight
-/// blanks. Other control characters and soft hyphens are not seen.
+/// of this machine, if it has one. A character that no font has is the font's sign for that, mostly
+/// a box, and so are bytes that are no UTF-8. A tab goes to the next multiple of eight blanks.
+/// Other control characters and soft hyphens are not seen.
 ///
 /// A font without a file is the built-in face of l3d_draw_text: printable ASCII in whole multiples
 /// of 5 x 7 pixels, from left to right, the same bits on every machine.

@@ -51,7 +51,7 @@ glyph_pen& pen_of(void* user) {
     return *static_cast<glyph_pen*>(user);
 }
 
-/// What FreeType calls for each piece. Its curves are those of paths.
+/// Functions that FreeType calls for each piece. Its curves are those of paths.
 const FT_Outline_Funcs drawing{
     .move_to =
         [](const FT_Vector* to, void* user) {
@@ -92,7 +92,7 @@ public:
 private:
     /// A letter of one size, as it covers pixels around its place on the base line.
     struct letter {
-        int left = 0, top = 0; ///< of its coverage, from the place; top is above, so negative
+        int left = 0, top = 0; ///< its coverage, from the place; top is above, so negative
         int width = 0, height = 0;
         std::vector<std::uint8_t> coverage; ///< row by row
     };

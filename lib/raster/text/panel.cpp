@@ -96,7 +96,7 @@ int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
 
 std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key,
                                         const l3d_panel_style& style) const {
-    constexpr std::size_t fewest_rows = 4; // of a page that is worth a press of a key
+    constexpr std::size_t fewest_rows = 4; // a page with fewer is not worth a press of a key
     l3d_panel_style looks = style;
     const auto fewest_that = [&](const auto& suit) {
         std::vector<l3d_panel> result;

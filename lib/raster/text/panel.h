@@ -87,8 +87,8 @@ public:
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 
-    /// What draw() would cover of a free part of a picture; nothing if the panel has no room there
-    /// with letters of the style's size.
+    /// The box that draw() would cover in a free part of a picture; nothing if the panel has no
+    /// room there with letters of the style's size.
     l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
                          const l3d_panel_style& style) const;
 
@@ -105,7 +105,7 @@ private:
     friend class panel_layout;
     struct row {
         std::string key, text;
-        std::vector<std::uint32_t> colors; ///< of a scale; else empty
+        std::vector<std::uint32_t> colors; ///< colours of a scale; else empty
         bool is_title = false;
     };
 
@@ -114,7 +114,7 @@ private:
     bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
 
     std::vector<row> rows_;
-    int largest_size_ = std::numeric_limits<int>::max(); ///< of its letters: that of its page
+    int largest_size_ = std::numeric_limits<int>::max(); ///< its page's height of letters
 };
 
 #endif

@@ -15,7 +15,7 @@ constexpr std::string_view soft_hyphen_bytes = "\xc2\xad";
 
 /// How many bytes of a text fit into a width: at least one character, and none in part.
 std::size_t fitting(const l3d_font& font, std::string_view text, int size, int width) {
-    std::vector<std::size_t> ends; // of characters
+    std::vector<std::size_t> ends; // end of each character
     for (std::string_view rest = text; !rest.empty();) {
         take_character(rest);
         ends.push_back(text.size() - rest.size());
@@ -88,7 +88,7 @@ int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const
         if (r.is_scale) {
             const int names =
                 font_.width(r.key, letter_size_) + gap() + font_.width(r.text, letter_size_);
-            constexpr int least_letters = 12; // of a bar that can be read, if there is room for it
+            constexpr int least_letters = 12; // a bar's, so that it can be read
             width = std::max({width, names, std::min(least_letters * letter_size_, most)});
             continue;
         }

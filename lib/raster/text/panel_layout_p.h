@@ -16,7 +16,7 @@ namespace l3d_detail {
 
 /// A row as it was asked for.
 struct panel_row {
-    std::string_view key, text; ///< of a scale: the names of its ends
+    std::string_view key, text; ///< for a scale: the names of its ends
     bool is_scale = false;
     bool is_title = false; ///< it takes the room of keys, too
 };
@@ -26,7 +26,7 @@ struct panel_line {
     int x = 0, y = 0;
     std::string text;
     bool is_key = false;
-    int scale_width = 0; ///< of a bar
+    int scale_width = 0; ///< width of the bar
     std::size_t row = 0; ///< that it belongs to
 };
 

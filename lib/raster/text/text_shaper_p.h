@@ -58,7 +58,7 @@ private:
     const font_source& first_;
     font_fallbacks others_;
     std::map<std::string, shaped_line, std::less<>> lines_;
-    // Of the line that is laid out, for each character:
+    // For each character of the line that is laid out:
     std::vector<char32_t> text_;
     std::vector<unsigned> levels_;
     std::vector<hb_script_t> scripts_;

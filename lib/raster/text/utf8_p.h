@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// What stands for bytes that mean nothing.
+/// Stands for bytes that mean nothing.
 inline constexpr char32_t replacement_character = 0xfffd;
 
 /// Takes the first character off a text in UTF-8. A byte that begins no shortest form of a
@@ -20,7 +20,7 @@ inline char32_t take_character(std::string_view& text) {
     const unsigned first = byte(0);
     std::size_t length = 1;
     char32_t code = first;
-    char32_t least = 0; // of a character that needs so many bytes
+    char32_t least = 0; // least code that needs so many bytes
     if (first >= 0xf0 && first < 0xf5) {
         length = 4;
         code = first & 7;

@@ -210,7 +210,7 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 /// Bounds of |N . S_b| over parts for the derivatives b of second and third order.
 ///
 /// With n the normal in the middle, N . S_b = n . S_b + (N - n) . S_b. Terms of order 0 and 1 are
-/// exact. Of the others, the first product's are |n . coefficient|, which is zero where the surface
+/// exact. For the others, the first product is |n . coefficient|, which is zero where the surface
 /// is flat. The second product's are sums of sizes.
 class part_points {
 public:

@@ -30,7 +30,7 @@ private:
 
     struct part {
         std::size_t group, lane, block;
-        int halvings; ///< of the block's sides
+        int halvings; ///< halvings of the block's sides
         double looseness;
     };
 

@@ -67,7 +67,7 @@ inline constexpr std::array<T l3d_bend_numbers<T>::*, bend_numbers> bend_members
     &l3d_bend_numbers<T>::n_uvv,  &l3d_bend_numbers<T>::n_vvv,
 };
 
-/// Of one of the blocks.
+/// The bends of one block.
 inline l3d_bend_numbers<double>
 bends_of_block(const l3d_bend_numbers<l3d_surface_bends::lanes>& bends, std::size_t block) {
     l3d_bend_numbers<double> result{};

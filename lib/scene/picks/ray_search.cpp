@@ -223,14 +223,14 @@ bool l3d_ray_search::settle(const part& one) {
     double at[2] = {0.5, 0.5};
     const double blur = newton.blur(whole.error);
     const auto first = newton.step(larger.evaluate(at[0], at[1]));
-    const double reach = newton.contraction / 2 + blur; // of the image around its middle
+    const double reach = newton.contraction / 2 + blur; // half the image's side
     for (const double step : first)
         if (std::abs(step) - reach > 0.5 - edge)
             return true; // the image is beside the part
     for (const double step : first)
         if (std::abs(step) + reach > 0.5)
             return false;
-    // The image is inside: there is one hit. What is left of the step bounds its distance.
+    // The image is inside: there is one hit. The last step bounds the remaining distance.
     double left = 1;
     for (int i = 0; i < 8 && left > blur; ++i) {
         const auto step = newton.step(larger.evaluate(at[0], at[1]));

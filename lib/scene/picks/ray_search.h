@@ -21,7 +21,7 @@ struct l3d_ray_hit {
     double u_error = 0, v_error = 0;
     double depth = 0;
     bool is_proven = false; ///< by Krawczyk's operator
-    /// Of a hit that is not proven: how far the ray and the surface are together.
+    /// For a hit that is not proven: how far the ray and the surface stay together.
     double width = 0, depth_width = 0;
 };
 

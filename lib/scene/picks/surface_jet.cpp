@@ -74,8 +74,8 @@ class around {
 public:
     around(const patch_3& patch, double u, double v, double u_error, double v_error,
            double rounding) {
-        // Of the highest order first: a derivative changes by as much as the next ones are large,
-        // and those of the fourth are zero.
+        // Derivatives of the highest order come first: each changes by at most the size of the next
+        // ones, and those of the fourth are zero.
         for (std::size_t i = 4; i-- > 0;)
             for (std::size_t j = 4; j-- > 0;) {
                 derivative_net net(patch, static_cast<int>(i), static_cast<int>(j));

@@ -23,19 +23,19 @@ public:
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
 
-    /// The camera that --eye, --target and the others ask for. What they leave out is that of
-    /// teapot_view(), turned to the direction that is up.
+    /// The camera that --eye, --target and the others ask for. Options that are absent leave the
+    /// value of teapot_view(), turned to the direction that is up.
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
     l3d_camera camera() const;
 
-    /// The same if --eye or --target was given, else what `framed` makes of it, with the planes
-    /// that --near and --far ask for. If `framed` does not leave it alone, the model of a file is
-    /// seen from higher up than the teapot.
-    /// Errors: as the other.
+    /// The same camera if --eye or --target was given, else the one that `framed` makes of it, with
+    /// the planes of --near and --far. A file's model is seen from higher up than the teapot if
+    /// `framed` moves the camera.
+    /// Errors: as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
-    /// The options that place a camera where this one is, separated by blanks. What is as it was
-    /// without options is left out, but for the places.
+    /// The options that place a camera where this one is, with blanks between. Values that options
+    /// need not change are left out, but for the places.
     static std::string view_options(const l3d_camera& camera);
 
     /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
@@ -48,10 +48,10 @@ public:
     /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
-    /// What people call the model: the file's name without its folder and ending, or "Utah teapot".
+    /// The model's name for people: the file's without folder and ending, or "Utah teapot".
     std::string model_title() const;
 
-    /// Where the teapot is seen from unless the user says otherwise; the rest is l3d_camera's.
+    /// The teapot's camera unless the user says otherwise; the rest is l3d_camera's.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
     /// Whether --eye or --target was given.

@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// What --help calls a colour, and what messages and --help say that it may be.
+/// The kind of value that --help names, and the forms that messages and --help list for it.
 inline constexpr const char* color_kind = "COLOR";
 inline constexpr const char* color_forms =
     "a colour: R,G,B from 0 to 255, #RGB, #RRGGBB or a name such as orange";

@@ -350,7 +350,7 @@ void l3d_options::add_each(const std::string& name, const std::string& help,
         ->type_name(kind)
         ->default_str(preset)
         ->expected(1)
-        ->allow_extra_args(false) // what follows is another argument
+        ->allow_extra_args(false) // the next word is another argument
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

@@ -32,9 +32,9 @@ struct L3D_PUBLIC l3d_common_options {
     bool list_backends = false;  ///< list the back-ends and end
     bool diagnose = false;       ///< tell what the choice of a back-end depends on, and end
     bool verbose = false;        ///< tell what was chosen
-    l3d_size size{};             ///< of the picture, in pixels
+    l3d_size size{};             ///< size of the picture, in pixels
     int scale = 0;               ///< 0: not given
-    std::string title{};         ///< of the window; empty: the program's choice
+    std::string title{};         ///< title of the window; empty: the program's choice
     l3d_remote remote{};         ///< whether pictures travel sparingly
     int first_frame = 0;         ///< number of the first one that is drawn
     int frames = 0;              ///< number of frames, the end of a range; 0: go on

@@ -24,7 +24,7 @@ struct x11_sharing {
         segments, ///< as segments of System V
     };
     way by = way::unproven;
-    int opcode = 0; ///< of the extension, where files are handed over
+    int opcode = 0; ///< the extension's opcode, where files are handed over
 };
 
 /// Owns a Display.

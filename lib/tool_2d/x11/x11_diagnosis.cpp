@@ -54,7 +54,7 @@ bool is_trusted(const x11_connection& connection) {
     return shows_more;
 }
 
-/// What makes the way to the server special, if anything does.
+/// Tells whatever is special about the way to the server.
 void probe_way(const x11_connection& connection, l3d_probes& probes) {
     if (!is_trusted(connection))
         probes.push_back({"trust",
@@ -95,7 +95,7 @@ l3d_probe probe_extension(const x11_connection& connection) {
                                    : "hidden from connections that are not trusted"};
 }
 
-/// What helps where no memory is shared.
+/// Advice where no memory is shared.
 std::string sharing_remedy(const x11_connection& connection) {
     const char* const refusal = std::getenv("L3D_NO_SHM");
     if (refusal != nullptr && *refusal != '\0')

@@ -7,7 +7,7 @@
 namespace l3d_detail {
 namespace {
 
-// Of 28 bytes each: 7168, less than the 8192 that every connection takes at once.
+// A copy takes 28 bytes: 7168 in all, less than the 8192 that every connection takes at once.
 constexpr int copies_at_once = 256;
 
 int rounded_up(int length, int unit) {
@@ -36,7 +36,7 @@ std::vector<XRectangle> gaps(int strip, int length, int breadth, bool are_column
 x11_enlarger::x11_enlarger(const x11_window& window, l3d_size native) : window_(window) {
     const int width = rounded_up(native.width, largest_factor);
     const int height = rounded_up(native.height, largest_factor);
-    // Of the smallest factor, two, there are the most cells.
+    // Cells are most numerous at the smallest factor, two.
     const auto pixmap = [&](int columns, int rows) {
         return XCreatePixmap(window.display(), window.id(), static_cast<unsigned>(columns),
                              static_cast<unsigned>(rows),
@@ -68,7 +68,7 @@ x11_enlarger::~x11_enlarger() {
             XFreePixmap(window_.display(), pixmap);
 }
 
-/// Of nothing that is copied here a part is missing: the server need not say so each time.
+/// Copies never lack a part of their source, so the server need not say so each time.
 GC x11_enlarger::make_copier() const {
     XGCValues values{};
     values.graphics_exposures = False;

@@ -104,9 +104,9 @@ private:
     const x11_window& window_;
     pixel_writer writer_;
     unique_ximage ximage_;
-    std::vector<std::uint8_t> bytes_; ///< what is to be sent, unless that is the words
-    l3d_pixel_box box_;               ///< what is sent of the display's own pixels
-    int next_row_ = 0;                ///< above it all is sent
+    std::vector<std::uint8_t> bytes_; ///< bytes to send, unless the words themselves are sent
+    l3d_pixel_box box_;               ///< the part of the display's own pixels that is sent
+    int next_row_ = 0;                ///< the rows above this one are sent
     bool is_sending_ = false;         ///< pieces, or the question at the end
     x11_echo echo_;
 };

@@ -21,11 +21,12 @@ namespace {
 using std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-// What a line of 1 MB a second takes in 80 ms, so twelve pictures a second. More than that goes
-// with fewer pixels, and what makes it fine goes in pieces of it: a key then waits for one at most.
+// Bytes that a line of 1 MB a second carries in 80 ms, so twelve pictures a second. Larger pictures
+// go coarse, and their fine pixels follow in pieces of this size: a key waits for one piece at
+// most.
 constexpr std::int64_t bytes_at_once = 80'000;
-// Text that is no more than this part of them goes with a picture, and so does as much of what has
-// come to rest, however much moves beside. More text goes alone.
+// Text goes with a picture if it takes at most this part of those bytes, and so do as many pixels
+// at rest, however much moves beside. More text goes alone.
 constexpr std::int64_t small_part = 4;
 // After so long without a picture, things have come to rest: at 15 pictures a second three are
 // missing.
@@ -41,7 +42,7 @@ l3d_pixel_box cells_of(const l3d_pixel_box& box, int factor) {
             cells(box.bottom, factor)};
 }
 
-/// What a hole leaves of a box around it, as boxes that do not overlap.
+/// The parts of a box outside a hole, as boxes that do not overlap.
 /// Expects: the hole is empty, or lies in the box.
 std::vector<l3d_pixel_box> beside(const l3d_pixel_box& box, const l3d_pixel_box& hole) {
     if (hole.empty())
@@ -105,7 +106,8 @@ private:
         send(deadline);
     }
 
-    /// What changed, and at least so many pixels of what has come to rest beside it.
+    /// Adds the pixels that changed, and at least `least_rest` pixels that have come to rest beside
+    /// them.
     void add_motion(const l3d_pixels& picture, std::int64_t least_rest) {
         const int factor = factor_for(changed_.pixels());
         const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
@@ -139,7 +141,7 @@ private:
             }
     }
 
-    /// Notes what is to be sent. What is in text and what is beside it go different ways.
+    /// Notes what is to be sent. Pixels in text and pixels beside it are sent in different ways.
     void add_changed(const l3d_pixel_box& box) {
         for (const l3d_pixel_box& text : text_)
             if (const l3d_pixel_box letters = box.intersected(text); !letters.empty())
@@ -376,8 +378,8 @@ private:
     pixel_writer writer_, cell_writer_;
     l3d_size native_;
     unique_ximage ximage_, cell_ximage_;
-    std::vector<std::uint8_t> bytes_; ///< what the window shall show
-    std::vector<std::uint8_t> row_;   ///< what may become part of it
+    std::vector<std::uint8_t> bytes_; ///< the window's contents after all is sent
+    std::vector<std::uint8_t> row_;   ///< a row that may become part of `bytes_`
     std::vector<std::uint8_t> cell_bytes_;
     std::vector<l3d_pixel_box> text_; ///< boxes of the window's own pixels
     x11_tiles letters_;               ///< where the window shows other text than the latest picture

@@ -36,7 +36,7 @@ int number_of(const std::string& display, std::size_t colon) {
     return number;
 }
 
-/// Of "[protocol/]host:number[.screen]".
+/// The host's name in "[protocol/]host:number[.screen]".
 std::string host_of(const std::string& display, std::size_t colon) {
     auto host = display.substr(0, colon);
     host.erase(0, host.rfind('/') + 1);

@@ -90,7 +90,7 @@ unique_cookie cookie_for(int file, const std::string& display) {
                              number.c_str(), kinds.size(), kinds.data(), lengths.data()));
 }
 
-/// What a client says first. Texts are filled up to words of four bytes.
+/// The first message of a client. Texts are filled up to words of four bytes.
 std::string greeting(const Xauth* cookie) {
     constexpr char little = 'l', big = 'B';
     constexpr std::uint16_t version = 11;
@@ -142,7 +142,7 @@ std::optional<std::string> refused(int file, const Xauth* cookie,
     return reason.substr(0, reason.find_first_of(std::string_view("\n\0", 2)));
 }
 
-/// What a server's words mean for the user.
+/// Explains a server's refusal to the user.
 x11_refusal meaning(const std::string& said, bool has_cookie) {
     const char* const name = XauFileName();
     const std::string file = name == nullptr ? "any file" : name;

@@ -33,8 +33,8 @@ constexpr double local_fps = 60, network_fps = 15;
 // Keeps a deadline inside the clock's range.
 constexpr std::chrono::nanoseconds longest_wait = 24h;
 
-/// What a picture would show a little farther to the right: the mean of its last column. A
-/// background of ours differs from row to row, and a window has one colour.
+/// The colour that would continue a picture to the right: the mean of its last column. A background
+/// of ours differs from row to row, and a window has one colour.
 std::uint32_t margin_word(const l3d_pixels& picture) {
     std::uint64_t sums[3]{};
     for (int y = 0; y < picture.height; ++y)
@@ -101,7 +101,7 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
-    /// What the server told before a key may be under way to our facts: the key waits for it.
+    /// News of fullscreen that the server sent before a key may still be under way: the key waits.
     bool has_event() const {
         const bool knows = !state_.is_asking() || window_->connection().lost();
         return !events_.empty() && (knows || !events_.is_about_fullscreen());

@@ -34,7 +34,8 @@ public:
     /// Removes what was added of each tile, where all of that lies in the box.
     void remove(const l3d_pixel_box& box);
 
-    /// What is there of a box. No two boxes overlap. Expects: it lies in the picture.
+    /// The parts of the boxes that lie inside `box`; none overlap. Expects: `box` lies in the
+    /// picture.
     std::vector<l3d_pixel_box> inside(const l3d_pixel_box& box) const;
 
     /// Takes boxes out, from top to bottom: all, or as many tiles as have `most` pixels, and one
@@ -47,7 +48,7 @@ private:
     std::vector<l3d_pixel_box> take_row(int row, std::int64_t most, std::int64_t& taken);
 
     int columns_, rows_;
-    std::vector<l3d_pixel_box> boxes_; ///< of each tile; empty where nothing is
+    std::vector<l3d_pixel_box> boxes_; ///< the box of each tile; empty where nothing is
     std::int64_t pixels_ = 0;
 };
 

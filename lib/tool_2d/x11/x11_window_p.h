@@ -65,7 +65,8 @@ public:
 
     void map() { XMapWindow(display(), window_); }
 
-    /// What new parts of a window that grows show until their picture comes: a pixel word.
+    /// Sets the colour that new parts of a growing window show until their picture comes: a pixel
+    /// word.
     void set_ground(std::uint32_t word);
 
     /// Who may want to hear of the pointer at all times.
@@ -108,7 +109,7 @@ private:
     unsigned watchers_ = 0; ///< the bits of those who hear of the pointer at all times
     Window window_ = 0;
     GC graphics_ = nullptr;
-    unsigned long ground_ = 0; ///< of the window, a pixel of the display's
+    unsigned long ground_ = 0; ///< the window's background, a pixel of the display's
 };
 
 } // namespace l3d_detail

@@ -53,7 +53,7 @@ void x11_events::take(XEvent& event) {
         take_now(event);
 }
 
-/// What the user does keeps its order.
+/// Whether an event has to wait, so that all that the user does keeps its order.
 bool x11_events::waits_for_keyboard(const XEvent& event) const {
     switch (event.type) {
     case MappingNotify:
@@ -169,8 +169,8 @@ void x11_events::look() {
         push_instead_of({l3d_event_type::expose, hide, reveal}, {.type = l3d_event_type::expose});
 }
 
-/// The server itself tells of each new size. What others send tells of places; its size may be
-/// anything.
+/// The server itself tells of each new size. Events that other clients send tell of places; their
+/// size may be anything.
 void x11_events::take_size(const XConfigureEvent& event) {
     if (event.send_event == 0) {
         size_ = window_.ours({event.width, event.height});
@@ -191,7 +191,7 @@ std::chrono::milliseconds x11_events::since_start(Time time) {
     return time_;
 }
 
-/// What all that users do has.
+/// Fills the fields that all events of a user have.
 template <class Event> l3d_event x11_events::at(const Event& event) {
     l3d_event ours{.x = window_.ours(event.x), .y = window_.ours(event.y)};
     ours.time = since_start(event.time);

@@ -114,7 +114,7 @@ private:
     bool hidden_ = false;              ///< for one of these reasons
     bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
     std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
-    std::chrono::milliseconds time_{}; ///< of the last event that had one; 0: none had
+    std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had
     XButtonEvent last_press_{}; ///< that a next one may make a double click with; button 0: none
 };
 

@@ -14,9 +14,8 @@ namespace l3d_detail {
 /// Covers the screen with a window, and gives it back its old place.
 ///
 /// A window manager that knows how is asked to. Otherwise the window covers the monitor that it is
-/// on. What counts is what the manager says, whoever asked it. A manager that comes takes over,
-/// and one that goes leaves the window as it is. While it covers the screen, a pointer that rests
-/// is hidden.
+/// on. The manager's word counts, whoever asked it. A manager that comes takes over, and one that
+/// goes leaves the window as it is. While it covers the screen, a pointer that rests is hidden.
 /// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
@@ -57,10 +56,10 @@ private:
     x11_window& window_;
     x11_wm_facts& state_;
 
-    /// What set() asked for, until it is done.
+    /// The wish of set(), until it is done.
     std::optional<bool> wanted_;
 
-    /// What the manager was asked for, and until when its word is waited for: it may refuse, and
+    /// The request to the manager, and until when its answer is waited for: it may refuse, and
     /// nobody tells.
     std::optional<bool> awaited_;
     clock::time_point awaited_until_;

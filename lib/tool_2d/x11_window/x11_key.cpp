@@ -49,7 +49,7 @@ constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
     {XK_Control_R, l3d_key_control},
     {XK_Alt_L, l3d_key_alt},
     {XK_Alt_R, l3d_key_alt},
-    {XK_Meta_L, l3d_key_alt}, // what Alt is with Shift held
+    {XK_Meta_L, l3d_key_alt}, // Alt with Shift held
     {XK_Meta_R, l3d_key_alt},
 }};
 

@@ -36,7 +36,7 @@ public:
     x11_pointer& operator=(const x11_pointer&) = delete;
     ~x11_pointer();
 
-    /// What the program wants to hear of from now on.
+    /// Chooses the motion that the program hears of from now on.
     void set(l3d_pointer how);
     l3d_pointer how() const { return how_; }
 

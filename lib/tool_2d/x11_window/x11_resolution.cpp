@@ -17,7 +17,7 @@
 namespace l3d_detail {
 namespace {
 
-// Of a text of settings, in words: desktops have some kilobytes.
+// Limit of a text of settings, in words: desktops have some kilobytes.
 constexpr std::uint32_t longest_text = 1 << 16;
 
 /// Reads numbers one by one; once something is missing, all that follows is.

@@ -36,7 +36,7 @@ template <class Reply> using unique_reply = std::unique_ptr<Reply, reply_freer>;
 using bytes = std::span<const std::uint8_t>;
 
 constexpr std::size_t word = 4;
-// Of replies and events: what follows is counted in words.
+// Size of replies and events; the rest behind them is counted in words.
 constexpr std::size_t head = 32;
 
 /// One message of the protocol at a place; nothing if it is cut off.

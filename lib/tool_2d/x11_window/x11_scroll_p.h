@@ -16,7 +16,7 @@
 
 namespace l3d_detail {
 
-/// What a fine wheel told.
+/// A turn of a fine wheel.
 struct x11_turn {
     XMotionEvent motion; ///< the pointer's place, time and modifiers, as X has them without wheels
     double notches = 0;  ///< away from the user; 0: only the pointer moved
@@ -66,7 +66,7 @@ private:
     std::uint8_t opcode_ = 0; ///< 0: the server has no such extension
     xcb_query_extension_cookie_t extension_{};
     unsigned version_ = 0, devices_ = 0; ///< numbers of the requests
-    std::uint32_t mask_ = 0;             ///< what we listen to
+    std::uint32_t mask_ = 0;             ///< the events that we listen to
     std::map<name, wheel> wheels_;
 };
 

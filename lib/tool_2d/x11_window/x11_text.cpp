@@ -63,7 +63,7 @@ void x11_text::open() {
     context_.reset(xkb_context_new(XKB_CONTEXT_NO_DEFAULT_INCLUDES));
     if (!context_)
         return;
-    // What it has to say is for people who write such files.
+    // The library's own messages are for people who write such files.
     xkb_context_set_log_level(context_.get(), XKB_LOG_LEVEL_CRITICAL);
     table_.reset(xkb_compose_table_new_from_locale(context_.get(), locale_of_user(),
                                                    XKB_COMPOSE_COMPILE_NO_FLAGS));

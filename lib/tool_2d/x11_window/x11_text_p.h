@@ -23,7 +23,8 @@ public:
     x11_text();
     ~x11_text();
 
-    /// What this press types, in UTF-8; empty for none. Keys with Ctrl, Alt or Super type nothing.
+    /// The text that this press types, in UTF-8; empty for none. Keys with Ctrl, Alt or Super type
+    /// nothing.
     std::string typed(XKeyEvent press);
 
 private:

@@ -17,7 +17,7 @@
 namespace l3d_detail {
 namespace {
 
-// Of a property, in words: the standard has about a hundred names of states and abilities.
+// Limit of a property, in words: the standard has about a hundred names of states and abilities.
 constexpr std::uint32_t longest_property = 1024;
 
 bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
@@ -214,7 +214,7 @@ bool x11_wm_facts::concerns_us(const XEvent& event) const {
         return true;
     case DestroyNotify:
         return event.xdestroywindow.window == check_;
-    case ConfigureNotify: // of the monitors
+    case ConfigureNotify: // the monitors have changed
         return event.xany.window == window_.connection().root();
     case VisibilityNotify:
         return facts_.away;

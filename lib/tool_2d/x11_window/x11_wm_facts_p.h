@@ -16,11 +16,11 @@
 
 namespace l3d_detail {
 
-/// What was last heard.
+/// The facts that the window manager last told.
 struct x11_facts {
     bool managed = false;           ///< a window manager looks after windows
-    bool grants_fullscreen = false; ///< it lives, and makes windows fullscreen if asked to
-    bool fullscreen = false;        ///< it says that ours is; without such a manager: false
+    bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
+    bool fullscreen = false; ///< the manager says that our window is; without such a manager: false
     bool away = false; ///< nobody can see ours: minimised, on another workspace, or not viewable
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
 };
