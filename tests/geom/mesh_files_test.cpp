@@ -75,12 +75,73 @@ TEST(asc_file, has_vertices_triangles_and_materials_of_named_objects) {
     EXPECT_EQ(mesh.face_materials, (numbers{1, 0, 1, 0}));
 }
 
-TEST(asc_file, skips_lights_and_cameras_with_a_note) {
-    const std::string text = std::string(asc_text) + "Named object: \"Lamp\"\nDirect light\n"
-                                                     "Position: X:1 Y:2 Z:3\nUnheard of: 5\n";
-    const std::vector<std::string> notes{"name:17: the light or camera 'Lamp' is skipped",
-                                         "name:19: the line 'Unheard of: 5' is skipped"};
+TEST(asc_file, has_cameras) {
+    const std::string text = std::string(asc_text) + "Named object: \"Front\"\nCamera (18mm)\n"
+                                                     "Position: X:1\tY:-20\tZ:3\n"
+                                                     "Target: X:1\tY:2\tZ:3.5\n"
+                                                     "Bank angle: 0.00 degrees\n"
+                                                     "Named object: \"Plan\"\nCamera (50.000mm)\n"
+                                                     "Position:  X:1   Y:2   Z:9\n"
+                                                     "Target:  X:1   Y:2   Z:3\n";
+    const l3d_model_file model = read(text);
+    EXPECT_EQ(model.notes, std::vector<std::string>{});
+    ASSERT_EQ(model.cameras.size(), 2u);
+    const l3d_model_camera& front = model.cameras[0];
+    EXPECT_EQ(front.name, "Front");
+    EXPECT_EQ(front.eye, vector(1, -20, 3));
+    EXPECT_EQ(front.target, vector(1, 2, 3.5));
+    EXPECT_EQ(front.up, vector(0, 0, 1));
+    EXPECT_DOUBLE_EQ(front.fov, 90); // the film is 36 mm wide, twice the lens
+    const l3d_model_camera& plan = model.cameras[1];
+    EXPECT_EQ(plan.eye, vector(1, 2, 9));
+    EXPECT_EQ(plan.up, vector(0, 1, 0)); // z is the line of sight
+    EXPECT_NEAR(plan.fov, 39.6, 0.01);
+    EXPECT_EQ(model.mesh.parts.size(), 1u);
+}
+
+TEST(asc_file, says_what_of_a_scene_it_skips_once_a_kind) {
+    const std::string lamp = "Named object: \"Lamp\"\nDirect light\nPosition: X:1 Y:2 Z:3\n"
+                             "Spotlight to: X:0 Y:0 Z:0\nHotspot size: 44 degrees\n"
+                             "Falloff size: 45 degrees\nLight color: Red=1 Green=1 Blue=1\n";
+    const std::string text =
+        "Ambient light color: Red=0.1 Green=0.1 Blue=0.1\n"
+        "Background image: \"sky.tga\"\nBackground dimmed\n"
+        "Gradient top color: Red=1 Green=1 Blue=1\nFog settings: Near 0 Level 0 Far 9 Level: 1\n" +
+        std::string(asc_text) + lamp + lamp +
+        "Named object: \"Tilted\"\nCamera (35mm)\nPosition: X:0 Y:9 Z:0\nTarget: X:0 Y:0 Z:0\n"
+        "Bank angle: 30 degrees\nUnheard of: 5\nSolid background color: Red=0 Green=0 Blue=0\n";
+    const std::vector<std::string> notes{
+        "name:1: ambient light is skipped",
+        "name:2: the background is skipped",
+        "name:3: fog is skipped",
+        "name:22: lights are skipped",
+        "name:39: bank angles are skipped: cameras stand upright",
+        "name:40: the line 'Unheard of: 5' is skipped"};
     EXPECT_EQ(read(text).notes, notes);
+    EXPECT_EQ(read(text).cameras.size(), 1u); // lights are none
+    EXPECT_EQ(read("Solid background color: Red=0.5 Green=0 Blue=0\n" + std::string(asc_text)).notes,
+              std::vector<std::string>{"name:1: the background is skipped"});
+}
+
+TEST(asc_file, skips_cameras_that_define_no_picture) {
+    const auto camera = [](const char* lens, const char* eye, const char* target) {
+        return std::string("Named object: \"C\"\nCamera (") + lens + "mm)\nPosition: " + eye +
+               "\nTarget: " + target + "\n";
+    };
+    const char* const here = "X:1 Y:2 Z:3";
+    const char* const there = "X:0 Y:0 Z:0";
+    const std::string text = std::string(asc_text) + camera("0", here, there) +
+                             camera("-5", here, there) + camera("wide", here, there) +
+                             camera("35", here, here) + camera("35", "X:1 Y:2", there) +
+                             camera("35", here, "X:1 Y:two Z:3") +
+                             camera("35", "X:1e13 Y:0 Z:0", there) + camera("35", here, there);
+    const l3d_model_file model = read(text);
+    EXPECT_EQ(model.cameras.size(), 1u);
+    ASSERT_EQ(model.notes.size(), 7u);
+    for (std::size_t i = 0; i < model.notes.size(); ++i)
+        EXPECT_EQ(model.notes[i], "name:" + std::to_string(17 + 4 * i) +
+                                      ": the camera 'C' is skipped: its place, target or lens is "
+                                      "missing");
 }
 
 TEST(asc_file, says_where_and_what_is_wrong) {
@@ -111,8 +172,7 @@ TEST(asc_file, the_shipped_models_are_closed) {
         EXPECT_EQ(model.mesh.faces(), faces) << name;
         EXPECT_TRUE(is_closed(model.mesh)) << name;
         EXPECT_EQ(model.notes,
-                  std::vector<std::string>{"name:1: ambient light and background of the "
-                                           "scene are skipped"})
+                  std::vector<std::string>{"name:1: ambient light is skipped"})
             << name;
     }
 }

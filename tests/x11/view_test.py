@@ -112,6 +112,36 @@ def keeps_the_teapots_own_view():
                 expect(a.read() == b.read(), size)
 
 
+def looks_through_a_files_camera():
+    """As by options: the lens of 18 mm sees 90 degrees of the width, and a picture's height in proportion."""
+    with open(os.path.join(ROOT, "data", "thing.asc"), encoding="ascii") as file:
+        scene = file.read()
+    scene += 'Named object: "Side"\nCamera (18mm)\nPosition: X:300 Y:60 Z:90\nTarget: X:30 Y:60 Z:70\n'
+    with folder() as path:
+        with open(os.path.join(path, "scene.asc"), "w", encoding="ascii") as file:
+            file.write(scene)
+        fov = "%.15g" % math.degrees(2 * math.atan(120 / 160))
+        by_options = ("--eye", "300,60,90", "--target", "30,60,70", "--up", "0,0,1")
+
+        def picture(*arguments):
+            status, _, said = draw("modelview", (160, 120), "scene.asc", *arguments, "--output", "o.png", cwd=path)
+            expect_equal((status, said), (0, "scene.asc:1: ambient light is skipped\n"), arguments)
+            return harness.read_png(os.path.join(path, "o.png"))
+
+        by_file = picture("--file-camera", "Side")
+        expect(harness.has_picture(by_file), "nothing is seen")
+        expect(by_file == picture(*by_options, "--fov", fov), "not the camera's view")
+        own_eye = picture("--file-camera", "Side", "--eye", "300,-60,90", "--fov", "50")
+        expect(own_eye == picture(*by_options, "--eye", "300,-60,90", "--fov", "50"), "options do not come first")
+        for arguments, why in (
+            (("scene.asc", "--file-camera", "Top"), "is no camera of scene.asc, which has 'Side'"),
+            (("torus", "--file-camera", "Top"), "is no camera of torus, which has none"),
+            (("--file-camera", "Top"), "is sought in a FILE, and none is given"),
+        ):
+            said = draw("modelview", (80, 60), *arguments, "--output", "o.png", cwd=path)
+            expect_equal(said, (2, b"", "modelview: --file-camera: 'Top' " + why + "\n"))
+
+
 # ---- empty pictures and picks -------------------------------------------------------------------
 
 
@@ -468,6 +498,7 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
+        looks_through_a_files_camera,
         says_why_a_picture_is_empty, says_that_a_model_has_no_area,
         says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Reader of 3D Studio's .asc: triangles, named objects and materials, line by line.
+// Reader of 3D Studio's .asc: triangles, named objects, materials and cameras, line by line.
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 namespace {
 
@@ -78,8 +83,8 @@ std::optional<std::uint32_t> color_of(std::string_view name) {
 
 class asc_reader {
 public:
-    asc_reader(text_cursor& text, l3d_polygon_mesh& mesh)
-        : text_(text), mesh_(mesh), materials_(mesh) {}
+    asc_reader(text_cursor& text, l3d_model_file& model)
+        : text_(text), mesh_(model.mesh), cameras_(model.cameras), materials_(model.mesh) {}
 
     bool read() {
         bool any = false;
@@ -101,6 +106,7 @@ public:
         std::vector<std::uint32_t> no_patches;
         materials_.finish(no_patches);
         give_looks();
+        forget_odd_cameras();
         return true;
     }
 
@@ -135,33 +141,99 @@ private:
             return is_complete() && begin_object(line);
         if (line.take("Tri-mesh"))
             return is_complete() && begin_mesh(line);
-        return is_of_scene(line);
+        read_scene(line);
+        return true;
     }
 
-    /// Lights, cameras, their values, and what else a scene has beside its objects.
-    bool is_of_scene(field_line& line) {
-        constexpr std::string_view beginnings[] = {"Direct light", "Camera"};
-        constexpr std::string_view colors[] = {"Ambient light color:", "Background", "Solid"};
-        constexpr std::string_view values[] = {
-            "Position:",     "Light color:", "Spotlight to:", "Hotspot size:",
-            "Falloff size:", "Target:",      "Bank angle:"};
-        if (std::ranges::any_of(beginnings, [&](auto word) { return line.take(word); })) {
-            text_.note("the light or camera " + quoted(object_) + " is skipped");
-            return true;
-        }
-        if (std::ranges::any_of(colors, [&](auto word) { return line.take(word); })) {
-            if (line.rest().find_first_of("123456789") != std::string_view::npos)
-                text_.note_once("ambient light and background of the scene are skipped");
-            return true;
-        }
-        if (std::ranges::any_of(values, [&](auto word) { return line.take(word); }))
-            return true;
-        text_.note("the line " + quoted(line.rest()) + " is skipped");
-        return true;
+    /// Cameras, lights, and what else a scene has beside its objects.
+    void read_scene(field_line& line) {
+        const auto takes = [&](std::initializer_list<std::string_view> words) {
+            return std::ranges::any_of(words, [&](auto word) { return line.take(word); });
+        };
+        if (line.take("Camera"))
+            begin_camera(line);
+        else if (line.take("Direct light"))
+            text_.note_once("lights are skipped");
+        else if (line.take("Position:"))
+            place_camera(line, &l3d_model_camera::eye);
+        else if (line.take("Target:"))
+            place_camera(line, &l3d_model_camera::target);
+        else if (line.take("Bank angle:"))
+            note_unless_zero(line, "bank angles are skipped: cameras stand upright");
+        else if (line.take("Ambient light color:"))
+            note_unless_zero(line, "ambient light is skipped");
+        else if (line.take("Solid background color:"))
+            note_unless_zero(line, "the background is skipped");
+        else if (takes({"Fog settings:", "Dcue settings:", "Background dimmed", "Background fogged"}))
+            text_.note_once("fog is skipped");
+        else if (takes({"Background", "Gradient"}))
+            text_.note_once("the background is skipped");
+        else if (!takes({"Light color:", "Spotlight to:", "Hotspot size:", "Falloff size:"}))
+            text_.note("the line " + quoted(line.rest()) + " is skipped");
+    }
+
+    void note_unless_zero(const field_line& line, const char* what) {
+        if (line.rest().find_first_of("123456789") != std::string_view::npos)
+            text_.note_once(what);
+    }
+
+    /// A camera's line has its lens: "Camera (35mm)".
+    void begin_camera(field_line& line) {
+        is_camera_ = std::exchange(has_new_name_, false);
+        if (!is_camera_)
+            return;
+        constexpr double half_film = 18; // Half of a film's width, as 3D Studio has it. Units: mm.
+        line.take("(");
+        const std::string_view lens = line.rest().substr(0, line.rest().find_first_of("m) \t\r"));
+        const double fov = 2 * std::atan(half_film / number_of(lens)) * 180 / std::numbers::pi;
+        const l3d_model_camera::vector unknown(std::numeric_limits<double>::quiet_NaN());
+        cameras_.push_back({object_, unknown, unknown, {0.0, 0.0, 1.0}, fov});
+        camera_lines_.push_back(text_.here());
+    }
+
+    /// "X:1 Y:2 Z:3" of a camera. What stands there otherwise is no number, or that of a light.
+    void place_camera(field_line& line, l3d_model_camera::vector l3d_model_camera::*place) {
+        constexpr std::string_view axes[] = {"X:", "Y:", "Z:"};
+        for (int i = 0; is_camera_ && i < 3 && line.take(axes[i]); ++i)
+            (cameras_.back().*place)[i] = number_of(line.value());
+    }
+
+    /// NaN if it is none.
+    static double number_of(std::string_view digits) {
+        double value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        const bool is_number = error == std::errc() && end == digits.data() + digits.size();
+        return is_number ? value : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /// Drops cameras that define no picture, with a note each.
+    void forget_odd_cameras() {
+        const auto is_odd = [](const l3d_model_camera& c) {
+            const auto is_place = [](const l3d_model_camera::vector& v) {
+                return std::abs(v[0]) <= l3d_bpt_largest_coordinate &&
+                       std::abs(v[1]) <= l3d_bpt_largest_coordinate &&
+                       std::abs(v[2]) <= l3d_bpt_largest_coordinate;
+            };
+            return !(is_place(c.eye) && is_place(c.target) && c.eye != c.target && c.fov > 0 &&
+                     c.fov < 180);
+        };
+        for (std::size_t i = 0; i < cameras_.size(); ++i)
+            if (is_odd(cameras_[i])) {
+                text_.go_back(camera_lines_[i]);
+                text_.note("the camera " + quoted(cameras_[i].name) +
+                           " is skipped: its place, target or lens is missing");
+            }
+        std::erase_if(cameras_, is_odd);
+        for (l3d_model_camera& c : cameras_)
+            if (c.eye[0] == c.target[0] && c.eye[1] == c.target[1])
+                c.up = {0.0, 1.0, 0.0}; // a plan, with y upwards
     }
 
     bool begin_object(field_line& line) {
         object_ = line.in_quotes();
+        has_new_name_ = true;
+        is_camera_ = false;
         return true;
     }
 
@@ -194,7 +266,8 @@ private:
             return false;
         base_ = mesh_.vertices.size();
         first_face_ = mesh_.faces();
-        mesh_.parts.push_back({object_, static_cast<std::uint32_t>(first_face_)});
+        if (std::exchange(has_new_name_, false)) // else a long name is kept for each short line
+            mesh_.parts.push_back({object_, static_cast<std::uint32_t>(first_face_)});
         return true;
     }
 
@@ -283,10 +356,14 @@ private:
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
+    std::vector<l3d_model_camera>& cameras_;
+    std::vector<text_cursor::reading_place> camera_lines_;
+    bool is_camera_ = false; ///< the current object, the last of cameras_
     l3d_detail::face_materials materials_;
-    std::string object_;                    ///< the name of the current object
-    std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
-    std::size_t base_ = 0, first_face_ = 0; ///< beginnings of the current mesh
+    std::string object_;        ///< the name of the current object
+    bool has_new_name_ = false; ///< that nothing has been given yet
+    std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
+    std::size_t base_ = 0, first_face_ = 0; ///< where it begins
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };
@@ -296,7 +373,7 @@ private:
 std::optional<l3d_model_file> l3d_read_asc(std::string_view text, std::string_view name,
                                            std::string& why) {
     const auto read = [](text_cursor& cursor, l3d_model_file& model) {
-        return asc_reader(cursor, model.mesh).read();
+        return asc_reader(cursor, model).read();
     };
     return l3d_detail::read_model_by(read, text, name, why);
 }

@@ -48,6 +48,19 @@ struct L3D_PUBLIC l3d_model_window {
     friend bool operator==(const l3d_model_window&, const l3d_model_window&) = default;
 };
 
+/// A camera of a model file, in the file's coordinates.
+struct L3D_PUBLIC l3d_model_camera {
+    /// A place or a direction.
+    using vector = l3d_vector<double, 3>;
+    std::string name{};           ///< as the file calls it
+    vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
+    vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture; not the eye's
+    vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture
+    double fov = 38;              ///< angle of view over the picture's width, in degrees
+
+    friend bool operator==(const l3d_model_camera&, const l3d_model_camera&) = default;
+};
+
 /// Polygons, patches, or both; as the file has them, in its own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
@@ -62,6 +75,7 @@ struct L3D_PUBLIC l3d_model_file {
     /// The part of the picture that the window fills: `s` of .obj. Units: shares of the picture,
     /// from the left and from below.
     std::optional<l3d_model_window> viewport{};
+    std::vector<l3d_model_camera> cameras{}; ///< those of .asc
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };

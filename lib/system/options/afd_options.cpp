@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace {
@@ -99,7 +100,7 @@ void check_shown(const l3d_afd_settings& asked) {
 
 } // namespace
 
-l3d_afd_options::l3d_afd_options(l3d_options& options) {
+l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.begin_group("Model");
     options.add(
         "FILE,--model", model_file_,
@@ -111,7 +112,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) {
                 "where the camera is; without it and --target, where the whole model is seen");
     options.add("--target", target_, "what it looks at");
     options.add("--up", camera_.up, "what is upright in the picture");
-    options.add("--fov", camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
+    options.add("--file-camera", file_camera_,
+                "look through this camera of the file; what the other options say comes first",
+                "NAME");
+    options.add("--fov", fov_, camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
     options.add("--near", near_, camera_.near,
                 "nearest distance that is drawn; without it, less for small models",
                 l3d_least_distance, largest);
@@ -245,11 +249,11 @@ l3d_camera l3d_afd_options::camera() const {
     check_place("--up", camera_.up);
     if (camera_.up == l3d_camera::vector{0.0, 0.0, 0.0})
         refuse_up();
-    l3d_camera result = camera_;
+    l3d_camera result = asked_camera();
     const l3d_upright stands(camera_.up);
     const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
-    result.eye = eye_.value_or(places_camera() ? camera_.eye : upright(camera_.eye));
-    result.target = target_.value_or(places_camera() ? camera_.target : upright(camera_.target));
+    result.eye = eye_.value_or(places_camera() ? result.eye : upright(camera_.eye));
+    result.target = target_.value_or(places_camera() ? result.target : upright(camera_.target));
     result.near = near_.value_or(camera_.near);
     check_place("--eye", result.eye, l3d_farthest_eye);
     check_place("--target", result.target);
@@ -260,6 +264,50 @@ l3d_camera l3d_afd_options::camera() const {
                l3d_number_text(result.near));
     if (!result.is_valid())
         refuse_up();
+    return result;
+}
+
+/// Where --eye and --target leave it: that of the file, or else the usual one.
+l3d_camera l3d_afd_options::asked_camera() const {
+    l3d_camera result = camera_;
+    if (!file_camera_.empty()) {
+        const l3d_model_camera& file = camera_of_file();
+        const l3d_size size = options_.common().size;
+        constexpr double degree = std::numbers::pi / 180;
+        result.eye = file.eye;
+        result.target = file.target;
+        result.up = camera_.up == teapot_view().up ? file.up : camera_.up;
+        // A camera's angle is that of the width here, and of the height there.
+        result.fov =
+            2 / degree * std::atan(std::tan(file.fov * degree / 2) * size.height / size.width);
+    }
+    result.fov = fov_.value_or(result.fov);
+    return result;
+}
+
+const l3d_model_camera& l3d_afd_options::camera_of_file() const {
+    if (camera_of_file_)
+        return *camera_of_file_;
+    const std::string asked = "--file-camera: '" + l3d_detail::printable(file_camera_);
+    if (model_file_.empty())
+        throw l3d_error(l3d_exit::usage, asked + "' is sought in a FILE, and none is given");
+    file_ = l3d_detail::load_named_model(model_file_);
+    std::string names;
+    for (const l3d_model_camera& camera : file_->cameras) {
+        if (camera.name == file_camera_)
+            return camera_of_file_.emplace(camera);
+        names += (names.empty() ? " '" : ", '") + l3d_detail::printable(camera.name) + '\'';
+    }
+    throw l3d_error(l3d_exit::usage, asked + "' is no camera of " +
+                                         l3d_detail::printable(model_file_) + ", which has" +
+                                         (names.empty() ? " none" : names));
+}
+
+l3d_model_file l3d_afd_options::file() const {
+    if (!file_)
+        return l3d_detail::load_named_model(model_file_);
+    l3d_model_file result = *std::move(file_);
+    file_.reset();
     return result;
 }
 
@@ -380,7 +428,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
 l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
-    const l3d_model_file file = l3d_detail::load_named_model(model_file_);
+    const l3d_model_file file = this->file();
     const std::string polygons = l3d_detail::counted(file.mesh.faces(), "polygons");
     if (file.patches.empty())
         throw l3d_error(l3d_exit::bad_input,

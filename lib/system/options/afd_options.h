@@ -4,6 +4,7 @@
 #define L3D_SYSTEM_OPTIONS_AFD_OPTIONS_H
 
 #include "base/public.h"
+#include "geom/files/model_file.h"
 #include "scene/camera.h"
 #include "scene/patch_model.h"
 #include "pipeline/pipeline_afd.h"
@@ -15,23 +16,24 @@
 
 /// Options for model, accuracy, camera and shading, added to a program's own.
 ///
-/// Lives:   borrowed by the l3d_options until parse() is done.
+/// Lives:   borrowed by the l3d_options until parse() is done, and borrows them.
 class L3D_PUBLIC l3d_afd_options {
 public:
-    /// Declares the options. Lives: borrows them until parse() is done.
+    /// Declares the options.
     explicit l3d_afd_options(l3d_options& options);
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
 
-    /// The camera that --eye, --target and the others ask for. Options that are absent leave the
-    /// value of teapot_view(), turned to the direction that is up.
-    /// Errors: l3d_error(usage) that names the option if the values do not make a camera.
+    /// The camera that --eye, --target and the others ask for. What they leave out is that of
+    /// --file-camera, or of teapot_view(), turned to the direction that is up.
+    /// Errors: l3d_error(usage) that names the option if the values do not make a camera, or if the
+    ///         file has none of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
-    /// The same camera if --eye or --target was given, else the one that `framed` makes of it, with
-    /// the planes of --near and --far. A file's model is seen from higher up than the teapot if
-    /// `framed` moves the camera.
-    /// Errors: as camera().
+    /// The same if places_camera(), else what `framed` makes of it, with the planes
+    /// that --near and --far ask for. If `framed` does not leave it alone, the model of a file is
+    /// seen from higher up than the teapot.
+    /// Errors: as the other.
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
     /// The options that place a camera where this one is, with blanks between. Values that options
@@ -45,6 +47,11 @@ public:
     /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
+    /// What the model's file holds; it is read once even if camera() has looked into it before.
+    /// Errors: l3d_error(bad_input) with file and line.
+    /// Expects: model_file() is not empty.
+    l3d_model_file file() const;
+
     /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 
@@ -54,8 +61,10 @@ public:
     /// The teapot's camera unless the user says otherwise; the rest is l3d_camera's.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
-    /// Whether --eye or --target was given.
-    bool places_camera() const { return eye_.has_value() || target_.has_value(); }
+    /// Whether --eye, --target or --file-camera was given.
+    bool places_camera() const {
+        return eye_.has_value() || target_.has_value() || !file_camera_.empty();
+    }
 
     /// Whether --light says anything else than its default.
     bool places_light() const { return settings_.light != l3d_usual_light; }
@@ -93,15 +102,20 @@ public:
 private:
     void read_fog(const std::string& text);
     void add_light(const std::string& text);
+    l3d_camera asked_camera() const;
+    const l3d_model_camera& camera_of_file() const;
 
-    std::string model_file_;
+    const l3d_options& options_;
+    std::string model_file_, file_camera_;
+    mutable std::optional<l3d_model_file> file_; ///< looked into, and not yet handed out
+    mutable std::optional<l3d_model_camera> camera_of_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
     enum class headlight { unless_lit, on, off };
     headlight headlight_ = headlight::unless_lit;
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
-    std::optional<double> near_;
+    std::optional<double> near_, fov_;
     std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
     double turntable_ = 0, turn_speed_ = 1;

@@ -4,7 +4,6 @@
 
 #include "base/printable_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
-#include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 
 #include <algorithm>
@@ -69,7 +68,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const std::string& name = shared_.model_file();
     if (name.empty())
         return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
-    const l3d_model_file file = l3d_detail::load_named_model(name);
+    const l3d_model_file file = shared_.file();
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
     l3d_polygon_mesh mesh = l3d_mesh_of(file, name, facets_);
