@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace {
 
-using point = std::array<double, 3>;
+using point = std::array<double, 4>; // homogeneous: x w, y w, z w, w
 using curve = std::vector<point>;
 
 /// Where a line of control points lies in memory: the first that exists, the distance from one to
@@ -44,7 +45,7 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
     if (weight_a == 0)
         return b;
     point result;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < result.size(); ++k)
         result[k] = std::clamp((weight_a * a[k] + weight_b * b[k]) / (weight_a + weight_b),
                                std::min(a[k], b[k]), std::max(a[k], b[k]));
     return result;
@@ -93,20 +94,69 @@ std::size_t l3d_bspline_direction::segments() const {
     return result;
 }
 
+std::string l3d_bspline_direction::complaint() const {
+    if (degree < 1 || degree > l3d_bpt_largest_degree)
+        return "degree " + std::to_string(degree) + " is not from 1 to " +
+               std::to_string(l3d_bpt_largest_degree);
+    const auto n = static_cast<std::size_t>(degree);
+    if (knots.size() < 2 * (n + 1))
+        return std::to_string(knots.size()) + " knots are fewer than twice the degree and 2";
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const std::string name = "knot " + std::to_string(i + 1);
+        if (!(std::abs(knots[i]) <= l3d_bpt_largest_coordinate))
+            return name + " is not finite, or beyond 1e12";
+        if (i > 0 && knots[i] < knots[i - 1])
+            return name + " is less than the one before";
+        if (i > n && knots[i] == knots[i - n] && knots[i] > knots[n] && knots[i] < knots[points()])
+            return name + " is there more often than the degree";
+    }
+    if (!(knots[n] <= from && from < to && to <= knots[points()]))
+        return "the range of the parameter is empty, or the knots do not cover it";
+    return "";
+}
+
+l3d_bspline_direction l3d_bspline_direction::clamped(int degree, std::size_t points) {
+    const auto n = static_cast<std::size_t>(degree);
+    assert(degree >= 1 && points > n);
+    l3d_bspline_direction result{degree, std::vector<double>(n + 1, 0.0), 0, 1};
+    const std::size_t spans = points - n;
+    for (std::size_t i = 1; i < spans; ++i)
+        result.knots.push_back(static_cast<double>(i) / static_cast<double>(spans));
+    result.knots.insert(result.knots.end(), n + 1, 1.0);
+    return result;
+}
+
+l3d_bspline_direction l3d_bspline_direction::periodic(int degree, std::size_t points) {
+    const auto n = static_cast<std::size_t>(degree);
+    assert(degree >= 1 && points > 2 * n);
+    l3d_bspline_direction result{degree, {}, 0, 1};
+    for (std::size_t i = 0; i < points + n + 1; ++i)
+        result.knots.push_back((static_cast<double>(i) - static_cast<double>(n)) /
+                               static_cast<double>(points - n));
+    return result;
+}
+
 std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
                                                  const l3d_bspline_direction& v,
-                                                 const std::vector<std::array<double, 3>>& points) {
+                                                 const std::vector<std::array<double, 3>>& points,
+                                                 std::span<const double> weights) {
     assert(points.size() == u.points() * v.points());
-    const auto columns = static_cast<std::size_t>(u.degree) + 1; // those of a patch
+    assert(weights.empty() || weights.size() == points.size());
+    const auto columns = static_cast<std::size_t>(u.degree) + 1; // of a patch
     const auto rows = static_cast<std::size_t>(v.degree) + 1;
     const std::size_t width = u.segments() * columns;
     const std::size_t height = v.segments() * rows;
 
+    curve net(points.size());
+    for (std::size_t i = 0; i < net.size(); ++i) {
+        const double w = weights.empty() ? 1 : weights[i];
+        net[i] = {points[i][0] * w, points[i][1] * w, points[i][2] * w, w};
+    }
     const auto [first_row, end_row] = needed_points(v);
     curve wide; // Bezier points along u, control points along v
     wide.reserve(width * (end_row - first_row));
     for (std::size_t row = first_row; row < end_row; ++row)
-        append_segments(u, {&points[row * u.points()], 1, 0}, wide);
+        append_segments(u, {&net[row * u.points()], 1, 0}, wide);
     curve lines; // one after another, what were the columns
     lines.reserve(width * height);
     for (std::size_t column = 0; column < width; ++column)
@@ -120,8 +170,12 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
         patch = {u.degree, v.degree, {}};
         patch.points.reserve(columns * rows);
         for (std::size_t row = 0; row < rows; ++row)
-            for (std::size_t column = 0; column < columns; ++column)
-                patch.points.push_back(lines[(left + column) * height + top + row]);
+            for (std::size_t column = 0; column < columns; ++column) {
+                const point& p = lines[(left + column) * height + top + row];
+                patch.points.push_back({p[0] / p[3], p[1] / p[3], p[2] / p[3]});
+                if (!weights.empty())
+                    patch.weights.push_back(p[3]);
+            }
     }
     return result;
 }

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-/// The control points of one Bezier patch of any degrees.
+/// The control points of one Bezier patch of any degrees, rational if it has weights.
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points; index = row * (degree_u + 1) + column, columns
 ///        along u, rows along v.
@@ -20,6 +20,8 @@ struct L3D_PUBLIC l3d_patch_points {
     /// The degrees of the polynomials along u and v; 3 and 3 for a bicubic patch.
     int degree_u = 0, degree_v = 0;
     std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
+    /// The weights of a rational patch, positive, as many as there are points; none of another one.
+    std::vector<double> weights = {};
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
 };
@@ -53,7 +55,7 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 /// A common boundary stays common bit for bit, whichever way its two patches run along it.
 /// Shape:   index = 4 * row (v) + column (u).
 /// Errors:  nothing if a degree is outside 1 to 15, or if the number of points is not what the
-///          degrees say. Nothing, too, if no bicubic patch has these points but for rounding, 2^-46
+///          degrees say, or if there are weights. Nothing, too, if no bicubic patch has these points but for rounding, 2^-46
 ///          of the largest coordinate.
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
 l3d_as_bicubic(const l3d_patch_points& patch);
