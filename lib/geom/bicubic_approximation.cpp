@@ -132,9 +132,8 @@ void fill_corner(const corner_view& of, bicubic& patch) {
     const point &pu = of.at(0, 1), &pv = of.at(1, 0), &puv = of.at(1, 1);
     const vector du = beside(pu), dv = beside(pv);
     const vector su = du * (m / w), sv = dv * (n / w);
-    const vector suv = ((beside(puv) - du - dv) * (m * n) - sv * (m * (pu[3] - w)) -
-                        su * (n * (pv[3] - w))) /
-                       w;
+    const vector suv =
+        ((beside(puv) - du - dv) * (m * n) - sv * (m * (pu[3] - w)) - su * (n * (pv[3] - w))) / w;
     const int row = of.from_top ? 3 : 0, column = of.from_right ? 3 : 0;
     const int in_row = of.from_top ? 2 : 1, in_column = of.from_right ? 2 : 1;
     patch.at(row, column) = s;
@@ -166,8 +165,7 @@ struct turned {
             size = std::max(size, largest(p));
         const vector first = place_of(piece.at(0, 0)) / piece.at(0, 0)[3];
         for (int k = 1; k <= piece.degree_u; ++k)
-            away = std::max(away,
-                            largest(place_of(piece.at(0, k)) / piece.at(0, k)[3] - first));
+            away = std::max(away, largest(place_of(piece.at(0, k)) / piece.at(0, k)[3] - first));
         return away <= 16 * unit * size;
     }
 
@@ -221,9 +219,8 @@ bounds::bounds(const turned& of) {
         b.c[i] = of.patch.points[i] - centre;
         size_b_ = std::max(size_b_, largest(b.c[i]));
     }
-    net<vector> d = product<vector>(p, b, [](const point& q, const vector& by) {
-        return place_of(q) - by * q[3];
-    });
+    net<vector> d = product<vector>(
+        p, b, [](const point& q, const vector& by) { return place_of(q) - by * q[3]; });
     const double most_w = bound_of(w), away = largest(centre);
     noise_ = std::numbers::sqrt3 *
              (piece.noise + (away + size_b_) * weight_noise_ + 4 * unit * (size_p + away * most_w) +
@@ -250,8 +247,8 @@ void bounds::find_normal_error(const turned& of, const net<double>& w, const net
         bu = bu.over_v();
     }
     const net<vector> bv = b.by_v();
-    const net<vector> normals = product<vector>(
-        bu, bv, [](const vector& along_u, const vector& along_v) {
+    const net<vector> normals =
+        product<vector>(bu, bv, [](const vector& along_u, const vector& along_v) {
             return l3d_cross(along_u, along_v);
         });
     vector mean(0.0);

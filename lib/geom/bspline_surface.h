@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_bspline_surface: a tensor-product B-spline, rational or not, and the Bezier patches that it consists of.
+// l3d_bspline_surface: a tensor-product B-spline, rational or not, and the Bezier patches that it
+// consists of.
 #ifndef L3D_GEOM_BSPLINE_SURFACE_H
 #define L3D_GEOM_BSPLINE_SURFACE_H
 

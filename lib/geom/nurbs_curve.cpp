@@ -110,8 +110,8 @@ l3d_nurbs_curve l3d_nurbs_curve::with_knot(double t) const {
         throw l3d_error(l3d_exit::bad_input, "curve: " + why);
     std::vector<vector> points;
     std::vector<double> weights;
-    for (const auto& p : l3d_detail::with_knot(along_, t,
-                                               [this](std::size_t i) { return homogeneous(i); })) {
+    for (const auto& p :
+         l3d_detail::with_knot(along_, t, [this](std::size_t i) { return homogeneous(i); })) {
         points.push_back(l3d_projected<double, 4>(p));
         if (!weights_.empty())
             weights.push_back(p[3]);

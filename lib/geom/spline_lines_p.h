@@ -47,8 +47,8 @@ weighted spline_derivative(const l3d_bspline_direction& d, double t, int order, 
     for (std::size_t step = 1; step <= m; ++step)
         for (std::size_t j = span; j > span - m + step - 1; --j) {
             const double low = d.knots[j], high = d.knots[j + m - step + 1];
-            p[j - first] = (p[j - 1 - first] * (high - t) + p[j - first] * (t - low)) *
-                           (1 / (high - low));
+            p[j - first] =
+                (p[j - 1 - first] * (high - t) + p[j - first] * (t - low)) * (1 / (high - low));
         }
     return p.back();
 }
@@ -56,8 +56,7 @@ weighted spline_derivative(const l3d_bspline_direction& d, double t, int order, 
 /// The control points once the knot t is there once more.
 /// Expects: knots[degree] <= t < knots[points()], and t less often than the degree.
 /// Source:  Boehm, Inserting new knots into B-spline curves, CAD 12, 1980.
-template <class At>
-spline_line with_knot(const l3d_bspline_direction& d, double t, const At& at) {
+template <class At> spline_line with_knot(const l3d_bspline_direction& d, double t, const At& at) {
     const auto n = static_cast<std::size_t>(d.degree);
     const std::size_t span = span_of(d, t);
     spline_line result(d.points() + 1);

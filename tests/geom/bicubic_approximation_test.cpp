@@ -31,9 +31,8 @@ struct measured {
                 const auto n_exact = exact.normal(), n_drawn = drawn.normal();
                 // At a pole, long double has nothing but rounding.
                 if (oracle::length(exact.by_u) * h > 1e-12L * (1 + oracle::length(exact.place)))
-                    normal_error = std::max(normal_error,
-                                            oracle::distance(oracle::unit(n_exact),
-                                                             oracle::unit(n_drawn)));
+                    normal_error = std::max(normal_error, oracle::distance(oracle::unit(n_exact),
+                                                                           oracle::unit(n_drawn)));
             }
     }
 };
@@ -85,9 +84,15 @@ TEST(bicubic_approximation, converges_with_the_fourth_power_and_at_poles_too) {
     const double c = std::sqrt(0.5);
     const l3d_patch_points octant{2,
                                   2,
-                                  {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, //
-                                   {1, 1, 0}, {1, 1, 1}, {0, 1, 1},
-                                   {1, 0, 0}, {1, 0, 1}, {0, 0, 1}},
+                                  {{0, 1, 0},
+                                   {0, 1, 0},
+                                   {0, 1, 0}, //
+                                   {1, 1, 0},
+                                   {1, 1, 1},
+                                   {0, 1, 1},
+                                   {1, 0, 0},
+                                   {1, 0, 1},
+                                   {0, 0, 1}},
                                   {1, c, 1, c, c * c, c, 1, c, 1}};
     std::mt19937 random(1);
     double last = 0, last_normal = 0;
@@ -124,8 +129,7 @@ TEST(bicubic_approximation, is_the_same_on_both_sides_of_a_boundary) {
         b.weights.resize(b.points.size(), 1);
         for (int i = 0; i <= a.degree_u; ++i) {
             const auto from = static_cast<std::size_t>(a.degree_u - i);
-            const auto to =
-                static_cast<std::size_t>(i * (b.degree_u + 1) + b.degree_u);
+            const auto to = static_cast<std::size_t>(i * (b.degree_u + 1) + b.degree_u);
             b.points[to] = a.points[from];
             b.weights[to] = a.weights.empty() ? 1 : a.weights[from];
         }

@@ -110,17 +110,17 @@ TEST(asc_file, says_what_of_a_scene_it_skips_once_a_kind) {
         std::string(asc_text) + lamp + lamp +
         "Named object: \"Tilted\"\nCamera (35mm)\nPosition: X:0 Y:9 Z:0\nTarget: X:0 Y:0 Z:0\n"
         "Bank angle: 30 degrees\nUnheard of: 5\nSolid background color: Red=0 Green=0 Blue=0\n";
-    const std::vector<std::string> notes{
-        "name:1: ambient light is skipped",
-        "name:2: the background is skipped",
-        "name:3: fog is skipped",
-        "name:22: lights are skipped",
-        "name:39: bank angles are skipped: cameras stand upright",
-        "name:40: the line 'Unheard of: 5' is skipped"};
+    const std::vector<std::string> notes{"name:1: ambient light is skipped",
+                                         "name:2: the background is skipped",
+                                         "name:3: fog is skipped",
+                                         "name:22: lights are skipped",
+                                         "name:39: bank angles are skipped: cameras stand upright",
+                                         "name:40: the line 'Unheard of: 5' is skipped"};
     EXPECT_EQ(read(text).notes, notes);
     EXPECT_EQ(read(text).cameras.size(), 1u); // lights are none
-    EXPECT_EQ(read("Solid background color: Red=0.5 Green=0 Blue=0\n" + std::string(asc_text)).notes,
-              std::vector<std::string>{"name:1: the background is skipped"});
+    EXPECT_EQ(
+        read("Solid background color: Red=0.5 Green=0 Blue=0\n" + std::string(asc_text)).notes,
+        std::vector<std::string>{"name:1: the background is skipped"});
 }
 
 TEST(asc_file, skips_cameras_that_define_no_picture) {
@@ -171,8 +171,7 @@ TEST(asc_file, the_shipped_models_are_closed) {
         EXPECT_EQ(model.mesh.vertices.size(), vertices) << name;
         EXPECT_EQ(model.mesh.faces(), faces) << name;
         EXPECT_TRUE(is_closed(model.mesh)) << name;
-        EXPECT_EQ(model.notes,
-                  std::vector<std::string>{"name:1: ambient light is skipped"})
+        EXPECT_EQ(model.notes, std::vector<std::string>{"name:1: ambient light is skipped"})
             << name;
     }
 }

@@ -110,8 +110,8 @@ inline l3d_patch_points random_rational(std::mt19937& random) {
         for (int c = 0; c <= patch.degree_u; ++c) {
             const double x = static_cast<double>(c) / patch.degree_u;
             const double y = static_cast<double>(r) / patch.degree_v;
-            patch.points.push_back({(x + wild * any(random)) * needle + far,
-                                    y + wild * any(random), wild * any(random)});
+            patch.points.push_back({(x + wild * any(random)) * needle + far, y + wild * any(random),
+                                    wild * any(random)});
             if (weights > 0)
                 patch.weights.push_back(std::exp(weights * any(random)));
         }

@@ -164,7 +164,8 @@ private:
             note_unless_zero(line, "ambient light is skipped");
         else if (line.take("Solid background color:"))
             note_unless_zero(line, "the background is skipped");
-        else if (takes({"Fog settings:", "Dcue settings:", "Background dimmed", "Background fogged"}))
+        else if (takes(
+                     {"Fog settings:", "Dcue settings:", "Background dimmed", "Background fogged"}))
             text_.note_once("fog is skipped");
         else if (takes({"Background", "Gradient"}))
             text_.note_once("the background is skipped");
@@ -360,8 +361,8 @@ private:
     std::vector<text_cursor::reading_place> camera_lines_;
     bool is_camera_ = false; ///< the current object, the last of cameras_
     l3d_detail::face_materials materials_;
-    std::string object_;        ///< the name of the current object
-    bool has_new_name_ = false; ///< that nothing has been given yet
+    std::string object_;                    ///< the name of the current object
+    bool has_new_name_ = false;             ///< that nothing has been given yet
     std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
     std::size_t base_ = 0, first_face_ = 0; ///< where it begins
     l3d_detail::corner_normals normals_;
