@@ -18,6 +18,7 @@ FREETYPE     ?= /usr/include/freetype2#  where the headers of FreeType 2 are
 WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the hooks do
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
+TESTS_AT_ONCE ?= 8#  how many tests are compiled together; 1 is quicker while you change a single one
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
 STRESS_TIMEOUT ?= 7200#  seconds the slow tests of one layer may take together
 

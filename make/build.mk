@@ -67,8 +67,9 @@ $(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) 
 
 $(OUT)/%.o: %.cpp $(OUT)/flags $$(call precompiled,$$*.cpp).gch | packages-build
 	$(call say,C++,$@)
-	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$<)) $(call include_paths,$<) \
-	    -include $(call precompiled,$<) -MD -MP -c $< -o $@
+	$(call compile)
+compile = $(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$*.cpp)) $(call include_paths,$*.cpp) \
+    -include $(call precompiled,$*.cpp) $(1) -MD -MP -c $< -o $@
 
 # Compilers find NAME.gch beside NAME.
 $(OUT)/precompiled/%.h.gch: $$(headers_$$*) $(OUT)/flags | packages-build
@@ -120,4 +121,4 @@ $(foreach r,$(reports),$(eval $(OUT)/share/l3d/report/$(notdir $(r)): $(r)))
 $(DATA):
 	$(Q)mkdir -p $(@D); cp $< $@
 
--include $(wildcard $(OBJECTS:.o=.d) $(PLUGINS:.so=.d))
+-include $(wildcard $(LINTED:%.cpp=$(OUT)/%.d) $(PLUGINS:.so=.d))

@@ -14,7 +14,7 @@ $(CHECKS): packages-lint packages-test ## one check alone
 	+@$(call judge,$(OUT)/log/$@.log)
 
 tidy: packages-tidy ## clang-tidy, warnings are errors
-	+@$(again) -k $(patsubst %.o,%.tidy,$(OBJECTS))
+	+@$(again) -k $(LINTED:%.cpp=$(OUT)/%.tidy)
 
 format: packages-lint ## clang-format every file in place
 	$(Q)$(CLANG_FORMAT) -i $(FORMATTED)

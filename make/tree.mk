@@ -15,21 +15,13 @@ include_paths = $(if $(filter apps/%,$(1)),-I$(OUT)/include) \
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
-$(foreach l,$(LAYERS),$(eval objects_tests/$(l) := $(call objects,$(wildcard tests/$(l)/*.cpp))))
-objects_compare       := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
-objects_tests/compare := $(call objects,$(wildcard tests/compare/*.cpp))
-# Scenes and judges of dicing serve the tests of whole frames, too.
-helpers = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
-objects_tests/dice     += $(call helpers,scene)
-objects_tests/pipeline += $(call helpers,scene) $(call helpers,dice)
-objects_tests/compare  += $(call helpers,scene) $(call helpers,dice)
-objects_tests/reference := $(call objects,$(wildcard tests/reference/*_test.cpp))
-objects_reference := $(filter-out $(objects_tests/reference),\
-                     $(call objects,$(wildcard tests/reference/*.cpp)))
+objects_compare   := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
+helpers            = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
+objects_reference := $(call helpers,reference)
 apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
 $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
 
-tested    := $(foreach l,$(LAYERS) compare reference,$(if $(objects_tests/$(l)),$(l)))
+tested    := $(foreach l,$(LAYERS) compare reference,$(if $(wildcard tests/$(l)/*_test.cpp),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 # A variant's bin, lib/l3d and share/l3d lie as they are installed.
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
@@ -49,4 +41,4 @@ DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
 HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h compare/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
 FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
-OBJECTS   := $(call objects,$(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES)))
+LINTED    := $(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES))

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-using namespace dice_tests;
-
 namespace {
+
+using namespace dice_tests;
 
 constexpr l3d_size size{320, 240};
 constexpr double tolerance = 0.25;
