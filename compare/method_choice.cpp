@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_choice: names, and what they stand for.
+// l3d_method_choice: names, and the methods that they stand for.
 #include "compare/method_choice.h"
 
 #include "base/did_you_mean_p.h"
@@ -43,8 +43,8 @@ struct method_row {
 /// Points or quads along a pixel: with 16, each pixel has some thousand of them.
 constexpr int most_a_pixel = 16;
 
-/// 1024 x 1024 quads of fd are 2^20 for each patch; of 1024 cells along each axis a teapot fills 4
-/// million in 600 MB of bricks.
+/// 1024 x 1024 quads of fd are 2^20 for each patch. With 1024 cells along each axis, a teapot fills
+/// 4 million in 600 MB of bricks.
 constexpr std::array<method_row, 13> rows{{
     {"afd", l3d_method::afd, true, true},
     {"fd", l3d_method::fd, true, true, 0, 1, 1024},

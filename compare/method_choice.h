@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_choice: which method draws, and the table of all.
+// l3d_method_choice: the choice of a drawing method, and the table of all.
 #ifndef L3D_COMPARE_METHOD_CHOICE_H
 #define L3D_COMPARE_METHOD_CHOICE_H
 
@@ -27,7 +27,7 @@ enum class l3d_method {
     mesa,           ///< triangles through GL
 };
 
-/// A method and what it is told.
+/// A method and its parameters.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
     int resolution = 0; ///< tessellation, fd: quads along a patch (fd: 0 is the tolerance's
@@ -35,10 +35,10 @@ struct l3d_method_choice {
                         ///< micropolygons: points or quads along a pixel
     l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< for afd (but 32-bit fixed) and fd
 
-    /// As the command line has it: "fd", "tessellation:16".
+    /// The name as the command line has it: "fd", "tessellation:16".
     std::string name() const;
 
-    /// Whether `name` is read back; without a number methods take their usual one.
+    /// Reads a name; without a number methods take their usual one.
     /// Errors: nothing, with the reason in `why`: unknown name, number missing sense or range.
     static std::optional<l3d_method_choice> from_name(std::string_view name, std::string& why);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_kept: which grids still fit, and how the others are diced.
+// l3d_method_kept: finds grids that still fit, and dices the others.
 #include "compare/method_kept.h"
 
 #include "compare/dicers/micropolygon_dicer.h"
@@ -14,8 +14,8 @@
 
 namespace {
 
-/// How much finer than necessary a grid is diced, and how much finer it may become before a coarser
-/// one replaces it.
+/// The factor by which a grid is diced finer than necessary, and the factor at which a coarser one
+/// replaces it.
 constexpr double headroom = 1.25, too_fine = 4;
 
 /// Cuts of a patch at most, as l3d_micropolygon_dicer has it.
@@ -41,7 +41,7 @@ void l3d_kept_micropolygons::draw(const l3d_method_patch& patch, const l3d_dice_
     counts.bound_px = std::numeric_limits<double>::infinity();
 }
 
-/// Cut along u first, so that pieces of a frame are those of the next, whichever way is longer now.
+/// Cuts along u first, whichever way is longer now, so that the next frame has the same pieces.
 void l3d_kept_micropolygons::visit(const l3d_patch_part& p, task& of) {
     if (p.depth > 0 && l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return;

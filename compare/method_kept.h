@@ -23,9 +23,9 @@ public:
     /// So many quads along a pixel at most. Expects: >= 1.
     explicit l3d_kept_micropolygons(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
 
-    /// Puts the patch's quads into the image. It dices what has no grid, or one whose quads have
-    /// grown beyond their size, or shrunk below a quarter of it. Grids that the frame does not need
-    /// are dropped. Expects: the same surface and normals each time; l3d_needs_no_clipping.
+    /// Puts the patch's quads into the image. It dices pieces without a grid, and those whose quads
+    /// have grown beyond their size, or shrunk below a quarter of it. Grids that the frame does not
+    /// need are dropped. Expects: the same surface and normals each time; l3d_needs_no_clipping.
     void draw(const l3d_method_patch& patch, const l3d_dice_view& view, l3d_dice_counts& counts);
 
     /// Drops all grids.
@@ -99,7 +99,7 @@ private:
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     l3d_method_patches patches_;
     l3d_scene_memory diced_of_;
-    /// By instance and patch; and whether the frame has it.
+    /// The grids by instance and patch.
     std::vector<std::vector<l3d_kept_micropolygons>> kept_;
     std::vector<std::vector<char>> is_seen_;
     std::vector<const l3d_surface_part*> parts_;

@@ -22,7 +22,7 @@ namespace {
 
 using namespace l3d_detail;
 
-// Depth is near / w: of reciprocal depth all bits are good, nearer is more, and what is in front of
+// Depth is near / w: all bits of reciprocal depth are good, nearer is more, and everything before
 // the near plane is clipped. 1.2e-38 is a little more than the least float with all its bits: a
 // zero normal then has cosine 0.
 const mesa_target::program_text smooth_surfaces{.vertex = R"(#version 120
@@ -102,7 +102,7 @@ private:
     mesa_target target_;
     l3d_size held_size_;
     std::vector<mesh> meshes_;
-    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered
+    l3d_depth_buffer own_depth_; ///< used if only the covered pixels are counted
     l3d_dice_counts counts_;
     l3d_surface_counts surface_counts_;
 };

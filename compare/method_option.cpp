@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_option: declaration, and which settings a method can serve.
+// l3d_method_option: declaration, and the check of settings that a method can serve.
 #include "compare/method_option.h"
 
 #include "base/error.h"

@@ -16,8 +16,8 @@
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class l3d_method_option {
 public:
-    /// The option's name, the method that it stands for if it is not given ("" for none), and what
-    /// the help says before the methods' names.
+    /// Declares the option: its name, its usual method ("" for none), and the help's text before
+    /// the methods' names.
     l3d_method_option(l3d_options& options, std::string option, std::string usual,
                       const std::string& help);
     l3d_method_option(const l3d_method_option&) = delete;
@@ -25,7 +25,7 @@ public:
 
     /// The settings asked for, with the method. Expects: a usual method.
     /// Errors: as l3d_afd_options::settings; l3d_error(usage) for an unknown method, or one that
-    ///         has not what is to be shown.
+    ///         lacks a wanted feature.
     l3d_afd_settings settings(const l3d_afd_options& afd) const;
 
     /// The method asked for, or the usual one, if there is any.

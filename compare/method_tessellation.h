@@ -19,8 +19,8 @@
 /// points of the patch, placed in double and snapped. Units: pixels.
 ///
 /// The triangles may be clipped. At the near plane a chord's w is that plane's. The surface's w at
-/// the same parameters is at least that less the chord's own error, and the bound divides by this.
-/// It is infinity where n is too small for that.
+/// the same parameters is at least that less the chord's own error, which is the divisor of the
+/// bound. It is infinity where n is too small for that.
 /// Shape:   the net in the view's units.
 /// Expects: n >= 1.
 double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& view, int n);
@@ -28,8 +28,8 @@ double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& v
 /// Each patch as n by n quads of two triangles, from l3d_tessellated; then polygons like any
 /// others, through l3d_polygon_frame and a depth buffer.
 ///
-/// The polygons are made once, and again when the scene has other models or these stand elsewhere.
-/// That is timed as `dice`, as is their placing in each frame.
+/// The polygons are made once, and again when the scene has other models or placements. This is
+/// timed as `dice`, and so is their placing in each frame.
 /// Lives: borrows the workers.
 /// Cost:  2 n^2 triangles a patch, 200 bytes each.
 class l3d_method_tessellation final : public l3d_surface_method {
@@ -52,7 +52,7 @@ private:
     l3d_scene_memory made_of_;
     l3d_polygon_model model_;                ///< the whole scene, in the world
     std::vector<std::size_t> face_ends_;     ///< ends of the patches' faces in model_
-    std::vector<std::size_t> first_patches_; ///< their numbers, by instance
+    std::vector<std::size_t> first_patches_; ///< numbers of the instances' first patches
     l3d_polygon_frame polygons_;
     l3d_scene_culling culling_;
     l3d_dice_counts counts_;

@@ -23,7 +23,7 @@ using l3d_detail::stopwatch;
 /// by more than a corner.
 constexpr double points_per_cell = 2;
 
-/// Steps of a patch at most, along each parameter: what is larger than the cube would be wrong.
+/// Steps of a patch at most, along each parameter; no patch in the cube needs more.
 constexpr int most_steps = 1 << 13;
 
 /// A rim of cells around the scene, so that nothing is outside by a rounding.
@@ -42,7 +42,7 @@ int steps_of(const l3d_patch_model::patch& p, bool along_u) {
     return std::clamp(static_cast<int>(std::ceil(3 * longest * points_per_cell)), 1, most_steps);
 }
 
-/// Where the camera stands: the point whose x, y and w are 0. (Cramer's rule.)
+/// The camera's place: the point whose x, y and w are 0. (Cramer's rule.)
 vector eye_of(const l3d_matrix<double>& m) {
     const auto row = [&](int r) { return vector(m(r, 0), m(r, 1), m(r, 2)); };
     const vector a = row(0), b = row(1), c = row(3);

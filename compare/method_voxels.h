@@ -17,8 +17,8 @@
 /// and sends a ray through every pixel. The filled cells depend on the scene alone. They are kept
 /// until the scene changes, and their time is that of the stage `dice` in the first frame.
 ///
-/// A pixel gets the depth of the middle of the first cell on its ray: it is off by up to a cell's
-/// diagonal as it is seen there. Rays may slip between cells that only points half a cell apart
+/// A pixel gets the depth of the middle of the first cell on its ray, with an error of up to a
+/// cell's diagonal as seen there. Rays may slip between cells that only points half a cell apart
 /// have filled, so there is no bound. Expects: models do not change while the method lives. Lives:
 /// borrows the workers.
 class l3d_method_voxels final : public l3d_surface_method {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scene_memory: whether a scene is still the one that something was made of.
+// l3d_scene_memory: tells whether a scene is still the one that kept data was made of.
 #ifndef L3D_COMPARE_SCENE_MEMORY_H
 #define L3D_COMPARE_SCENE_MEMORY_H
 
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-/// The models of a scene, where they stood and of what, for what is made once and kept.
+/// The models of a scene, with their placements and materials, for data that is made once and kept.
 ///
 /// Lives: shares the models, so no other model can come to the address of one that is remembered.
 class l3d_scene_memory {

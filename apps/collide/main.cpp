@@ -19,10 +19,10 @@ using vector = l3d_vector<double, 3>;
 
 constexpr double step = 1.0 / 60; // seconds
 
-/// A coloured thing that flies, tumbles, and glows for a moment when it was hit.
+/// A coloured thing that flies, tumbles, and glows for a moment after a hit.
 class body final : public l3d_object {
 public:
-    /// `is_painted`: its faces show their light by their colours, and none falls on them.
+    /// `is_painted`: the colours of its faces already contain the light.
     body(l3d_polygon_mesh mesh, std::uint32_t color, bool is_painted, const vector& place,
          const vector& turn)
         : place_(place), turn_(turn), color_(color), is_painted_(is_painted),
@@ -89,7 +89,7 @@ void bounce(body& a, body& b) {
     b.glow();
 }
 
-/// All bodies, for which it lets time pass: an object that nobody sees.
+/// An invisible object that moves all bodies as time passes.
 ///
 /// Lives: borrows them.
 class laws final : public l3d_object {

@@ -50,7 +50,7 @@ public:
     explicit curves_pipeline(l3d_canvas canvas) : l3d_pipeline_2d(std::move(canvas)) {
         std::string why;
         font_ = l3d_font::of_system(why);
-        if (!why.empty() && !screen().is_window()) // a window with a caption says so itself
+        if (!why.empty() && !screen().is_window()) // a window's caption tells the reason
             std::cerr << "curves: " << why << '\n';
     }
 
@@ -99,7 +99,7 @@ private:
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
     /// Shares of width and height, so that handles stay in a window of another size. They leave
-    /// the numbers' and the caption's place above them free, and that of magnifier and bars below.
+    /// room for the numbers and the caption above, and for magnifier and bars below.
     static constexpr std::array<l3d_point_2d, 4> places_at_first{
         {{0.06, 0.38}, {0.3, 0.82}, {0.6, 0.34}, {0.94, 0.45}}};
     static constexpr std::uint32_t exact_color = 0x0060c0ff, fixed_color = 0x00ff5040,
@@ -312,7 +312,7 @@ private:
         return doublings;
     }
 
-    /// How far the whole numbers are off, which is by rounding the control points alone.
+    /// The error of the whole numbers, which comes from rounding the control points alone.
     static double whole_error(const numbers& x, const numbers& y, int doublings) {
         constexpr double lattice = 256; // parts of a pixel
         const auto offs = [&](const numbers& b) {

@@ -15,7 +15,7 @@ inline int dot_side(l3d_size picture) {
     return std::max(1, std::min(picture.width / 320, picture.height / 200));
 }
 
-/// The same without hard edges: a smooth dot of one pixel is spread over four, and too dim to see.
+/// The side of a smooth dot: one of a single pixel is spread over four, and too dim to see.
 inline double smooth_dot_side(l3d_size picture) {
     return 2 * dot_side(picture);
 }

@@ -122,7 +122,7 @@ private:
     l3d_random random_;
     l3d_ticker ticker_;
     std::vector<point> dots_;
-    point::vector eye_ = point::of(0, 0, 0).from_origin; ///< where the eye is
+    point::vector eye_ = point::of(0, 0, 0).from_origin; ///< the eye's place
 };
 
 } // namespace

@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Where a model stands, how large it is, and how fast it turns about itself.
+/// The place, size and speed of turning of a model.
 struct exhibit {
     double x, z, scale, degrees_per_second;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hello: the first lessons: a window, what happens to it, and a picture made word by word.
+// hello: the first lessons: a window, its events, and a picture made word by word.
 #include <l3d/font.h>
 #include <l3d/lesson.h>
 #include <l3d/random.h>
@@ -86,7 +86,7 @@ public:
         y_ = event.y;
     }
 
-    /// Only what happens to the window changes anything, unless words are random.
+    /// Whether only events change the picture: words are not random, or stopped.
     bool is_at_rest() const override { return lesson_ != lesson::image || is_stopped(); }
 
     /// The last events, the latest one at the bottom.

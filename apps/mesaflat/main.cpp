@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesaflat: triangles by software GL, which they use unless told otherwise; they pile up.
+// mesaflat: triangles that pile up, drawn by software GL unless told otherwise.
 #include "../xform/pile_pipeline.h"
 #include <l3d/program.h>
 

@@ -63,7 +63,7 @@ private:
         };
     }
 
-    /// That of the back-end, if it draws by GL; else the first one that is found.
+    /// The rasterizers of the back-end, if it draws by GL; else the first ones found.
     const l3d_rasterizer_factory_mesa& gl() {
         const l3d_rasterizer_factory* const chosen =
             program_.factories().chosen().rasterizer_factory.get();

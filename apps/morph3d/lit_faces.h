@@ -20,8 +20,8 @@ inline std::uint32_t mixed(std::uint32_t first, std::uint32_t second, double sha
     return word;
 }
 
-/// How bright a face is in a light that comes from above, from the left and from the viewer, once
-/// the face is turned so. It is 0.25 in the shadow, 1 in full light.
+/// The brightness of a turned face in a light from above, from the left and from the viewer: 0.25
+/// in the shadow, 1 in full light.
 inline double light_on(const l3d_polygon_mesh& mesh, std::size_t face,
                        const l3d_matrix<double>& turned) {
     const auto corners = mesh.face(face);

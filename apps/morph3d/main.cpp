@@ -22,7 +22,7 @@ using vector = l3d_polygon_mesh::vector;
 /// A place on a unit sphere about the z axis goes to a place on the form.
 struct form {
     vector (*place)(const vector&);
-    std::uint32_t low, high; ///< the colours of the trunk and of what is above
+    std::uint32_t low, high; ///< the colours of the trunk and of the part above
 };
 
 /// The cosine of four times the angle about the axis; 1 on the axis.
@@ -80,7 +80,7 @@ constexpr std::array<form, 4> forms{{{ball, 0xe0952f, 0xe0952f},
 /// The forms one after another, each over a second, while it turns.
 class morphing final : public l3d_object {
 public:
-    /// `is_painted`: its faces show their light by their colours, and none falls on them.
+    /// `is_painted`: the colours of its faces already contain the light.
     explicit morphing(bool is_painted)
         : is_painted_(is_painted), first_(l3d_sphere_mesh(48, 32)), now_(first_) {
         begin();
@@ -148,7 +148,7 @@ private:
     l3d_vertex_interpolator<double> morph_;
     l3d_ticker ticker_;
     std::size_t which_ = 0; ///< the form that it comes from
-    int step_ = 0;          ///< on the way; below 0 it rests
+    int step_ = 0;          ///< step on the way; below 0 it rests
     double degrees_ = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Dots at the same height, and so, one believes, at the same distance.
+/// Dots at the same height, which seem to be at the same distance.
 struct row {
     int y, spacing, updates_per_pixel;
 };
@@ -41,7 +41,7 @@ private:
                 draw_dot(rasterizer, side * moved(x, r, width), side * r.y, drawn_side, 0xffffff);
     }
 
-    /// To the left, and in again from the right.
+    /// Moves a place to the left, and in again from the right.
     int moved(int x, const row& r, int width) const {
         const auto gone = static_cast<int>(updates_ / r.updates_per_pixel % width);
         return ((x - gone) % width + width) % width;

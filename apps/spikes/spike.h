@@ -7,8 +7,8 @@
 #include <l3d/moveable.h>
 #include <l3d/object.h>
 
-/// The properties that spikes of one program have in common. Units: those of the world, per update
-/// of the book.
+/// The properties that spikes of one program share. Units: those of the world, per update of the
+/// book.
 struct spike_kind {
     double length = 100, width = 10;
     int spread = 1000; ///< starts are at most so far to the sides
@@ -29,7 +29,7 @@ inline l3d_polygon_mesh spike_mesh(const spike_kind& kind) {
     return mesh;
 }
 
-/// Starts again, from another place and at another speed, when it has arrived.
+/// A spike that starts again from another place and at another speed when it has arrived.
 ///
 /// Lives:   borrows the random numbers.
 class spike final : public l3d_object {
@@ -60,7 +60,7 @@ private:
             start();
     }
 
-    /// From angles and places, again each time: no rounding adds up.
+    /// Makes the placement anew from angles and places, so that no rounding adds up.
     void set_placement() {
         set_transform(0, l3d_rotation_x<real>(angles_[0]));
         set_transform(1, l3d_rotation_y<real>(angles_[1]));

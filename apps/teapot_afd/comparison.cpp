@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// comparison: two pipelines, one camera, and what is told of both.
+// comparison: two pipelines with one camera, and their captions.
 #include "comparison.h"
 
 #include "half_screen.h"
@@ -16,7 +16,7 @@ namespace {
 using l3d_detail::formatted;
 
 constexpr std::uint32_t line_color = 0x00ffd873;
-/// As the viewer's keys + and - have it.
+/// The limits of the viewer's keys + and -.
 constexpr double least_tolerance = 1.0 / 64, largest_tolerance = 64;
 
 l3d_canvas half_of(const std::shared_ptr<l3d_screen>& whole,
@@ -25,7 +25,8 @@ l3d_canvas half_of(const std::shared_ptr<l3d_screen>& whole,
     return {std::make_unique<half_screen>(whole, side), rasterizers, font};
 }
 
-/// Errors are measured by depths. Only AFD has smooth edges, and times are told of equal work.
+/// Settings that two methods can share: errors are measured by depths, and times compare equal
+/// work, so without AFD's smooth edges.
 l3d_afd_settings comparable(l3d_afd_settings settings) {
     settings.depth = true;
     settings.antialias = false;
@@ -39,7 +40,7 @@ l3d_afd_settings with_method(l3d_afd_settings settings, const l3d_method_choice&
 
 } // namespace
 
-/// A column of words before the numbers takes room that short lines do without.
+/// The lines of the caption; short ones have no column of words before the numbers.
 l3d_panel caption::lines(bool are_short) const {
     l3d_panel panel;
     const auto add = [&](const std::string& key, const std::string& text) {
@@ -125,7 +126,7 @@ void comparison::switch_budget() {
                        : other_method_.name() + " has steps of its own");
 }
 
-/// A drag that crosses the line goes on in the half that it began in.
+/// Hands the event to a half; a drag that crosses the line stays with the half in which it began.
 void comparison::pointer_event(const l3d_event& event) {
     const halves parts(whole_->pixels().width);
     const bool is_drag = event.type == l3d_event_type::pointer_motion && event.button != 0;
@@ -171,7 +172,7 @@ bool comparison::needs_redraw() const {
            live_.has_results() || passes_a_second();
 }
 
-/// Whether the captions tell of a measurement, and of less than has passed.
+/// Whether the captions show fewer seconds of a measurement than have passed.
 bool comparison::passes_a_second() const {
     return text_.error == caption::error_state::awaited && live_.seconds() > text_.awaited_seconds;
 }
@@ -187,8 +188,7 @@ l3d_pixel_box comparison::changed() const {
     return l3d_whole(whole_->pixels().size());
 }
 
-/// Nobody waits for a window's errors: they are shown when they are known. Pictures in files have
-/// them at once.
+/// Draws both halves. A window shows errors when they are known; pictures in files wait for them.
 void comparison::draw_event() {
     ++frame_;
     const bool shows_results = live_.has_results();
@@ -199,7 +199,7 @@ void comparison::draw_event() {
         if (live_.has_results())
             draw_both();
     } else if (!changed().empty()) {
-        // A frame that shows what was measured is not to make it that of another tolerance.
+        // A frame that shows measured errors must not change the tolerance that they belong to.
         if (!shows_results || frames_to_settle_ > 0)
             seek_equal_time();
     }
@@ -216,14 +216,14 @@ void comparison::draw_both() {
     draw_line();
 }
 
-/// The key d puts another model in the place of the left one.
+/// Shows the same parts on the right: the key d puts another model in the place of the left one.
 void comparison::show_same_parts() {
     const l3d_patch_instance& right = other_.scene().instances()[0];
     if (right.model().identity() != shown().identity())
         other_.scene().place(0, shown(), right.placement());
 }
 
-/// The right half shows what the left one does, as far as its method can.
+/// Makes the right half show the same as the left one, as far as its method can.
 void comparison::follow_left() {
     if (l3d_pipeline_afd_viewer::needs_redraw())
         other_.redraw();
@@ -261,7 +261,8 @@ void comparison::draw_line() {
                           line_color);
 }
 
-/// Time is about proportional to 1 / tolerance. A root keeps what trembles from being followed.
+/// Changes the right tolerance towards equal time, which is about proportional to 1 / tolerance. A
+/// root damps trembling times.
 void comparison::seek_equal_time() {
     if (!equal_time_ || !other_method_.keeps_tolerance())
         return;
@@ -287,7 +288,7 @@ bool comparison::measures_errors() {
     return !settings().wireframe && has_exact_picture(shown(), camera(), settings());
 }
 
-/// Begins to, unless an older picture is still being measured or this one was.
+/// Begins a measurement, unless an older picture is still being measured or this one was.
 void comparison::measure() {
     const subjects seen = now();
     if (!measures_errors() || seen == begun_ || !live_.is_idle())
@@ -309,7 +310,7 @@ void comparison::take_results() {
     redraw();
 }
 
-/// An error of another view says nothing of this one.
+/// Shows the errors, unless they belong to another view.
 void comparison::tell_errors() {
     using enum caption::error_state;
     const subjects seen = now();

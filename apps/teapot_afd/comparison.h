@@ -27,8 +27,8 @@ struct caption {
     int awaited_seconds = 0;
     live_result measured;
 
-    /// For the upper right corner of a half of this size, half of which stays free. It is shorter
-    /// where room is: with short lines, then the method's name alone, then nothing.
+    /// The panel for the upper right corner of a half of this size, half of which stays free. For
+    /// lack of room it has short lines, then the method's name alone, then nothing.
     l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
 
 private:
@@ -53,9 +53,9 @@ private:
 ///
 /// Parts that are hidden on the left are hidden on the right, and in the exact picture.
 ///
-/// Edges are stairs at first, as only AFD has others. The key m takes the next method on the right.
-/// The key b gives it the time of the left one instead of its tolerance: it then draws as exactly
-/// as it can in that time.
+/// Edges are stairs at first, since only AFD has smooth ones. The key m takes the next method on
+/// the right. The key b gives it the time of the left one instead of its tolerance: it then draws
+/// as exactly as it can in that time.
 ///
 /// Lives: owns the screen, of which each half is a screen to the pipelines.
 class comparison : public l3d_pipeline_afd_viewer {
@@ -64,7 +64,7 @@ public:
     comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
                const l3d_afd_settings& settings, const l3d_method_choice& other);
 
-    /// Both halves: what a dispatcher shows.
+    /// The screen with both halves, for the dispatcher.
     l3d_screen& whole() { return *whole_; }
 
     /// The left half's report, with the number of the whole picture.
@@ -127,9 +127,9 @@ private:
     bool equal_time_ = false;
     /// The right half's tolerance at equal time.
     double other_tolerance_;
-    /// How many frames are still drawn although nothing moves.
+    /// Frames that are still drawn although nothing moves.
     int frames_to_settle_ = 0;
-    /// The last one. The halves may be drawn twice for it.
+    /// The last frame. The halves may be drawn twice for it.
     int frame_ = -1;
     caption text_;
     l3d_picture_pace other_pace_; ///< pace of the right half

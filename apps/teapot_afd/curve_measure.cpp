@@ -17,7 +17,8 @@ namespace {
 using cubic = std::array<double, 4>;
 using plane_curve = l3d_bezier_curve<double, 2>;
 
-/// The same numbers with every library: mt19937_64 is specified, distributions are not.
+/// Random numbers that are the same with every library: mt19937_64 is specified, distributions are
+/// not.
 class number_source {
 public:
     double between(double low, double high) {
@@ -115,8 +116,8 @@ double error_of(curve_numbers numbers, const cubic& b, int steps, double range) 
     return 0;
 }
 
-/// Half units of the registers' last bits through the binomials; with sums that are rounded, each
-/// register also errs by half a unit of its own in every sum.
+/// The bound of the walk: half units of the registers' last bits through the binomials. With
+/// rounded sums, each register also errs by half a unit of its own in every sum.
 double theory_of(curve_numbers numbers, int steps, double range) {
     const double n = steps, pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
     switch (numbers) {
@@ -256,7 +257,7 @@ std::vector<chord_row> measure_chords(double range, const std::vector<int>& step
     return rows;
 }
 
-/// Chebyshev's cubic, which rises fastest at its end of all that stay within bounds (Markov).
+/// Uses Chebyshev's cubic, which rises fastest at its end among all within bounds (Markov).
 std::vector<step_row> measure_steps(double range, int most_halvings, int curves) {
     const double r = range / 2;
     const plane_curve chebyshev{{{{-r, -r}, {5 * r, 5 * r}, {-5 * r, -5 * r}, {r, r}}}};

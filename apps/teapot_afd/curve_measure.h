@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// curve_measure: what the literature says of forward differences of cubics, measured.
+// curve_measure: measures the literature's claims on forward differences of cubics.
 #ifndef L3D_APPS_TEAPOT_AFD_CURVE_MEASURE_H
 #define L3D_APPS_TEAPOT_AFD_CURVE_MEASURE_H
 
 #include <array>
 #include <vector>
 
-/// How numbers are held in a walk.
+/// The number format of a walk.
 enum class curve_numbers {
     float_32,
     float_64,
@@ -36,8 +36,7 @@ std::vector<growth_row> measure_growth(double range, const std::vector<int>& ste
 /// of that range.
 int most_steps_below_a_pixel(curve_numbers numbers, double range, int limit, int curves);
 
-/// Largest distance of chords from random cubics, with n steps, and what the bound h^2 / 8 max
-/// |f''| allows.
+/// Largest distance of chords from random cubics, with n steps, and the bound h^2 / 8 max |f''|.
 struct chord_row {
     int steps = 0;
     double measured = 0, theory = 0;

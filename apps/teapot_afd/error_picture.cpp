@@ -23,7 +23,7 @@ std::uint32_t color_of(double part) {
     return level(2 * part) << 16 | level(2 - 2 * part) << 8;
 }
 
-/// A bar of the colours, and what they stand for.
+/// Draws a bar of the colours with their meaning.
 void draw_legend(const l3d_pixels& pixels, double largest) {
     constexpr int left = 10, top = 10, width = 200, height = 12;
     for (int y = top; y < std::min(top + height, pixels.height); ++y)

@@ -8,8 +8,8 @@
 
 #include <string>
 
-/// Green where the error is 0, over yellow, to red where it is `largest` pixels or more; magenta
-/// where there is a hole, black where nothing is compared. A legend in pixels is drawn in.
+/// Writes a picture of the error: green for 0, over yellow, to red for `largest` pixels or more;
+/// magenta for holes, black where nothing is compared. A legend tells the pixels.
 ///
 /// Errors: l3d_error(failure) that names the file.
 void write_error_picture(const std::string& file, const reference::error_map& errors, l3d_size size,

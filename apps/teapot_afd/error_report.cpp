@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report: what is measured, in which order, and into which files.
+// The report: the measurements, their order, and their files.
 #include "error_report.h"
 
 #include "error_picture.h"
@@ -32,7 +32,8 @@
 
 namespace {
 
-/// Says how far the report is, and how long it may still take: "[12/80, 35 s, 200 s to go] ...".
+/// Tells the report's progress, and the time that it may still take: "[12/80, 35 s, 200 s to go]
+/// ...".
 class progress {
 public:
     progress(std::size_t all, std::size_t known) : all_(all), known_(known), done_(known) {}
@@ -94,8 +95,8 @@ nlohmann::ordered_json machine(l3d_size size, bool quick) {
             {"quick", quick}};
 }
 
-/// The file of a picture of where the error sits, if there is to be one. It is that of ours, and
-/// that of a mesh of about the same cost.
+/// The file for a picture of the error, if the setting gets one: the library's own method does, and
+/// a mesh of about the same cost.
 const char* pictured(const measured_setting& what) {
     const l3d_method_choice& method = what.method;
     if (method.method == l3d_method::afd && what.tolerance == 0.25 &&
@@ -107,8 +108,8 @@ const char* pictured(const measured_setting& what) {
                : nullptr;
 }
 
-/// Measures the rows that are not known yet. Says which ones it leaves out, and why: those that the
-/// exact renderer gives up on.
+/// Measures the rows that are missing. It names those that it leaves out, because the exact
+/// renderer gives up on them.
 class measurer {
 public:
     measurer(const std::string& folder, bool quick, l3d_size size, row_store& rows, progress& at)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of error against run time: what accuracy costs with each method.
+// The report of error against run time: the cost of accuracy with each method.
 #ifndef L3D_APPS_TEAPOT_AFD_ERROR_REPORT_H
 #define L3D_APPS_TEAPOT_AFD_ERROR_REPORT_H
 
@@ -18,13 +18,13 @@ struct error_report_scope {
 
 /// Measures all methods and arithmetics in each view, and cubic curves besides. Writes numbers into
 /// a folder (.csv, .json), and pictures of where the error sits (.png). report_pages.py makes pages
-/// and diagrams of the numbers: report.md, report.html, .svg and .png. Says on stderr what it is
-/// doing, and how to call that script.
+/// and diagrams of the numbers: report.md, report.html, .svg and .png. Tells its progress on
+/// stderr, and how to call that script.
 ///
-/// A report that was stopped goes on where it was if it is begun again with the same folder.
+/// A stopped report goes on where it was if it is begun again with the same folder.
 ///
-/// Errors: l3d_error(failure) that names what cannot be written, or says how many rows could not be
-///         measured. Then all others are there.
+/// Errors: l3d_error(failure) that names a file that cannot be written, or tells how many rows
+///         could not be measured. Then all others are written.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

@@ -38,14 +38,15 @@ std::vector<reference::patch> patches_of(const l3d_patch_model& model) {
     return result;
 }
 
-/// Time that this thread has run: what others do with the machine meanwhile does not count.
+/// Time that this thread has run; the time of other threads and processes does not count.
 double processor_ms() {
     timespec time{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// Tenths of a millionth of the distance: no picture shows it, no frame equals another.
+/// Moves the eye by tenths of a millionth of the distance: no picture shows it, and no frame equals
+/// another.
 l3d_camera trembling(const l3d_camera& at, int frame) {
     constexpr double tremor = 1e-7;
     l3d_camera result = at;
@@ -70,7 +71,7 @@ public:
     }
 };
 
-/// Draws for about so long, and the view itself at the end.
+/// Draws for about the given time, and the view itself at the end.
 template <class Pipeline>
 void time_frames(Pipeline& pipeline, const l3d_camera& camera, double seconds,
                  frame_result& result) {

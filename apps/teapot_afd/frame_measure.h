@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// frame_measure: what a method's frames cost, and how far they are off.
+// frame_measure: the cost and the errors of a method's frames.
 #ifndef L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
 #define L3D_APPS_TEAPOT_AFD_FRAME_MEASURE_H
 
@@ -48,7 +48,7 @@ private:
     std::vector<unsigned char> levels_;
 };
 
-/// How a picture is made: by a method that draws patches, or as polygons.
+/// The way in which a picture is made: by a method that draws patches, or as polygons.
 enum class drawn_as { patches, zsort, zbuffer };
 
 /// The subject of a measurement: a method and its tolerance, or a pipeline of polygons. For
@@ -89,15 +89,15 @@ struct frame_result {
     std::int64_t holes = 0;
 };
 
-/// A row, and where each pixel's error sits.
+/// A row, and the error of each pixel.
 struct measured_frames {
     frame_result row;
     reference::error_map errors;
 };
 
-/// Draws the view again and again on one thread for about so long, from eyes that are never twice
-/// at the same place. Then it draws the view itself, which is compared with the exact one. At most
-/// some `most_distances` pixels of outlines are measured.
+/// Draws the view again and again on one thread for about the given time, never twice from the same
+/// place. Then it draws the view itself, which is compared with the exact one. At most some
+/// `most_distances` pixels of outlines are measured.
 measured_frames measure_frames(const measured_view& view, const measured_setting& setting,
                                double seconds, int most_distances);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// half_screen: the left or the right half of a screen, for a pipeline that thinks it is a whole.
+// half_screen: the left or the right half of a screen, as a whole screen for a pipeline.
 #ifndef L3D_APPS_TEAPOT_AFD_HALF_SCREEN_H
 #define L3D_APPS_TEAPOT_AFD_HALF_SCREEN_H
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-/// Where the halves of a picture lie. Both are equally wide. Units: pixels.
+/// The places of the halves of a picture. Both are equally wide. Units: pixels.
 struct halves {
     int width;       ///< width of each half
     int right_start; ///< the right one's first column
@@ -23,7 +23,7 @@ struct halves {
     int line_width() const { return std::max(0, right_start - width); }
 };
 
-/// Events come to the whole screen, and whoever has it shows the picture.
+/// A half of a screen. Events go to the whole screen, and its owner shows the picture.
 ///
 /// Lives: shares the screen.
 class half_screen final : public l3d_screen {

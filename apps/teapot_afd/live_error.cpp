@@ -59,7 +59,7 @@ live_error::live_error(bool is_modest) {
     try {
         thread_ = std::jthread([this, is_modest](const std::stop_token& s) { run(s, is_modest); });
     } catch (const std::system_error&) {
-        // begin() knows that nobody will measure.
+        // Without a thread, begin() does nothing.
     }
 }
 
@@ -118,8 +118,8 @@ void live_error::wait() const {
 }
 
 void live_error::run(const std::stop_token& stop, bool is_modest) {
-    // A tenth of what a frame's thread has where both want the same processor. Linux keeps such a
-    // value for each thread; where that fails, frames are slower.
+    // Gives this thread a tenth of a frame thread's time where both want the same processor. Linux
+    // keeps such a value for each thread; where that fails, frames are slower.
     constexpr int modest_nice = 10;
     if (is_modest)
         ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), modest_nice);
@@ -132,7 +132,7 @@ void live_error::run(const std::stop_token& stop, bool is_modest) {
         try {
             results = results_of(task, stop);
         } catch (const std::exception&) {
-            // No memory is left for maps of nothing. Whoever asks again may have them then.
+            // Memory is too short even for empty maps. A later task may have enough.
         }
         lock.lock();
         results_ = std::move(results);
@@ -141,7 +141,8 @@ void live_error::run(const std::stop_token& stop, bool is_modest) {
     }
 }
 
-/// The exact renderer gives up where the near plane cuts what reaches a million times as far.
+/// Results of a task. The exact renderer gives up where the near plane cuts a patch that reaches a
+/// million times as far.
 std::vector<live_result> live_error::results_of(const live_task& task,
                                                 const std::stop_token& stop) {
     try {

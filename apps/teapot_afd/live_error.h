@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// live_error: measures how far pictures are off while others are drawn.
+// live_error: measures the errors of pictures while others are drawn.
 #ifndef L3D_APPS_TEAPOT_AFD_LIVE_ERROR_H
 #define L3D_APPS_TEAPOT_AFD_LIVE_ERROR_H
 
@@ -44,12 +44,12 @@ struct live_task {
     l3d_patch_model model;
     l3d_camera camera;
     l3d_size size;
-    /// Those of each picture, row by row.
+    /// The distances of each picture, row by row.
     std::vector<std::vector<float>> distances;
 };
 
-/// Whether the exact renderer draws what a picture shows: it draws both sides of a model, and
-/// whatever is beyond the near plane.
+/// Whether the exact renderer can draw the same picture: it draws both sides of a model, and
+/// everything beyond the near plane.
 bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
                        const l3d_afd_settings& settings);
 
@@ -58,9 +58,9 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
 /// Lives: shares the data of a task's model. Its end gives up the comparison that is being made.
 class live_error {
 public:
-    /// A modest one leaves most of a busy processor to others, so frames take as long as without
-    /// it. One that is not has its results soon, for those who wait for them. Where the system
-    /// makes no thread, or memory runs out, errors stay unknown.
+    /// A modest thread leaves most of a busy processor to others, so frames take as long as without
+    /// it. Another one has its results soon, for callers who wait. Where the system makes no
+    /// thread, or memory runs out, errors stay unknown.
     explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;
@@ -69,7 +69,7 @@ public:
     bool is_idle() const;
     /// Expects: is_idle().
     void begin(live_task task);
-    /// For how many whole seconds the task has been measured; 0 if there is none.
+    /// Whole seconds that the task has been measured; 0 without a task.
     int seconds() const;
     /// The results of a task, a picture each, once; empty while there are none.
     std::vector<live_result> take_results();
@@ -83,14 +83,14 @@ private:
     std::vector<live_result> results_of(const live_task& task, const std::stop_token& stop);
     std::vector<live_result> measured(const live_task& task, const std::stop_token& stop);
 
-    /// The thread's own, and what it is of.
+    /// The thread's own view, and its subject.
     std::optional<measured_view> view_;
     shown_model viewed_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
     /// The task until it is done.
     std::optional<live_task> task_;
-    std::chrono::steady_clock::time_point begun_; ///< when that was
+    std::chrono::steady_clock::time_point begun_; ///< the time of begin()
     std::vector<live_result> results_;
     std::jthread thread_;
 };

@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
             return true;
         }
         const l3d_size size = common.size;
-        constexpr int least = 6; // a half of a third is a picture
+        constexpr int least = 6; // so that half of a third is still a picture
         if (std::min(size.width, size.height) < least)
             throw l3d_error(l3d_exit::usage,
                             "--size: '" + std::to_string(size.width) + 'x' +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// method_viewer: the key, what a method cannot show, and the error measured.
+// method_viewer: the key, settings that a method cannot show, and measured errors.
 #include "method_viewer.h"
 
 #include "dice/error_color.h"
@@ -33,7 +33,7 @@ method_viewer::subject method_viewer::now() {
             method_.name()};
 }
 
-/// A window goes on, and shows errors when they are known. Pictures in files have them at once.
+/// Draws a frame. A window shows errors when they are known; pictures in files wait for them.
 void method_viewer::draw_event() {
     ++frame_;
     if (!measures_error())
@@ -47,7 +47,7 @@ void method_viewer::draw_event() {
         if (!live_->has_results())
             return;
         take_errors();
-        static_cast<void>(pixels()); // drawn whole again: a report is of no picture that was kept
+        static_cast<void>(pixels()); // draws all: reports describe no kept pictures
         l3d_pipeline_afd_viewer::draw_event();
     }
 }
@@ -72,7 +72,7 @@ bool method_viewer::is_at_rest() const {
     return l3d_pipeline_afd_viewer::is_at_rest() && (!live_ || live_->is_idle());
 }
 
-/// Begins to, unless an older picture is still being measured or this one was.
+/// Begins a measurement, unless an older picture is still being measured or this one was.
 void method_viewer::measure() {
     if (!live_)
         live_.emplace(screen().is_window());
@@ -96,8 +96,8 @@ void method_viewer::paint_surfaces() {
         paint_errors();
 }
 
-/// Where surfaces are, and where an outline's error was measured. A smooth edge ends where its
-/// pixels' centres do, which are all that is measured: it has the colour of the bound.
+/// Colours pixels by their measured errors: surfaces, and outlines whose error was measured. Smooth
+/// edges end where their pixels' centres do, since only these are measured.
 void method_viewer::paint_errors() {
     constexpr std::uint32_t not_measured = 0x00606060;
     const std::vector<float> distances = l3d_distances(depth());
@@ -122,7 +122,7 @@ std::string method_viewer::error_scale_title() const {
                          : l3d_pipeline_afd_viewer::error_scale_title();
 }
 
-/// No key brings fog back, so AFD has it again.
+/// Takes the next method. AFD gets its fog back, since no key does that.
 void method_viewer::take_next_method() {
     controls().say(show_next_method(*this, method_));
     if (settings().method.is_default())

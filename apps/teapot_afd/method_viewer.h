@@ -11,11 +11,10 @@
 #include <optional>
 #include <string>
 
-/// With shade `error` it shows what the exact renderer measures: how far each pixel's surface is
-/// from the exact one, on a scale that ends at the tolerance. Windows show the certified bounds
-/// until that is known. Scenes with transparent parts, one-sided ones and those that the far plane
-/// cuts have no exact picture, and show bounds. Pixels that cannot be measured, at outlines and
-/// creases, are grey.
+/// A viewer whose shade `error` shows each pixel's error, measured by the exact renderer, on a
+/// scale that ends at the tolerance. Windows show the certified bounds until that is known. Scenes
+/// with transparent parts, one-sided ones and those that the far plane cuts have no exact picture,
+/// and show bounds. Pixels that cannot be measured, at outlines and creases, are grey.
 ///
 /// Lives: as l3d_pipeline_afd_viewer.
 class method_viewer : public l3d_pipeline_afd_viewer {
@@ -24,7 +23,7 @@ public:
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
-    /// With the number of the picture.
+    /// The report, with the number of the picture.
     l3d_frame_report report() const;
 
     void draw_event() override;
@@ -55,14 +54,14 @@ private:
     void take_errors();
     void paint_errors();
 
-    /// The last one. It may be drawn twice.
+    /// The last frame. It may be drawn twice.
     int frame_ = -1;
     l3d_method_choice method_;
-    /// As the user asked for it.
+    /// The fog that the user asked for.
     const l3d_fog fog_;
     /// The scene is one opaque model.
     bool is_one_model_;
-    /// Begun when it is first needed.
+    /// Made at its first use.
     std::optional<live_error> live_;
     /// The subject of the running or last measurement.
     subject begun_;
@@ -73,11 +72,11 @@ private:
     bool shows_errors_ = false;
 };
 
-/// The same settings without what their method cannot show: the wireframe, fog, and shades that
+/// The same settings, less those that their method cannot show: the wireframe, fog, and shades that
 /// need its bound or exact patches.
 l3d_afd_settings as_method_can(l3d_afd_settings settings);
 
-/// Lets a pipeline draw with another method, without what that method cannot show.
+/// Makes a pipeline draw with another method, less the settings that it cannot show.
 /// Errors: l3d_error if it cannot be created here; then nothing changes.
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method);
 

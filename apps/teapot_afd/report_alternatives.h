@@ -16,7 +16,7 @@ void write_scan_line_table(const std::string& folder, l3d_size size);
 /// Steps and times of paths of cells, along rays and along curves: cells.csv.
 void write_cell_table(const std::string& folder, l3d_size size, bool quick);
 
-/// A jet of polygons in a cloud of cells: smoke.png, and what it costs: smoke.csv.
+/// A jet of polygons in a cloud of cells: smoke.png, and its cost: smoke.csv.
 void write_smoke(const std::string& folder, bool quick);
 
 /// Micropolygons diced in each frame, and those that are kept, over three flights: kept.csv.

@@ -39,7 +39,7 @@ constexpr std::array kinds{
     path_kind{"corners (26) diagonals first", l3d_cell_touch::corner,
               l3d_cell_order::diagonal_first}};
 
-/// A ray as one from cell to cell, and whether the exact ray meets a filled cell.
+/// A ray as a path from cell to cell, and whether the exact ray meets a filled cell.
 struct cell_ray {
     l3d_cell from, to;
     bool hits;

@@ -23,10 +23,10 @@ namespace {
 /// The bytes of a vertex that is not kept: its place, depth and normal as they are filled.
 constexpr double plain_vertex = 2 * sizeof(std::int32_t) + 4 * sizeof(float);
 
-/// From frame `at` of `frames`.
+/// A flight: the camera at frame `at` of `frames`.
 using flight = std::function<l3d_camera(const l3d_camera&, int at, int frames)>;
 
-/// A degree each frame, round the target's upright axis.
+/// Turns a degree each frame, round the target's upright axis.
 l3d_camera turned(const l3d_camera& from, int at, int) {
     const double a = at * std::numbers::pi / 180;
     const l3d_camera::vector d = from.eye - from.target;
@@ -36,14 +36,14 @@ l3d_camera turned(const l3d_camera& from, int at, int) {
     return result;
 }
 
-/// To a third of the field of view.
+/// Zooms to a third of the field of view.
 l3d_camera zoomed(const l3d_camera& from, int at, int frames) {
     l3d_camera result = from;
     result.fov = from.fov * std::pow(1.0 / 3, double(at) / frames);
     return result;
 }
 
-/// A millionth of the way: other numbers, the same picture.
+/// Moves by a millionth of the way: other numbers, the same picture.
 l3d_camera still(const l3d_camera& from, int at, int) {
     l3d_camera result = from;
     result.eye = from.eye + (from.eye - from.target) * (1e-6 * at);

@@ -53,7 +53,7 @@ l3d_patch_model::patch patch_of(const surface& s, const part& of) {
     return result;
 }
 
-/// Both parameters from 0 to 1 in so many parts.
+/// The patches of a surface, both parameters from 0 to 1 in so many parts.
 std::vector<l3d_patch_model::patch> patches_of(const surface& s, int along_u, int along_v) {
     std::vector<l3d_patch_model::patch> result;
     for (int j = 0; j < along_v; ++j)
@@ -80,7 +80,8 @@ l3d_patch_model lampshade() {
     constexpr int pleats = 16, storeys = 3;
     std::vector<l3d_patch_model::patch> result;
     for (int i = 0; i < pleats; ++i) {
-        // In and out by turns: within a pleat the radius is linear, from pleat to pleat it bends.
+        // The radius goes in and out by turns: it is linear within a pleat, and bends from pleat to
+        // pleat.
         const double from = i % 2 ? 1 : 0.82, to = i % 2 ? 0.82 : 1;
         const auto pleat = [=](double u, double v) {
             const double a = 2 * pi * (i + u) / pleats;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// A camera, and what the report calls what it sees.
+/// A camera, and the view's name in the report.
 struct report_view {
     std::string name;
     l3d_camera camera;

@@ -13,7 +13,7 @@ using numbers = std::vector<int>;
 /// Quads of a mesh at most: more take seconds for each frame, and hundreds of bytes a quad.
 constexpr std::size_t most_quads = 1'200'000, most_painted_quads = 300'000;
 
-/// The patches of one model, and what its report is to have.
+/// Plans the settings for one model's report.
 class planner {
 public:
     planner(std::size_t patches, bool quick) : patches_(patches), quick_(quick) {}
@@ -90,7 +90,7 @@ settings all_settings(std::size_t patches, bool is_first, const plan_scope& scop
     return plan.done();
 }
 
-/// Those that are compared on folded patches.
+/// The settings that are compared on folded patches.
 settings fold_settings(const plan_scope& scope) {
     using enum l3d_method;
     planner plan(1, scope.quick);

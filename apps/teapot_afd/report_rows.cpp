@@ -17,7 +17,7 @@ constexpr const char* columns =
     "model,view,method,setting,patches,median_ms,least_ms,first_ms,frames,bound_px,outline_px,"
     "percentile_999_px,largest_px,mean_px,judged_share,rms_levels,holes,failures,points,quads\n";
 
-/// Nothing for what is not known, "none" for what there is not.
+/// The text of a value: nothing if it is unknown, "none" if there is none.
 std::string text_of(double value) {
     if (!std::isfinite(value))
         return std::isnan(value) ? "" : "none";
@@ -53,7 +53,8 @@ void write_text(const std::string& file, const std::string& text) {
         throw l3d_error(l3d_exit::failure, "cannot write " + file);
 }
 
-/// The last line may be half a row: it is one only if it has all of its commas and its end.
+/// Reads the rows. The last line may be half a row: it counts only with all of its commas and its
+/// end.
 row_store::row_store(const std::string& folder, const std::string& key)
     : folder_(folder), file_(folder + "/frames.part.csv") {
     const std::string head = "# " + key + '\n';

@@ -19,10 +19,10 @@ struct row_name {
     std::string text() const { return model + ',' + view + ',' + series + ',' + label; }
 };
 
-/// The rows measured so far, in a file of the report's folder. Each row is written as soon as it is
-/// there, so a report that was stopped begins where it was.
+/// The rows measured so far, in a file of the report's folder. Each row is written at once, so a
+/// stopped report goes on where it was.
 ///
-/// Errors: l3d_error(failure) that names what cannot be written.
+/// Errors: l3d_error(failure) that names the file.
 class row_store {
 public:
     /// Rows of a report of another `key` are dropped: the machine, the build and the picture's

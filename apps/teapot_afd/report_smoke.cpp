@@ -61,11 +61,10 @@ std::vector<triangle> jet() {
     return result;
 }
 
-/// How much light weakens across the cube if it is as dense everywhere as where it is densest, as a
-/// natural logarithm.
+/// Natural logarithm of the weakening of light across a cube of the largest density.
 constexpr double thickness = 22;
 
-/// Densest round the jet's tail, with lumps and holes.
+/// The smoke in a cell: densest round the jet's tail, with lumps and holes.
 l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     const double x = 2 * cell[0] / side - 1, y = 2 * cell[1] / side - 1, z = 2 * cell[2] / side - 1;
     const double lumps = 0.5 + 0.25 * std::sin(7 * x + 3 * std::sin(4 * z + 1)) +
@@ -75,7 +74,7 @@ l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     return {static_cast<float>(dense * thickness / side), static_cast<float>(0.62 + 0.3 * y)};
 }
 
-/// Where a camera sees places: the inverse of its rays.
+/// Takes places to a camera's picture: the inverse of its rays.
 class eye {
 public:
     eye(const l3d_camera& camera, const l3d_shading& view)

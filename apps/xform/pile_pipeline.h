@@ -56,7 +56,7 @@ private:
     std::uint64_t seed_;
     l3d_random random_;
     l3d_ticker ticker_;
-    int rounds_ = 0; ///< due, but not yet drawn
+    int rounds_ = 0; ///< rounds that are due, but not yet drawn
     std::vector<std::pair<int, int>> dragged_;
 };
 

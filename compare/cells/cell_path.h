@@ -9,14 +9,15 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// How two cells in a row touch, and so along how many axes a step may go at once.
+/// The touch of two neighbouring cells in a path, and so the number of axes that a step may take at
+/// once.
 enum class l3d_cell_touch {
     face = 1,   ///< 6 neighbours; most of the change is along one axis
     edge = 2,   ///< 18 neighbours; two axes
     corner = 3, ///< 26 neighbours; three axes
 };
 
-/// In which order a path takes its steps.
+/// The order in which a path takes its steps.
 enum class l3d_cell_order {
     near_line,      ///< every cell is as near to the straight line as its steps allow
     diagonal_first, ///< on diagonals until the rest is along fewer axes
@@ -26,7 +27,7 @@ using l3d_cell = std::array<int, 3>;
 
 namespace l3d_detail {
 
-/// The ways that are left along each axis, and where the next step of each lies on the line.
+/// The remaining ways along each axis, and the place of each axis's next step on the line.
 class cell_walk {
 public:
     cell_walk(const l3d_cell& from, const l3d_cell& to) : cell_(from) {
@@ -54,7 +55,7 @@ public:
                                          (2 * std::int64_t{done_[b]} + 1) * ways_[a]);
     }
 
-    /// The axis along which the line leaves the cell first; of equals the first axis.
+    /// The axis along which the line leaves the cell first; among equals the first axis.
     std::size_t soonest() const {
         const std::size_t i = is_sooner(1, 0) ? 1 : 0;
         return is_sooner(2, i) ? 2 : i;
@@ -87,10 +88,10 @@ private:
 /// they meet every cell that the line pierces. Steps across corners are a. Steps across edges are
 /// a, and one more for each that would go along three axes.
 ///
-/// On diagonals first, steps go along those axes that have most left, without a question to the
-/// line. Across corners they are a: c along three axes, b - c along two, a - b along one. Across
-/// edges they are the larger of a and half the sum. A knight's move, (2, 1), takes 2 steps in place
-/// of 3. Such a path bends away from the line, so it serves short ways only.
+/// On diagonals first, steps go along the axes with the longest remaining ways, whatever the line.
+/// Across corners they are a: c along three axes, b - c along two, a - b along one. Across edges
+/// they are the larger of a and half the sum. A knight's move, (2, 1), takes 2 steps in place of 3.
+/// Such a path bends away from the line, so it serves short ways only.
 /// Source: Kaufman, Shimony, 3D Scan-Conversion Algorithms for Voxel-Based Graphics, Workshop on
 ///         Interactive 3D Graphics 1986, for the three kinds of touch.
 template <class Visit>

@@ -33,7 +33,7 @@ public:
     const std::array<int, 3>& cell() const { return cell_; }
     double t() const { return t_; }
 
-    /// Where the cell is left.
+    /// The t at which the ray leaves the cell.
     double leaves() const { return std::min({next_[0], next_[1], next_[2]}); }
 
     void go_on() {

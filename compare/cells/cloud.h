@@ -62,7 +62,7 @@ private:
     std::vector<std::uint8_t> light_;
 };
 
-/// Where a cloud is in the world: a cube's least corner, and its side.
+/// The place of a cloud in the world: a cube's least corner, and its side.
 struct l3d_cloud_place {
     l3d_vector<double, 3> corner{0.0, 0.0, 0.0};
     double size = 1;

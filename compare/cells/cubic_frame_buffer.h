@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// A picture in three dimensions: scenes are filled in once and seen from anywhere.
+/// A picture in three dimensions: a scene is filled in once and seen from anywhere.
 ///
 /// Cells that are met hold a normal. They are kept in bricks of 8 x 8 x 8. Only bricks that are not
 /// empty take memory, 2 KB each; a ray strides over the others.

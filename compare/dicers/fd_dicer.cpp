@@ -36,7 +36,7 @@ template <class T> double walk_error(const std::array<double, 4>& size, int step
     return l3d_forward_difference_error<T>(steps, size[0], size[1], size[2], size[3]);
 }
 
-/// A register of a number; integers keep what a wrap around leaves.
+/// A number as a register; integers wrap around.
 template <class R> R to_register(double value) {
     if constexpr (std::floating_point<R>)
         return static_cast<R>(value);
@@ -119,7 +119,7 @@ void l3d_fd_dicer::walk(registers<R>& walked, const l3d_image_patch& net, const 
     for (int row = 0; row <= steps; ++row) {
         const std::size_t at = grid.index(row, 0);
         for (std::size_t c = 0; c < columns; ++c) {
-            // A walk that was led astray may end behind the eye; its bound is infinite then.
+            // A walk that goes astray may end behind the eye; its bound is infinite then.
             const double w =
                 std::max(to_number(walked.of[2][0][c]) * back[2], view.near / l3d_guard_band);
             const double x = to_number(walked.of[0][0][c]) * back[0];
@@ -145,7 +145,7 @@ void l3d_fd_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normal
     const bool whole_edges = std::all_of(outer.begin(), outer.end(),
                                          [](const auto& edge) { return edge.strips().blocks > 0; });
     if (!whole_edges) {
-        --counts.drawn; // the other counts it
+        --counts.drawn; // the other dicer counts the patch
         return adaptive_.dice(net, normals, view, edges_, out, counts);
     }
     l3d_vertex_accuracy accuracy = l3d_evaluated_accuracy(net, view);

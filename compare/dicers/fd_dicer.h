@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <vector>
 
-/// The classic: steps from a bound of the whole patch, each column v -> S(u, v) started exactly and
-/// walked from end to end without a restart.
+/// The classic way: one bound of the whole patch gives the steps, and each column v -> S(u, v) is
+/// started exactly and walked from end to end without a restart.
 ///
 /// Every arithmetic gets the scale that serves it best: homogeneous points may be multiplied by any
 /// number. Slits to neighbours of other steps are closed along the same edge polylines as those of
@@ -24,7 +24,8 @@
 /// Cost: 9 additions and a division a vertex.
 class l3d_fd_dicer {
 public:
-    /// With steps > 0, takes so many in each patch instead of what the tolerance asks for.
+    /// With steps > 0, takes so many in each patch instead of the number that the tolerance asks
+    /// for.
     explicit l3d_fd_dicer(l3d_arithmetic arithmetic, int steps = 0)
         : arithmetic_(arithmetic), steps_(steps) {}
 

@@ -56,7 +56,7 @@ bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, doubl
     for (const auto& side : {p.row(0), p.row(3), p.column(0), p.column(3)})
         if (bend_of(side.points) > tolerance)
             return false;
-    // Without area, the diagonals say nothing, and straight sides say all.
+    // For a quad without area, straight sides decide alone, since the diagonals define no plane.
     const point across =
         l3d_cross<double>(point(p.at(3, 3) - p.at(0, 0)), point(p.at(3, 0) - p.at(0, 3)));
     const double size = l3d_length(across);

@@ -25,11 +25,11 @@ std::array<double, 2> l3d_micropolygon_lengths(const l3d_image_patch& net);
 int l3d_micropolygons_along(double length, int quads_a_pixel);
 
 /// Bound, split, dice, as in REYES. A patch is cut until a grid of such quads over a piece is
-/// small. Then it is diced by forward differences into that grid. How large the error may be is not
-/// asked; it comes out small, and is certified like that of every grid.
+/// small. Then the piece is diced by forward differences into that grid. No tolerance is kept; the
+/// error comes out small, and is certified like every grid's.
 ///
-/// Pieces and neighbours meet along edge polylines that are finer than the tolerance asks for, so
-/// there are no cracks, which the paper leaves open.
+/// Pieces and neighbours meet along edge polylines finer than the tolerance, so there are none of
+/// the paper's cracks.
 /// Cost:   25 ns a quad, some ten quads a pixel with two along each.
 /// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987.
 class l3d_micropolygon_dicer {

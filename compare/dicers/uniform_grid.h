@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_uniform_grid: grids of equal steps over a whole patch, and how exact they are.
+// l3d_uniform_grid: grids of equal steps over a whole patch, and their error bounds.
 #ifndef L3D_COMPARE_DICERS_UNIFORM_GRID_H
 #define L3D_COMPARE_DICERS_UNIFORM_GRID_H
 
@@ -25,8 +25,8 @@ l3d_vertex_accuracy l3d_evaluated_accuracy(const l3d_image_patch& net, const l3d
 
 /// The certified image error of nu x nv quads over the whole patch, whose vertices are so exact.
 ///
-/// Any steps will do: where they are so long that w of a quad is off by more than an eighth, the
-/// corners' errors count for more. Units: pixels.
+/// Any steps will do: where they are so long that w of a quad errs by more than an eighth, the
+/// corners' errors weigh more. Units: pixels.
 double l3d_uniform_bound(const l3d_image_patch& net, const l3d_dice_view& view, int nu, int nv,
                          const l3d_vertex_accuracy& accuracy);
 

@@ -13,7 +13,7 @@ namespace {
 /// Samples of a border between which silhouettes may run into it.
 constexpr int border_samples = 16;
 
-/// How far outside of a patch a silhouette may be and still bound what is inside: a rounding.
+/// Distance outside of a patch at which a silhouette still bounds its inside: a rounding.
 constexpr double rim = 1e-6;
 
 bool is_inside(const l3d_scan_root& at) {
@@ -78,7 +78,7 @@ void l3d_blinn_plotter::find_beginnings(const l3d_scan_piece& piece, const l3d_p
               [](const beginning& a, const beginning& b) { return a.y < b.y; });
 }
 
-/// Along a silhouette, (-J_v, J_u) is the direction. From a border it leads inside or it does not.
+/// Begins a silhouette, whose direction is (-J_v, J_u). From a border it leads inside, if at all.
 /// From a level point it leads both ways, by a step h with y'' h^2 / 2 as the way to the line.
 void l3d_blinn_plotter::begin_at(const beginning& from, const l3d_scan_piece& piece, double y,
                                  const l3d_plot_task& of) {
@@ -122,7 +122,7 @@ void l3d_blinn_plotter::add_silhouette(const l3d_scan_piece& piece, double y, l3
         return fail(of, rounds);
     effort_.add(true, rounds);
     if (!is_inside(*root))
-        return; // it is shorter than the way to this line
+        return; // the silhouette ends before this line
     silhouettes_.push_back({*root});
 }
 
@@ -158,7 +158,7 @@ void l3d_blinn_plotter::meet_silhouettes(const l3d_scan_piece& piece, double y,
         of.counts.samples += rounds;
         s.is_lost = !next || !is_inside(*next);
         if (!next) {
-            // At a level point below it ends, and no iteration can follow it there.
+            // The silhouette ends at a level point below, where no iteration can follow it.
             const bool ends = std::any_of(beginnings_.begin(), beginnings_.end(), [&](auto& b) {
                 constexpr double beside = 0.1; // in the parameters
                 return b.y < y && b.y > y - 1 &&

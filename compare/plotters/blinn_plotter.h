@@ -31,13 +31,13 @@ public:
     const l3d_scan_effort& effort() const { return effort_; }
 
 private:
-    /// A border, and where the line before met it.
+    /// A border, and its crossing with the line before.
     struct border {
         l3d_scan_edge edge;
         double t;
         bool is_new = true, is_lost = false;
     };
-    /// A silhouette on the line before, and how far it went from line to line.
+    /// A silhouette on the line before, and its step from line to line.
     struct silhouette {
         l3d_scan_root at;
         double du = 0, dv = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_isocurve_plotter: which curves, and how they are walked.
+// l3d_isocurve_plotter: chooses curves, and walks them.
 #include "compare/plotters/isocurve_plotter.h"
 
 #include "geom/forward_difference.h"
@@ -20,9 +20,9 @@ constexpr double least_length = 8;
 /// Halvings of a patch in all; and of a curve's step, 2^-20 of which would be a million points.
 constexpr int deepest = 40, most_halvings = 20;
 
-/// Bound of how far a piece goes along u, in the larger of both image coordinates. Let (X, Y) be
-/// the middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is
-/// three times a mean of the net's differences.
+/// Bound of a piece's extent along u, in the larger of both image coordinates. Let (X, Y) be the
+/// middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is three
+/// times a mean of the net's differences.
 double width_bound(const l3d_image_patch& net, const l3d_image_box& hull) {
     const double x = (hull.left + hull.right) / 2, y = (hull.top + hull.bottom) / 2;
     const double r = std::max(hull.width(), hull.height()) / 2;
@@ -74,7 +74,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
         const auto width_of = [](const l3d_image_patch& net) {
             return width_bound(net, l3d_image_box_of(net.points));
         };
-        // Worth while where one half needs no more curves, or fewer.
+        // Whether a cut is worth while: one half needs no more curves, or fewer.
         const double first = width_of(low.net), second = width_of(high.net);
         if (std::min(first, second) < 0.75 * std::max(first, second)) {
             fill(low, of);

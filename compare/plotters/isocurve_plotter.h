@@ -7,8 +7,8 @@
 #include "dice/normal_columns.h"
 #include "compare/plotters/plot_task.h"
 
-/// Curves of constant u, walked by adaptive forward differences in T. A step that is longer than
-/// the spacing is halved before it is taken. One that is shorter than half the spacing is doubled.
+/// Curves of constant u, walked by adaptive forward differences in T. Steps longer than the spacing
+/// are halved before they are taken, and steps shorter than half of it are doubled.
 ///
 /// Between two curves a third is drawn where they may be farther apart than the spacing, and only
 /// there. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are narrow
@@ -22,7 +22,8 @@
 ///          Based Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {
 public:
-    /// So many points and curves a pixel. With one alone, pixels may be left out. Expects: >= 1.
+    /// Sets the number of points and curves a pixel. With one, pixels may be left out. Expects: >=
+    /// 1.
     explicit l3d_isocurve_plotter(int points_a_pixel = 2) : spacing_(1.0 / points_a_pixel) {}
 
     /// Expects: l3d_needs_no_clipping(net, of.view).

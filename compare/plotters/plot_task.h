@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_plot_task: what plotters of a patch's pixels are given beside its net.
+// l3d_plot_task: the input of plotters of a patch's pixels beside its net.
 #ifndef L3D_COMPARE_PLOTTERS_PLOT_TASK_H
 #define L3D_COMPARE_PLOTTERS_PLOT_TASK_H
 
@@ -8,7 +8,7 @@
 #include "geom/normal_net.h"
 #include "compare/plotters/point_canvas.h"
 
-/// Lives: borrows all of it.
+/// Lives: borrows everything.
 struct l3d_plot_task {
     const l3d_normal_net& normals;
     const l3d_dice_view& view;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_point_canvas: a picture with depth that surface points are put into one by one.
+// l3d_point_canvas: a picture with depth, into which surface points are put one by one.
 #ifndef L3D_COMPARE_PLOTTERS_POINT_CANVAS_H
 #define L3D_COMPARE_PLOTTERS_POINT_CANVAS_H
 
@@ -11,13 +11,13 @@
 #include <cstddef>
 #include <cstdint>
 
-/// For methods whose result is not polygons but pixels. There are no vertices and no polygons in
-/// it, so `gouraud` and `flat` look like `lambert`.
+/// A canvas for methods that make pixels instead of polygons. It knows no vertices and no polygons,
+/// so `gouraud` and `flat` look like `lambert`.
 ///
 /// Lives: borrows picture and depth from begin on.
 class l3d_point_canvas {
 public:
-    /// Draws on top of what is there.
+    /// Starts drawing on top of the picture.
     /// Expects: target and depth of one size; not mode `error`, of which points know nothing.
     void begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) {
         target_ = target;
@@ -27,12 +27,12 @@ public:
         counts_ = {};
     }
 
-    /// The colour of the material of the points that come now; at first white.
+    /// Sets the colour of the next points' material; at first white.
     void set_color(std::uint32_t color) { color_ = color; }
 
     l3d_size size() const { return target_.size(); }
 
-    /// Whether what is at `inv_w` would be seen in the pixel; counts it as tested.
+    /// Whether a point at `inv_w` would be seen in the pixel; counts it as tested.
     /// Expects: (x, y) in the picture.
     bool is_nearest(int x, int y, float inv_w) {
         ++counts_.samples;

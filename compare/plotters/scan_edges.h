@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scan_edge: curves in the image that scan lines meet, as all scan line methods need them.
+// l3d_scan_edge: curves in the image that scan lines meet, for all scan line methods.
 #ifndef L3D_COMPARE_PLOTTERS_SCAN_EDGES_H
 #define L3D_COMPARE_PLOTTERS_SCAN_EDGES_H
 
@@ -27,7 +27,7 @@ struct l3d_scan_edge {
     bool meets(double y) const { return top <= y && y < bottom; }
 };
 
-/// Where an edge meets a scan line.
+/// The place where an edge meets a scan line.
 struct l3d_scan_crossing {
     double x;
     l3d_scan_root root;
@@ -42,8 +42,8 @@ void l3d_add_scan_edges(const l3d_image_curve& curve, l3d_scan_root from, l3d_sc
 l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y);
 
 /// The parameter of the crossing by Newton's iteration alone, from a start that the scan line
-/// before has left. Adds to `rounds` how often the curve was evaluated. Nothing if the iteration
-/// does not come to rest within `accuracy` pixels, or leaves the edge.
+/// before has left. Adds the number of evaluations to `rounds`. Nothing if the iteration does not
+/// come to rest within `accuracy` pixels, or leaves the edge.
 std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, double start,
                                           double accuracy, int& rounds);
 

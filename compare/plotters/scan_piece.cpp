@@ -16,10 +16,10 @@ cubic powers_of(const l3d_image_point& a, const l3d_image_point& b, const l3d_im
     return {a, d1 * 3.0, d2 * 3.0, ((d - c) - (c - b)) - d2};
 }
 
-/// How far outside of the piece a root may rest that its neighbour finds inside: a rounding.
+/// Distance outside of the piece at which a root counts: by rounding, its neighbour may miss it.
 constexpr double rim = 1e-9;
 
-/// A difference of the net seen from the box's middle, and how much that depends on the place.
+/// A difference of the net seen from the box's middle, and its change with the place.
 struct direction {
     double x, y, blur;
 };
@@ -81,7 +81,7 @@ std::optional<l3d_scan_root> l3d_scan_piece::find(double x, double y, l3d_scan_r
         const double determinant = ux * vy - uy * vx;
         if (!(determinant != 0))
             return std::nullopt;
-        // Steps that leave the piece by more than its own size lead nowhere.
+        // Clamped: steps that leave the piece by more than its own size lead nowhere.
         u = std::clamp(u - (fx * vy - fy * vx) / determinant, -1.0, 2.0);
         v = std::clamp(v - (ux * fy - uy * fx) / determinant, -1.0, 2.0);
         if (rests && round > 0 && (u < -rim || u > 1 + rim || v < -rim || v > 1 + rim))

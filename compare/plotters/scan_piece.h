@@ -14,7 +14,7 @@ struct l3d_scan_root {
     double u = 0.5, v = 0.5, w = 0;
 };
 
-/// How much Newton's iterations did: rounds are evaluations of the surface, or of a curve of it.
+/// The effort of Newton's iterations: rounds are evaluations of the surface, or of a curve of it.
 struct l3d_scan_effort {
     std::int64_t solved = 0, failed = 0;               ///< iterations
     std::int64_t solved_rounds = 0, failed_rounds = 0; ///< rounds of these iterations
@@ -28,7 +28,7 @@ struct l3d_scan_effort {
 /// A piece in power form, for points and derivatives by Horner's scheme.
 class l3d_scan_piece {
 public:
-    /// Newton's iteration doubles the digits in each round; what needs more rounds goes astray.
+    /// Newton's iteration doubles the digits in each round; one that needs more rounds goes astray.
     static constexpr int most_rounds = 10;
 
     explicit l3d_scan_piece(const l3d_image_patch& net);
@@ -44,7 +44,7 @@ public:
         return find(x, y, start, accuracy, rounds);
     }
 
-    /// The same; adds to `rounds` how often the surface was evaluated.
+    /// The same; adds the number of evaluations to `rounds`.
     std::optional<l3d_scan_root> find(double x, double y, l3d_scan_root start, double accuracy,
                                       int& rounds) const;
 

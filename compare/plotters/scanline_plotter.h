@@ -9,15 +9,15 @@
 
 #include <vector>
 
-/// A patch is cut into pieces that are seen one to one, that is, between its silhouettes; what
-/// silhouettes run through is cut down to a pixel's size. The borders of a piece are cut into
-/// stretches that rise or fall from end to end, so that each has one point on a scan line. A
-/// guarded Newton's iteration finds these points, and they pair up into spans. A span's pixels are
-/// found one from the other: the parameters of the last pixel are the next one's start. In a
-/// pixel's size around silhouettes the iteration is started from several places instead.
+/// A patch is cut into pieces that are seen one to one, that is, between its silhouettes; pieces
+/// with a silhouette are cut down to a pixel's size. The borders of a piece are cut into stretches
+/// that rise or fall from end to end, so that each has one point on a scan line. A guarded Newton's
+/// iteration finds these points, and they pair up into spans. A span's pixels are found one from
+/// the other: the parameters of the last pixel are the next one's start. In a pixel's size around
+/// silhouettes the iteration is started from several places instead.
 ///
-/// The iteration stops within an eighth of the tolerance. A pixel of a span where it does not come
-/// to rest is left out and counted as a failure; so there is no bound.
+/// The iteration stops within an eighth of the tolerance. A pixel of a span for which it does not
+/// converge is left out and counted as a failure; so there is no bound.
 /// Cost:   0.1 us an iteration, of which a pixel takes two or three.
 /// Source: Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying Parametrically Defined
 ///         Surfaces, CACM 23, 1980.

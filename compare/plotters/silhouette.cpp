@@ -15,12 +15,12 @@ bool is_inside(double u, double v) {
     return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-/// One round for two equations f = g = 0. False if they say nothing.
+/// One round for two equations f = g = 0. False if their determinant vanishes.
 bool improve(double& u, double& v, const std::array<double, 3>& f, const std::array<double, 3>& g) {
     const double d = f[1] * g[2] - f[2] * g[1];
     if (!(d != 0))
         return false;
-    // Steps that leave the piece by more than its own size lead nowhere.
+    // Clamped: steps that leave the piece by more than its own size lead nowhere.
     u = std::clamp(u - (f[0] * g[2] - f[2] * g[0]) / d, -1.0, 2.0);
     v = std::clamp(v - (f[1] * g[0] - f[0] * g[1]) / d, -1.0, 2.0);
     return true;
@@ -64,8 +64,8 @@ std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int s
     return result;
 }
 
-/// How far the iteration is from the silhouette is measured by its own last step, since the
-/// determinant has no unit.
+/// The iteration's last step measures its distance from the silhouette, since the determinant has
+/// no unit.
 std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece, double y,
                                                     l3d_scan_root start, double accuracy,
                                                     int& rounds) {

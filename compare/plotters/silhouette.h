@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes of a piece of a patch: where it turns from its front to its back.
+// Silhouettes of a piece of a patch, at which it turns from its front to its back.
 #ifndef L3D_COMPARE_PLOTTERS_SILHOUETTE_H
 #define L3D_COMPARE_PLOTTERS_SILHOUETTE_H
 
@@ -22,15 +22,16 @@ struct l3d_border_turn {
     l3d_scan_root root;
 };
 
-/// Looks for them between so many samples of each side; two between the same samples are missed.
+/// Finds the border turns between so many samples of each side; two between the same samples are
+/// missed.
 std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int samples);
 
 /// The parameters at t along a side.
 l3d_scan_root l3d_on_side(int side, double t);
 
 /// The point of a silhouette on a scan line, by Newton's iteration in two variables, within
-/// `accuracy` pixels. Adds to `rounds` how often the surface was evaluated. The point may lie
-/// outside of the piece. Nothing if the iteration does not come to rest.
+/// `accuracy` pixels. Adds the number of evaluations to `rounds`. The point may lie outside of the
+/// piece. Nothing if the iteration does not come to rest.
 std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece, double y,
                                                     l3d_scan_root start, double accuracy,
                                                     int& rounds);

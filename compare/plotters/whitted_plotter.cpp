@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_whitted_plotter: pieces, their edges, and what lies between.
+// l3d_whitted_plotter: pieces, their edges, and the spans between.
 #include "compare/plotters/whitted_plotter.h"
 
 #include "dice/normal_columns.h"
@@ -31,7 +31,7 @@ void l3d_whitted_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& 
     divide({net}, of);
 }
 
-/// How far w bends within the piece, as pixels at its depth.
+/// Whether w bends little within the piece, as pixels at its depth.
 bool l3d_whitted_plotter::is_nearly_flat(const piece& p, const l3d_plot_task& of) const {
     const double least = l3d_depth_range_of(p.net.points).least;
     return l3d_depth_bounds_of(p.net).triangle_error(1, 1) * of.view.focal <=
@@ -72,7 +72,7 @@ void l3d_whitted_plotter::divide(const piece& p, const l3d_plot_task& of) {
         scan(p, edges, of);
 }
 
-/// Each border goes to the side of the surface that it bounds; what ends of silhouettes cut, in
+/// Adds each border to the side of the surface that it bounds; ends of silhouettes cut it into
 /// parts.
 void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powers,
                                       const std::vector<l3d_border_turn>& turns) {
@@ -102,7 +102,7 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     }
 }
 
-/// The cubic has the silhouette's ends and its directions there, (-J_v, J_u), as long as the way
+/// Adds a silhouette as a cubic with its ends and its directions there, (-J_v, J_u), of the length
 /// between the ends.
 void l3d_whitted_plotter::add_silhouette(const l3d_scan_piece& powers,
                                          const std::vector<l3d_border_turn>& turns) {

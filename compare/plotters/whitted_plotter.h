@@ -17,7 +17,7 @@
 /// the line before met them. Between two edges, depth and normal are interpolated.
 ///
 /// A failure is an iteration that does not come to rest, an edge without partner, or a piece that
-/// no cutting rids of a third end of a silhouette. A silhouette that meets no border of its piece
+/// keeps a third end of a silhouette after all cuts. A silhouette that meets no border of its piece
 /// is not found, and not counted.
 /// Source: T. Whitted, A Scan Line Algorithm for Computer Display of Curved Surfaces, SIGGRAPH
 ///         1978; Lane, Carpenter, Whitted, Blinn, CACM 23, 1980.
@@ -31,13 +31,13 @@ public:
 
 private:
     using piece = l3d_patch_part;
-    /// An edge of a side of a piece, and where the line before met it.
+    /// An edge of a side of a piece, and its crossing with the line before.
     struct tracked {
         l3d_scan_edge edge;
         double t;
         bool is_new = true;
     };
-    /// Where a line meets an edge, and what is interpolated from there.
+    /// A line's crossing with an edge, and the values to interpolate from there.
     struct end {
         double x, inv_w;
         std::array<float, 3> normal;

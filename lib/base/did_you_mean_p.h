@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// did_you_mean: the word that a wrong one was meant to be.
+// did_you_mean: suggests the word that the user may have meant by a wrong one.
 #ifndef L3D_BASE_DID_YOU_MEAN_P_H
 #define L3D_BASE_DID_YOU_MEAN_P_H
 
@@ -15,8 +15,8 @@
 
 namespace l3d_detail {
 
-/// How many letters have to be put in, left out, replaced or swapped with the next one to make one
-/// word of the other; capitals are as good as small letters. Source: optimal string alignment.
+/// Distance of two words: letters to put in, leave out, replace or swap with the next one; capitals
+/// count as small letters. Source: optimal string alignment.
 inline std::size_t slips_between(std::string_view a, std::string_view b) {
     const auto same = [](char x, char y) {
         return std::tolower(static_cast<unsigned char>(x)) ==
@@ -41,10 +41,10 @@ inline std::size_t slips_between(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'lid'?" if a word of the list is this one but for a slip in three letters, else
-/// nothing.
+/// Gives "; did you mean 'lid'?" if a word of the list differs by at most a slip in three letters,
+/// else nothing.
 template <class Words> std::string did_you_mean(std::string_view wrong, const Words& words) {
-    constexpr std::size_t letters_a_slip = 3, longest = 64; // a longer one is no slip of anybody's
+    constexpr std::size_t letters_a_slip = 3, longest = 64; // longer words are not compared
     if (wrong.size() > longest)
         return "";
     std::string_view best;

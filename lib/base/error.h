@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_error: what the library throws where a program cannot go on; never while it draws.
+// l3d_error: the exception of the library where a program cannot go on; never thrown while it
+// draws.
 #ifndef L3D_BASE_ERROR_H
 #define L3D_BASE_ERROR_H
 
@@ -8,14 +9,14 @@
 #include <stdexcept>
 #include <string>
 
-/// Exit codes of every program; an l3d_error carries the one its program ends with.
+/// Exit codes of every program; each l3d_error carries one.
 enum class L3D_PUBLIC l3d_exit : int {
     success = 0,      ///< the program did what it was asked
     failure = 1,      ///< the system refused something, such as writing a file
     usage = 2,        ///< an option or a value is not right
     no_display = 3,   ///< no display can be opened
     no_backend = 4,   ///< no back-end can serve here
-    bad_input = 5,    ///< a file does not hold what it should
+    bad_input = 5,    ///< a file has wrong contents
     display_lost = 6, ///< the display went away
 };
 

@@ -23,7 +23,7 @@ private:
     locale_t before_;
 };
 
-/// As std::snprintf has it in every locale; what is more than 159 characters long is cut.
+/// Formats as std::snprintf does in the locale "C"; texts of more than 159 characters are cut.
 template <class... Values> std::string formatted(const char* format, Values... values) {
     const without_locale numbers;
     std::array<char, 160> text{};

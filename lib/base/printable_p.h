@@ -27,8 +27,8 @@ inline std::size_t printable_size(std::string_view text) {
     return controls || overlong ? 0 : size;
 }
 
-/// The text with each byte as \xNN that is a control character or no UTF-8: nothing in it can steer
-/// a terminal or begin a new line.
+/// The text with control characters and bytes that are no UTF-8 written as \xNN: it cannot steer a
+/// terminal or begin a new line.
 inline std::string printable(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string result;

@@ -11,10 +11,10 @@
 /// The third number: counted up when something is mended and nothing else differs.
 #define L3D_VERSION_PATCH 0
 
-/// The same as one number, for `#if L3D_VERSION >= 100`: two digits for each part.
+/// The version as one number, for `#if L3D_VERSION >= 100`: two digits for each part.
 #define L3D_VERSION (L3D_VERSION_MAJOR * 10000 + L3D_VERSION_MINOR * 100 + L3D_VERSION_PATCH)
 
-/// The same as text.
+/// The version as text.
 #define L3D_VERSION_TEXT "0.1.0"
 
 #endif

@@ -62,7 +62,7 @@ bool is_seen(const l3d_block_needs& needs, std::size_t i) {
     return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
 }
 
-/// Depth of some blocks, as bits, and nothing of the others.
+/// The needs of depth for the given blocks, as bits, and none for the others.
 l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     l3d_block_needs result = needs;
     for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
@@ -128,7 +128,7 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     if (without == 0)
         return;
     const auto& p = piece.net.points;
-    // The net is scaled: x and y by the focal length and what w is scaled by, w by that alone.
+    // The net is scaled: x and y by the focal length and the scale of w, w by its scale alone.
     const double unit = 1 / w_per_length_;
     const auto size = [&](const l3d_image_point& d) {
         return unit * std::hypot(d[0] / focal_, d[1] / focal_, d[2]);
@@ -140,7 +140,7 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
             uu = std::max(uu, size(p[u] - p[u + 1] * 2.0 + p[u + 2]));
             vv = std::max(vv, size(p[v] - p[v + 4] * 2.0 + p[v + 8]));
         }
-    // The floats above them.
+    // Rounded up to floats.
     const double of_block = 6 * (1 + 0x1p-23) / (strips * strips);
     for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i) {
         if ((without >> i & 1) == 0)
@@ -153,8 +153,8 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     }
 }
 
-/// A block of a piece lies in one of the patch's blocks, or is made of several: the piece is a part
-/// of the patch by halves. So all that these numbers are multiplied by are powers of two.
+/// The bends of a piece's blocks. Each lies in one of the patch's blocks, or is made of several,
+/// since the piece is a part of the patch by halves. So all factors are powers of two.
 auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -> of_piece {
     of_piece result;
     if (strips == l3d_block_needs::most_strips && piece.u1 - piece.u0 == 1 &&
@@ -184,7 +184,7 @@ void l3d_bend_bounds::take_block(const l3d_patch_part& piece, int strips, std::s
     };
     const auto columns = blocks_of(piece.u0, size_u, column);
     const auto rows = blocks_of(piece.v0, size_v, row);
-    // How much of one of the patch's blocks one of these is.
+    // The size of one of the piece's blocks in one of the patch's.
     const auto u = static_cast<float>(across * size_u), v = static_cast<float>(across * size_v);
     const auto take = [&](const l3d_surface_bends::lanes& from, l3d_surface_bends::lanes& most,
                           float scale) {
@@ -216,8 +216,8 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
     const mixed_thirds mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
     needs.keeps_bends = true;
     std::array<double, l3d_block_needs::most_blocks> scale{};
-    // Corners of blocks without normals are measured when they are there. Half of what
-    // snapping can make of a plane is kept free, as most quads there are planes but for that.
+    // Corners of blocks without normals are measured after they are diced. Half of the error of
+    // snapping is kept free for them: most quads there are flat but for snapping.
     const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
     for (std::size_t i = 0; i < count; ++i)
         if (is_seen(needs, i)) {
@@ -358,7 +358,8 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
 
-/// Both parts fall with the square of the steps. Snapping does not, and may exceed the budget.
+/// Asks for more steps: both parts of the error fall with their square. Snapping does not, and may
+/// exceed the budget.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
     if (needs.without_normals == 0)

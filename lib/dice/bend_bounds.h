@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_bend_bounds: steps and bounds that depth and shade ask for.
+// l3d_bend_bounds: steps for depth and shade, and the bounds of their errors.
 #ifndef L3D_DICE_BEND_BOUNDS_H
 #define L3D_DICE_BEND_BOUNDS_H
 
@@ -11,7 +11,7 @@
 #include "scene/bends/surface_bends.h"
 #include "raster/surface_part.h"
 
-/// How a patch bends along its normals, as it is seen.
+/// The bends of a patch along its normals, in a view.
 ///
 /// A quad's depth is a plane in space through the mean of its corners. Its error along the exact
 /// normal is each direction's bend, as for places, and a quarter of the corners' distance from one
@@ -34,7 +34,7 @@ public:
     /// Makes a piece's needs such that depth keeps `depth_budget`, and that the shade keeps the
     /// view's tolerance unless quads would be smaller than six pixels.
     ///
-    /// Expects: needs of the piece's blocks, of places alone; the budget in pixels.
+    /// Expects: needs of the piece's blocks for places alone; the budget in pixels.
     void ask(const l3d_patch_part& piece, const l3d_dice_view& view, double depth_budget,
              l3d_block_needs& needs) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bend_planner: what depth asks of steps, and what the steps leave.
+// bend_planner: steps that depth needs, and the errors that remain.
 #if defined(L3D_DICE_BEND_PLANNER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_BEND_PLANNER_INL_H
 #undef L3D_DICE_BEND_PLANNER_INL_H
@@ -28,9 +28,9 @@ constexpr double of_moved_thirds = 0.0322;
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 
-/// Fourth derivatives, two by each parameter, count with h_u^2 h_v^2 times this. Chords make 1/64,
+/// The factor of h_u^2 h_v^2 times fourth derivatives, two by each parameter. Chords give 1/64,
 /// moved chords 2 l3d_balance / 8, and both moved l3d_balance^2. The corners' mixed difference
-/// counts with a quarter.
+/// counts a quarter.
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 
@@ -60,7 +60,7 @@ public:
         largest_in_strips(third_[d], d, third);
     }
 
-    /// In budgets.
+    /// The errors of depth, in budgets.
     HWY_INLINE lane_vec errors(direction d, std::size_t strip, std::size_t lane,
                                const strip_numbers& s) const {
         const auto chords = hn::Add(chord(d, d, strip, lane, s.own_step, s.own_bend),

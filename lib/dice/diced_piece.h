@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_diced_piece: a piece of a patch as the rasterizer takes it, and what is known of it.
+// l3d_diced_piece: a piece of a patch in the rasterizer's form, with its bounds.
 #ifndef L3D_DICE_DICED_PIECE_H
 #define L3D_DICE_DICED_PIECE_H
 
@@ -16,8 +16,8 @@ struct l3d_dice_vertex {
     double u = 0, v = 0;
 };
 
-/// The longest way that a triangle of the slits along a grid's sides goes along them. Edges have
-/// steps of their own, so it may be several of the grid's. Shape: u, v; the blocks along it.
+/// The longest extent of a slit's triangle along its side of the grid. Edges have steps of their
+/// own, so it may be several of the grid's steps. Shape: u, v; the blocks along it.
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
@@ -40,11 +40,11 @@ struct l3d_diced_piece {
     l3d_gap_spans slits;
     bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
-    /// Only written if asked for, by whoever measures.
+    /// Whether the parameters of vertices are kept, for measurements.
     bool keep_parameters = false;
     std::array<std::vector<parameters>, 3> triangle_uv;
 
-    /// Neither grid nor triangles; keeps the memory.
+    /// Removes grid and triangles; keeps the memory.
     void clear() {
         part.grid.rows = part.grid.columns = 0;
         part.triangles.clear();
@@ -58,7 +58,7 @@ struct l3d_diced_piece {
             corner.clear();
     }
 
-    /// A triangle of a slit that reaches from one parameter to another, both of u or of v.
+    /// Notes a triangle of a slit that reaches from one parameter to another, both of u or of v.
     void add_span(std::array<l3d_gap_spans::of_blocks, 2>& of, bool along_u, double low,
                   double high) {
         const std::vector<double>& at = along_u ? u : v;

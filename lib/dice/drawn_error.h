@@ -10,23 +10,23 @@
 
 #include <limits>
 
-/// Error of the evaluation of points of control nets in double, for coordinates up to `largest`,
-/// in which 16 operations follow one another. (Halvings are part of the image transform's error.)
+/// Error of evaluating points of control nets in double, by 16 successive operations on coordinates
+/// up to `largest`. (Halvings are part of the image transform's error.)
 inline double l3d_evaluation_error(double largest) {
     return 16 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
-/// The same of a curve's points by Horner's scheme, from power coefficients that are differences of
+/// Error of a curve's points by Horner's scheme, from power coefficients that are differences of
 /// its control points. In units of u * largest, first to third differences are at most 2, 4, 8 and
-/// off by 2, 8, 24; the coefficients at most 6, 12, 8, off by 12, 36, 24. Horner's products and
-/// sums are at most 8, 20, 20, 26, 26, 1 and rounded each; t is rounded, too, along which the curve
-/// changes by at most 6: 179 in all. Balance (l3d_balance / 4 at most of the second derivative, of
-/// values up to 72 that are off by 216 and rounded three times) adds 11.
+/// err by 2, 8, 24. The coefficients are at most 6, 12, 8, and err by 12, 36, 24. Horner's products
+/// and sums are at most 8, 20, 20, 26, 26, 1 and each rounded. t is rounded, too, along which the
+/// curve changes by at most 6: 179 in all. Balance adds 11: at most l3d_balance / 4 of the second
+/// derivative, of values up to 72 that err by 216 and are rounded three times.
 inline double l3d_power_form_error(double largest) {
     return 190 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
-/// How exact a piece's vertices are, and where they lie.
+/// The errors of a piece's vertices, and their range.
 ///
 /// Units: x, y, w those of homogeneous points; pixels from the picture's centre.
 struct l3d_vertex_accuracy {
@@ -36,20 +36,21 @@ struct l3d_vertex_accuracy {
     double reach = 0;      ///< reach of the vertices, which may lie far outside the window
     double snap_error = 0; ///< error of a vertex, in pixels
 
-    /// Largest w of a chord in terms of the exact w at the same parameters. Steps are chosen so
-    /// that w is off by at most an eighth in front of the near plane. Another eighth is for a drawn
+    /// Largest ratio of a chord's w to the exact w at the same parameters. Steps are chosen so that
+    /// w is off by at most an eighth in front of the near plane. Another eighth is for a drawn
     /// point that lies off the box in which the chord error was bounded. Near the near plane the
     /// exact w is at least half of the interpolated one.
     static constexpr double in_front = 1.25, crossing = 2;
 
-    /// In slits, drawn_error is less by this, since slits have no folded quads. The centre of a
+    /// The part of drawn_error that slits lack, since they have no folded quads. The centre of a
     /// folded quad is rounded to sub-pixels once more.
     static double of_centre() { return in_front * l3d_snap_error<double>(0); }
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.
     ///
-    /// Let corner i have homogeneous errors e_i. It is drawn off its place X_i by d_i, and its 1 /
-    /// w is off by the factor 1 + r_i. Let b_i be its weight at the drawn point X0. To first order
+    /// Let corner i have homogeneous errors e_i. It is drawn at a distance d_i from its place X_i,
+    /// and its 1 / w has an error by the factor 1 + r_i. Let b_i be its weight at the drawn point
+    /// X0. To first order
     ///     S / w - X0 = chord + sum b_i (e_i.xy - X0 e_i.w) / w
     ///                + sum b_i w_i / w (d_i + r_i (X_i - X0)),
     /// where only X0, not X_i, meets the errors of w, and sum b_i w_i / w is `w_ratio`.
@@ -63,9 +64,9 @@ struct l3d_vertex_accuracy {
     }
 };
 
-/// How far a vertex may be from the surface along the line of sight, beyond the error of its place.
-/// It adds the error of w and that of 1 / w as a float. That float is divided, scaled, interpolated
-/// and rounded, some four times 2^-24 of it.
+/// The error of a vertex along the line of sight, beyond that of its place: the errors of w, and of
+/// 1 / w as a float. That float is divided, scaled, interpolated and rounded, some four times 2^-24
+/// of it.
 /// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low + 4 * 0x1p-24);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_error_color: what mode `error` shows.
+// l3d_error_color: the colours of mode `error`.
 #ifndef L3D_DICE_ERROR_COLOR_H
 #define L3D_DICE_ERROR_COLOR_H
 

@@ -58,7 +58,7 @@ struct border_side {
     std::size_t component, bend_at; ///< indices into l3d_micro_grid::normal
 };
 
-/// Calls visit(border_side) for all of them.
+/// Calls visit(border_side) for each vertex on the border.
 template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     for (int column = 0; column < grid.columns; ++column) {
@@ -73,9 +73,9 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
     }
 }
 
-/// The sign of a grid's light, which is that of dS/du x dS/dv where it shows both sides. Calls
-/// negate(vertex) for those on the border whose normals are those of the other side than the inner
-/// ones', as is_other(border_side) says if they do not show the same.
+/// The sign of a grid's light; that of dS/du x dS/dv where the grid shows both sides. Calls
+/// negate(vertex) for border vertices whose normal belongs to the other side than the inner
+/// neighbour's; is_other(border_side) decides where they show different sides.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {
@@ -93,8 +93,8 @@ HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& i
     return grid.shows_both ? 1 : side;
 }
 
-/// For each vector of vertices of the grid: where it begins, and what further the next row is, or 0
-/// in the last one.
+/// Visits each vector of vertices of the grid, with its beginning and the offset of the next row, 0
+/// in the last.
 template <class Visit>
 HWY_ATTR HWY_INLINE void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
@@ -127,8 +127,8 @@ HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
 }
 
 /// Turns the levels of vertices and the bends of sides to the side of the surface that is seen. A
-/// bend is how far a side's middle is above the mean of its ends. It is 0 where the normal of an
-/// end was that of the wrong side, as nothing is known of the one between.
+/// bend is the height of a side's middle above the mean of its ends. It is 0 where an end had the
+/// wrong side's normal, since then the middle's is unknown.
 HWY_ATTR void turn_levels(float* away, float* level, l3d_micro_grid& grid) {
     const floats d;
     const auto is_other = [&](const border_side& of) {

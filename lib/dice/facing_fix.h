@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which side of a diced surface is seen.
+// The visible side of a diced surface.
 #ifndef L3D_DICE_FACING_FIX_H
 #define L3D_DICE_FACING_FIX_H
 
@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <span>
 
-/// How far a normal points away from the eye that looks at a pixel: positive if it is to be turned
-/// round. Units: x, y in pixels; the result in those of the normal times those of the rays.
+/// The part of a normal that points away from the eye at a pixel: positive if the normal is to be
+/// turned round. Units: x, y in pixels; the result in those of the normal times those of the rays.
 inline float l3d_away_from_eye(const l3d_shading& shading, const float* normal, float x, float y) {
     float away = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -24,8 +24,8 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
     return shading.ray != std::array<float, 3>{0, 0, 0};
 }
 
-/// Turns the grid's normals to the side that is seen, if all of it shows the same one; else says
-/// that it shows_both.
+/// Turns the grid's normals to the visible side, if all of the grid shows the same one; else sets
+/// shows_both.
 ///
 /// Where a surface bends away from the eye, an outline passes through quads. One side of such a
 /// quad is drawn, whichever sides its corners show. The eye would see that side, so all of the quad
@@ -35,16 +35,15 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// Where a side of a patch is nearly a point, normals may be those of the other side: dS along it
 /// turns round. Such a vertex on the grid's border shows what its inner neighbour shows. The sign
 /// for this is a normal more than a right angle off the inner neighbour's.
-/// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex; it is brought to what is
-///        said here.
+/// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex, which is corrected.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 
-/// The same for levels; makes what l3d_micro_vertex says of them in mode l3d_shade::levels.
+/// The same for levels; makes the numbers of l3d_micro_vertex for mode l3d_shade::levels.
 ///
 /// Shape: `level` as the grid's arrays and a number longer; it is written to. The levels are those
-///        of the normals as they are. In the grid, normal[1] and normal[2] are the levels of the
-///        middles of sides, in place of what these bend by. The vertices on the border that show
-///        what their neighbours show are those whose level else makes the side bend more.
+///        of the unturned normals. In the grid, normal[1] and normal[2] are the levels of the
+///        middles of sides, in place of bends. Border vertices take their neighbour's side if their
+///        side bends less so.
 void l3d_turn_levels(std::span<float> away, std::span<float> level, l3d_micro_grid& grid);
 
 /// The sign of the light that a quad of a grid shows: -1 if the grid shows_both and the quad turns

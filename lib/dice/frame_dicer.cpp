@@ -20,7 +20,7 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
-/// Whether anything of a net would be nearer than its near plane, but not than the camera's.
+/// Whether a part of a net lies nearer than its near plane, but not than the camera's.
 bool is_pushed_away(const l3d_image_patch& net, const l3d_dice_view& view, double camera_near) {
     if (view.near == camera_near)
         return false;
@@ -28,8 +28,8 @@ bool is_pushed_away(const l3d_image_patch& net, const l3d_dice_view& view, doubl
     return depth.least < view.near && depth.most > camera_near;
 }
 
-/// Which of a patch's four blocks in a row or column each of a piece's lies in, the piece being a
-/// part of it by halves.
+/// For each of a piece's blocks along u or v, the patch's block that holds it; the piece is a part
+/// of the patch by halves.
 std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     const double low = parameters.front(), size = parameters.back() - low;
     std::array<std::size_t, 4> result;
@@ -60,7 +60,7 @@ unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_co
     return result;
 }
 
-/// Vertices get their parameters in place of normals.
+/// Gives vertices their parameters in place of normals.
 void put_parameters(l3d_diced_piece& piece) {
     l3d_micro_grid& grid = piece.part.grid;
     grid.shows_both = false;
@@ -138,7 +138,7 @@ template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int6
     });
 }
 
-/// Shares out among those whose share was too small what the others left.
+/// Shares the rest of the budget among patches whose share was too small.
 template <class T>
 void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
                                          std::int64_t share) {
@@ -195,7 +195,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     const l3d_scene_culling& culling = of.culling;
     const l3d_patch_instance& instance = of.scene.instances()[p.instance];
     const l3d_normal_net& normals = instance.model().normals(p.patch);
-    // Cones lie far from all else of a patch: the first is here by the time that it is asked.
+    // Cones lie far from a patch's other data, so the first is fetched early.
     __builtin_prefetch(&instance.model().facing(p.patch));
     const l3d_image_patch net =
         l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
@@ -236,7 +236,8 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         dice_patch(net, normals, backs, edge_shares, slot(i), budget, space);
 }
 
-/// Which worker meets a patch is chance, so each is prepared for all that any has met.
+/// Prepares each worker for the largest sizes that any has met, since chance decides which worker
+/// gets a patch.
 template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
     worker_space& first = each_worker_.front();
     for (const worker_space& space : each_worker_)
@@ -246,8 +247,8 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
 }
 
 /// The blocks of a patch that back-face culling leaves out, since only their back is turned to the
-/// eye. If nobody wants to see backs, these are such blocks of any patch. Else they are those of a
-/// body that stands wholly in front of the near plane, so that its front hides them.
+/// eye. With one-sided surfaces, these are such blocks of any patch. Else they belong to a closed
+/// body wholly in front of the near plane, whose front hides them.
 template <class T>
 unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -260,7 +261,7 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
         model.orientation() != 0 && l3d_least_w_of(model, to_image) - error_w > near;
     if (!is_outside && !view_.one_sided)
         return 0;
-    // From outside, a body's back is its inside, whichever way its normals point.
+    // A body's back, seen from outside, is its inside, whichever way its normals point.
     const double side = is_outside ? model.orientation() : 1;
     const auto eye = l3d_eye_of(to_image);
     return eye ? model.facing(patch).away_from(*eye, side) : 0;

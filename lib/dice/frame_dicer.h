@@ -20,16 +20,16 @@
 #include <span>
 #include <vector>
 
-/// Which dicer takes the patches that both can dice.
+/// The dicer for patches that both can dice.
 enum class l3d_dice_way {
-    lanes,  ///< the SIMD dicer; the general one takes what is left
+    lanes,  ///< the SIMD dicer; the general one takes the rest
     general ///< the general one, the slow twin, takes all
 };
 
 /// Turns batches of placed patches into parts for the rasterizer.
 ///
 /// The result of a patch depends on the patch and the view alone, unless the frame's budget runs
-/// short. Then it depends on the patches of its batch and of those before, too. Parts come in the
+/// short. Then it depends on the patches of this batch and of earlier ones, too. Parts come in the
 /// order of their patches. So nothing depends on the workers.
 ///
 /// Each batch may spend half of the budget that is left, the last batch all of it. Its patches get
@@ -41,7 +41,7 @@ enum class l3d_dice_way {
 /// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches says.
 /// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any that the frame's other workers had. A slot
-///        (the i-th place of a batch) allocates for one that is larger than any it held.
+///        (the i-th place of a batch) allocates for a patch larger than any it held.
 template <class T> class l3d_frame_dicer {
 public:
     explicit l3d_frame_dicer(l3d_workers& workers, l3d_dice_way way = l3d_dice_way::lanes,
@@ -90,10 +90,10 @@ private:
     struct outcome {
         l3d_dice_counts counts;
         std::int64_t cost = 0;
-        bool is_short = false; ///< the tolerance is not kept, and would with a larger share
+        bool is_short = false; ///< the tolerance is exceeded, and a larger share would keep it
     };
 
-    /// A batch, and what of it is to be diced.
+    /// A batch, and its slots that are to be diced.
     struct task {
         const l3d_patch_scene& scene;
         const l3d_scene_culling& culling;

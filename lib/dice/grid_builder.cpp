@@ -24,8 +24,7 @@ template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) 
     visit(column, static_cast<std::size_t>(plan.strips - 1), 1.0);
 }
 
-/// The column at `u` of a block as a curve in v: of those between the strip's ends, the balanced
-/// one.
+/// The column at `u` of a block as a curve in v; balanced, if it lies between the strip's ends.
 l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, bool balanced) {
     l3d_image_curve column = block.curve_at_u(u);
     if (balanced && u > 0 && u < 1)
@@ -35,9 +34,9 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
     return column;
 }
 
-/// The sign of the light that a triangle shows. It shows the side that all its corners do. Where an
-/// outline passes through, it is the one that the triangle turns: not that of the normals if its
-/// corners turn to the right in the picture.
+/// The sign of a triangle's light. The triangle shows the side that all its corners show. If an
+/// outline passes through, its turn in the picture decides: to the right, it shows the side
+/// opposite to the normals.
 float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     if (v[0].away == v[1].away && v[1].away == v[2].away)
         return v[0].away ? -1.0F : 1.0F;
@@ -171,7 +170,7 @@ void l3d_grid_builder<T>::walk_rows(const l3d_piece_bounds<T>& nets, const l3d_s
     emit();
 }
 
-/// Every vertex by itself, as it may lie anywhere, even behind the eye.
+/// Evaluates every vertex by itself, since it may lie anywhere, even behind the eye.
 template <class T>
 void l3d_grid_builder<T>::evaluate_grid(const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
                                         const l3d_diced_piece& out) {
@@ -229,7 +228,7 @@ template <class T> void l3d_grid_builder<T>::copy_evaluated(l3d_micro_grid& grid
         }
 }
 
-/// A corner is shared with pieces that walk it in other ways; all use its canonical place.
+/// Puts corners to their canonical places, since pieces that share one walk it in other ways.
 template <class T>
 void l3d_grid_builder<T>::set_grid_corners(const piece& p, l3d_micro_grid& grid) const {
     for (const bool high_v : {false, true})
@@ -266,8 +265,8 @@ template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& 
         }
 }
 
-/// One of the two triangles that a clipped piece's quad is drawn as. The first one has its sides
-/// along low v and high u.
+/// Draws one of the two triangles of a clipped piece's quad. The first one has its sides along low
+/// v and high u.
 template <class T>
 auto l3d_grid_builder<T>::half_of_quad(int row, int column, bool first) const -> corners_of_half {
     const l3d_clip_vertex &a = clip_vertex(row, column), &e = clip_vertex(row + 1, column + 1);
@@ -284,7 +283,7 @@ l3d_clip_vertex l3d_grid_builder<T>::grid_vertex(const piece& p, const l3d_micro
     const double w = view_.depth_scale / static_cast<double>(v.dice.vertex.inv_w);
     v.h = {(v.dice.vertex.x - view_.centre_x()) * w / l3d_subpixel_one,
            (v.dice.vertex.y - view_.centre_y()) * w / l3d_subpixel_one, w};
-    // A neighbour that is clipped cuts the edges of a corner they share at the same place.
+    // A clipped neighbour cuts the edges at a shared corner in the same place.
     if (row % (rows_ - 1) == 0 && column % (columns_ - 1) == 0)
         v.h = p.corner(column > 0, row > 0, view_).h;
     v.drawable = true;
@@ -317,7 +316,7 @@ void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt v
         if (k + 1 < parameters.size())
             point.side = along_u ? side_at(quad_beside, i) : side_at(i, quad_beside);
     }
-    // Nobody else knows of the sides of a clipped piece.
+    // The border notes sides of a clipped piece, which has no grid.
     const bool is_border = out.part.grid.rows == 0 && along.edge < l3d_edge_polylines::sides;
     l3d_fill_gap(boundary_, (*edges_)[along.edge], view_, out, is_border);
 }

@@ -25,7 +25,8 @@ template <class T> class l3d_grid_builder {
 public:
     using piece = l3d_surface_piece;
 
-    /// The data that stay the same for a patch. Lives: normals and edges must outlive its drawing.
+    /// Starts a patch with the data of all its pieces. Lives: normals and edges must outlive its
+    /// drawing.
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
@@ -33,16 +34,15 @@ public:
     void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// Draws the rest of a piece that needs no clipping, after its grid. These are the sides, and
-    /// the corners where all neighbours have them. Shape: the grid's blocks and out.u, out.v are
-    /// written.
+    /// Draws the rest of a piece that needs no clipping, after its grid: the slits, and the corners
+    /// at their common places. Shape: the grid's blocks and out.u, out.v are written.
     void close(const piece& p, l3d_diced_piece& out);
 
-    /// A piece outside the window is not diced, but the slits that start along its sides may
-    /// reach inside: they are filled up to its corners.
+    /// Fills the slits along the sides of a piece outside the window up to its corners: the piece
+    /// is not diced, but its slits may reach inside.
     void close_hidden(const piece& p, l3d_diced_piece& out);
 
-    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    /// Reserves memory, so that pieces no larger than any of `other` allocate nothing.
     void reserve_as(const l3d_grid_builder& other);
 
 private:

@@ -21,7 +21,7 @@ float level_at(const l3d_shading& shading, const l3d_normal_net& normals, double
     return level_of(shading, l3d_unit_normal(normals.evaluate(u, v)).data());
 }
 
-/// Levels of the vertices, and in place of normals 1 and 2 those of the middles of sides.
+/// Puts levels of the vertices, and those of the middles of sides in place of normals 1 and 2.
 void put_levels(const l3d_shading& shading, const l3d_normal_net& normals, l3d_diced_piece& piece,
                 std::vector<float>& level) {
     l3d_micro_grid& grid = piece.part.grid;

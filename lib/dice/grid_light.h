@@ -10,11 +10,11 @@
 #include <array>
 #include <vector>
 
-/// Brings a normal to unit length; what has none stays as it is.
+/// Brings a normal to unit length; a zero normal stays.
 void l3d_make_unit(float (&normal)[3]);
 
 /// Replaces a vertex's unit normal by its level without bends, if levels are wanted. Returns
-/// whether the normal points away from the eye, and what is written has to be negated to be seen.
+/// whether the normal points away from the eye, so that the result has to be negated.
 ///
 /// Shape: h is the vertex before the division; it may be behind the eye.
 bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);

@@ -14,7 +14,7 @@
 namespace {
 
 /// A triangle cut by six planes has at most nine corners. Rounding can make a needle turn back and
-/// forth across a plane: of such, which cover nothing, corners too many are dropped.
+/// forth across a plane: it covers nothing, and its excess corners are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 9> corners;
     std::array<bool, 9> is_cut{}; ///< the side from a corner to the next was made by a depth plane
@@ -44,7 +44,7 @@ bool before(const l3d_image_point& a, const l3d_image_point& b) {
     return false;
 }
 
-/// The point of edge a b on the plane, the same for b a.
+/// The point of the edge from a to b on the plane, the same as from b to a.
 l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut,
                          const l3d_dice_view& view) {
     if (before(b.h, a.h))

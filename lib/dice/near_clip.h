@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles that reach behind the near plane or far beyond the window, cut to what can be drawn.
+// Cuts triangles that reach behind the near plane or far beyond the window to the part that can be
+// drawn.
 #ifndef L3D_DICE_NEAR_CLIP_H
 #define L3D_DICE_NEAR_CLIP_H
 
@@ -11,7 +12,7 @@ struct l3d_clip_vertex {
     l3d_image_point h{0.0, 0.0, 0.0};
     l3d_dice_vertex dice; ///< the vertex is valid only if `drawable`
     bool drawable = false;
-    bool away = false; ///< the normal points away from the eye; for who lights it
+    bool away = false; ///< the normal points away from the eye, for lighting
 };
 
 /// Whether a homogeneous point is between the near and the far plane and inside the guard band.

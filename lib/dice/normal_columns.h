@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-/// A normal as unit vector; zero where what there is of it may be nothing but rounding.
+/// A normal as unit vector; zero where the normal may be rounding alone.
 ///
 /// Expects: a normal of a net (whose largest coefficient is 1), evaluated in double.
 std::array<float, 3> l3d_unit_normal(const l3d_normal_net::vector& normal);
@@ -22,7 +22,7 @@ public:
     /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns);
 
-    /// Columns that take no allocation.
+    /// The number of columns that need no allocation.
     std::size_t room() const { return powers_[0][0].size(); }
 
     /// Sets column c to the normals at u.

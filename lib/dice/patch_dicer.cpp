@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_dicer: what is cut, and drawn how finely.
+// l3d_patch_dicer: chooses the pieces to cut, and the steps of all pieces.
 #include "dice/patch_dicer.h"
 
 #include <algorithm>
@@ -8,10 +8,11 @@
 
 namespace {
 
-/// As deep as halving a parameter stays exact in doubles, with room for the strips' quarters.
+/// The largest depth at which halved parameters are exact in doubles, with room for the strips'
+/// quarters.
 constexpr int deepest = 48;
 
-/// Vertices for all that is left when a patch is in l3d_most_pieces pieces: of a second, an eighth.
+/// Vertices for the rest when a patch is in l3d_most_pieces pieces: an eighth of l3d_most_samples.
 constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
 
 /// Vertices of a grid.
@@ -28,15 +29,15 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// The cost of the coarsest grid of a piece, four strips of one step each way: 25 samples. Kept for
-/// each that waits.
+/// The cost of the coarsest grid of a piece, four strips of one step each way: 25 samples. It is
+/// reserved for each waiting piece.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
-/// How many times a clipped piece's bounds grow if w of its chords is off by `error` instead of the
-/// near / 2 that they were made for. Where the interpolated w is near, the exact one is at least
-/// w = near - error: errors are divided by it instead of near / 2. The transform's error of w is at
-/// most near / 32, and counts as part of w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25
-/// times 2. From w = near / 4 on nothing is known.
+/// The factor by which a clipped piece's bounds grow if w of its chords errs by `error` instead of
+/// the planned near / 2. Where the interpolated w is near, the exact one is at least w = near -
+/// error: errors are divided by it instead of near / 2. The transform's error of w is at most near
+/// / 32, and counts as part of w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25 times 2.
+/// From w = near / 4 on nothing is known.
 double growth_by_depth(double error, double near) {
     const double w = near - error;
     if (w >= near / 2)
@@ -44,7 +45,7 @@ double growth_by_depth(double error, double near) {
     return w >= near / 4 ? 1.25 * near / (2 * w) : std::numeric_limits<double>::infinity();
 }
 
-/// How far w of the triangles of a piece is off.
+/// The error of w in the triangles of a piece.
 double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
     const auto strips = static_cast<std::size_t>(plan.strips);
     const auto least = [&](const auto& steps) {
@@ -85,7 +86,8 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     }
 }
 
-/// Whether there is a piece to cut, and its halves and all that wait could still be drawn.
+/// Whether there is a piece to cut, and the budget would still draw its halves and all waiting
+/// pieces.
 template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     if (waiting_.empty() || waiting_.front().excess <= 1)
         return false;
@@ -94,14 +96,14 @@ template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     return !of.budget.is_short;
 }
 
-/// Whether a grid of this plan may be drawn at once, so that enough is left for those that wait.
+/// Whether a grid of this plan may be drawn at once: the budget must still draw all waiting pieces.
 template <class T>
 bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const {
     const std::int64_t kept = static_cast<std::int64_t>(waiting_.size()) * least_cost;
     return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
-/// Puts a piece among those that wait: to be cut if its excess is above 1, else to be drawn last.
+/// Puts a piece among the waiting ones: to be cut if its excess is above 1, else to be drawn last.
 template <class T>
 void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
     waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});
@@ -154,7 +156,7 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
         wait(p, how.plan, how.excess);
 }
 
-/// Does the same in lanes; false, with nothing done, if it cannot.
+/// Takes a piece in lanes; false, with nothing done, if that is impossible.
 template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& of) {
     double edge_vertex = 0;
     for (const l3d_piece_side& side : p.sides)
@@ -178,7 +180,7 @@ template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& 
     return true;
 }
 
-/// With fewer steps than the tolerance asks for.
+/// Draws a piece with fewer steps than the tolerance needs.
 template <class T>
 void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost,
                                        task& of) {
@@ -238,7 +240,7 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Depth and shade of a piece, vertices of the slits along its sides being off by row_depth_error.
+/// Counts the bounds of depth and shade of a piece whose slits' vertices err by row_depth_error.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
                                        double row_depth_error, task& of) const {
@@ -248,14 +250,14 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
     of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
-/// A piece that was drawn, vertices of the slits along its sides being off by row_error.
+/// Counts a drawn piece whose slits' vertices err by row_error.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
                                bool in_lanes, task& of) const {
     double side_error = 0;
     for (const l3d_piece_side& side : p.sides)
         side_error = std::max(side_error, of.edges[side.edge].chord_error());
-    // Slits lie between vertices of the piece and of its sides, each off by its own error.
+    // Slits lie between vertices of the piece and of its sides, each with its own error.
     of.counts.bound_px = std::max({of.counts.bound_px, out.bound, side_error + row_error});
     ++of.counts.pieces;
     const auto samples = static_cast<std::int64_t>(out.u.size() * out.v.size());

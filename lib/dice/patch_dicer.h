@@ -18,24 +18,24 @@
 #include <limits>
 #include <vector>
 
-/// Pieces of a patch at most: 2047 cuts, of which what lies outside the picture takes a part.
+/// Pieces of a patch at most: 2047 cuts, some of which go to parts outside the picture.
 inline constexpr std::size_t l3d_most_pieces = 2048;
 
 /// Vertices of a patch at most, those of its edges not counted, and about as many quads. A patch
 /// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the
-/// finest tolerance. Some 2 seconds and 700 MB.
+/// finest tolerance. The limit takes some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
-/// The largest cost of a patch, and whether the patch could have used more.
+/// The largest cost of a patch; tells afterwards whether the patch could have used more.
 ///
-/// Units: samples that are diced in lanes. One that is not costs l3d_evaluated_cost of them, and to
-///        look at a piece l3d_piece_cost more.
+/// Units: samples that are diced in lanes. A sample that is evaluated by itself costs
+///        l3d_evaluated_cost of them, and each piece l3d_piece_cost.
 struct l3d_dice_budget {
     std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
     bool is_short = false; ///< with more, the bound would be smaller
 };
 
-/// In lanes a sample takes some 20 ns, all in all. One that is evaluated by itself, lit, and
+/// A sample in lanes takes some 20 ns, all in all. A sample that is evaluated by itself, lit, and
 /// clipped and filled as two triangles takes 0.3 us. The plan of a piece takes 5 us. Both are
 /// measured on spikes through the near plane.
 inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
@@ -44,8 +44,8 @@ inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 ///
 /// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip,
 /// or if it crosses the near plane and is not yet fine. The least fine piece is cut first. No patch
-/// is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn as fine as it
-/// may be, and the bound says how fine that is.
+/// is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn as finely as the
+/// budget allows, and the bound tells the error.
 ///
 /// A piece's rows are walked by forward differences in T, restarted exactly at each strip. Along
 /// each side the piece fills the slit between its own boundary row and the side's edge polyline.
@@ -53,30 +53,30 @@ inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 /// meet without a gap. Every vertex is an exact surface point of known parameters, which makes the
 /// bound certain.
 ///
-/// The cost of a patch is limited, too. Pieces are cut as long as enough is left for drawing all
-/// that wait. These then get equal shares of what is left.
+/// The cost of a patch is limited, too. Pieces are cut as long as the rest of the budget suffices
+/// for drawing all waiting ones. These then get equal shares of the rest.
 ///
 /// Cost: no allocation of its own once the patch with the most pieces has been seen. At most
 ///       l3d_most_pieces grids and l3d_most_samples vertices a patch.
 template <class T> class l3d_patch_dicer {
 public:
-    /// Adds the patch's pieces to `out`, and to `counts` what it did.
+    /// Adds the patch's pieces to `out`, and its work to `counts`.
     ///
     /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
-    ///          tolerance > 0, near > 0. With `lanes`, these dice all pieces that they can.
+    ///          tolerance > 0, near > 0. With `lanes`, the lane dicer takes all pieces that it can.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts,
               l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes = nullptr,
               const l3d_bend_bounds& bends = {});
 
-    /// The same, however much it costs.
+    /// The same without a budget.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts) {
         l3d_dice_budget enough;
         dice(net, normals, view, edges, out, counts, enough);
     }
 
-    /// From now on, pieces that are no larger than any `other` has had allocate nothing.
+    /// Reserves memory, so that pieces no larger than any of `other` allocate nothing.
     void reserve_as(const l3d_patch_dicer& other) {
         drawer_.reserve_as(other.drawer_);
         waiting_.reserve(other.waiting_.capacity());
@@ -85,7 +85,7 @@ public:
 private:
     using piece = l3d_surface_piece;
 
-    /// A piece, its steps, and how many times as many it has as it may have.
+    /// A piece, its steps, and the excess of their number over the allowed one.
     struct planned {
         explicit planned(const l3d_piece_bounds<T>& of) : nets(of) {}
 

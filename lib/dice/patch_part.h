@@ -8,15 +8,15 @@
 #include <array>
 #include <tuple>
 
-/// A part of a patch: its own homogeneous image net, and where it lies in the patch.
+/// A part of a patch: its own homogeneous image net, and its range of parameters.
 struct l3d_patch_part {
     l3d_image_patch net;
     double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
     int depth = 0; ///< cuts that made it
 };
 
-/// Both halves of a piece, cut across u or across v: copies of it in all that l3d_patch_part has
-/// not. The lower one comes first.
+/// Both halves of a piece, cut across u or across v; all members beyond l3d_patch_part are copies.
+/// The lower half comes first.
 template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool along_u) {
     std::array<Piece, 2> result{p, p};
     auto& [low, high] = result;

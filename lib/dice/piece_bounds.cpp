@@ -31,8 +31,8 @@ struct magnitudes {
     }
 };
 
-/// Error of walking n steps in T along one of `strips` equal parts of [0, 1], in registers that
-/// hold `unit` times the coordinates. Differences of order k shrink by strips^k.
+/// Error of walking n steps in T along one of `strips` equal parts of [0, 1], with registers of
+/// `unit` times the coordinates. Differences of order k shrink by strips^k.
 template <class T>
 double walking_error(const std::array<double, 4>& size, double unit, int n, int strips) {
     const double s = strips, whole = l3d_balanced_reach * unit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_piece_bounds: a piece as the bounds see it.
+// l3d_piece_bounds: the nets of a piece, and the errors of its vertices.
 #ifndef L3D_DICE_PIECE_BOUNDS_H
 #define L3D_DICE_PIECE_BOUNDS_H
 
@@ -11,14 +11,14 @@
 #include <cstddef>
 #include <span>
 
-/// l3d_most_steps_whole for pieces that need clipping. These are drawn slowly, and their triangles
-/// have no contours that edges could be smoothed by. So they are cut until what is before the near
-/// plane goes to the lanes, and little else is left. With 4, 30 edge pixels of a ball beside the
-/// eye are off by over 30 levels, with 2 there are 9 (`near_outline`).
+/// l3d_most_steps_whole for pieces that need clipping. They are drawn slowly, and their triangles
+/// have no contours for smooth edges. So they are cut until nearly all parts before the near plane
+/// go to the lanes. With 4, 30 edge pixels of a ball beside the eye err by over 30 levels; with 2,
+/// only 9 do (`near_outline`).
 inline constexpr int l3d_most_steps_clipped = 2;
 
-/// The net of a piece and of its blocks; how the piece is to be drawn, and how exact its vertices
-/// are then.
+/// The nets of a piece and of its blocks, the way to draw the piece, and the errors of its
+/// vertices.
 ///
 /// Shape: block 4 * b + a is u-strip a, v-strip b; or there is one block.
 template <class T> class l3d_piece_bounds {
@@ -28,21 +28,22 @@ public:
     const l3d_image_patch& net() const { return net_; }
     std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
 
-    /// Needs no clipping: all in front of the near plane, before the far one, in the guard band.
+    /// Whether the piece needs no clipping: it lies between the near and the far plane and in the
+    /// guard band.
     bool whole() const { return whole_; }
 
-    /// Walked by forward differences in T; else each vertex is evaluated, because walking would
-    /// err by more than l3d_dice_view::walk_allowance more.
+    /// Whether the piece is walked by forward differences in T. Else each vertex is evaluated,
+    /// because walking would add more than l3d_dice_view::walk_allowance to the error.
     bool walked() const { return walked_; }
 
-    /// The number that stands for 1 in a walk's registers, a power of two. Fixed point gets
-    /// coordinates that are as large as fits, however far all else in the picture is.
+    /// The number that stands for 1 in a walk's registers, a power of two. Fixed point gets the
+    /// largest coordinates that fit, however far all else in the picture is.
     double unit() const { return unit_; }
 
     /// The error that rounding of the vertices adds to the chord error. Units: pixels.
     double vertex_error() const { return vertex_error_; }
 
-    /// The same in slits along the piece's sides.
+    /// The error of vertices in slits along the piece's sides, likewise.
     double row_error() const {
         return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_piece_pool: what has been diced so far.
+// l3d_piece_pool: the pieces diced so far.
 #ifndef L3D_DICE_PIECE_POOL_H
 #define L3D_DICE_PIECE_POOL_H
 
@@ -18,7 +18,7 @@ class alignas(128) l3d_piece_pool {
 public:
     l3d_piece_pool() = default;
 
-    /// Pieces that keep the parameters of their triangles.
+    /// A pool of pieces that keep the parameters of their triangles.
     static l3d_piece_pool with_parameters() {
         l3d_piece_pool result;
         result.keep_parameters_ = true;
@@ -43,7 +43,7 @@ public:
         return piece;
     }
 
-    /// Takes the last one back, which nothing was written to.
+    /// Takes the last piece back, which must be unused.
     void give_back() {
         assert(used_ > 0);
         --used_;

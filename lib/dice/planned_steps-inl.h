@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps while they are chosen, and numbers of blocks, those of a strip in lanes.
+// Steps while they are chosen, and numbers of blocks, with a strip's blocks in lanes.
 #if defined(L3D_DICE_PLANNED_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_PLANNED_STEPS_INL_H
 #undef L3D_DICE_PLANNED_STEPS_INL_H
@@ -49,7 +49,7 @@ struct block_numbers {
     }
 };
 
-/// The larger numbers; what is no number is left out.
+/// The larger numbers; NaN counts as smaller.
 HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
     return hn::IfThenElse(hn::Gt(b, a), b, a);
 }
@@ -68,7 +68,7 @@ HWY_INLINE void largest_in_strips(const block_numbers& of, direction d,
 /// The strips at a piece's sides, where there are four.
 alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
 
-/// Steps along one direction, and what follows from them, by strip.
+/// Steps along one direction, and their effects, by strip.
 struct steps_along {
     int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
     alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h

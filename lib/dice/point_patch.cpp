@@ -13,8 +13,7 @@
 
 namespace {
 
-/// Corners about the centre, in sub-pixels: the smallest triangle of whole numbers that has it
-/// inside.
+/// Corners about the centre, in sub-pixels: the smallest triangle of whole numbers around it.
 constexpr std::array<std::array<std::int32_t, 2>, 3> corners{{{-1, -1}, {1, -1}, {0, 1}}};
 constexpr double extent = 1.5 / l3d_subpixel_one;
 

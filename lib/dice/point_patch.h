@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches that are smaller than what may be wrong by: drawn as points.
+// Patches smaller than the tolerance, which are drawn as points.
 #ifndef L3D_DICE_POINT_PATCH_H
 #define L3D_DICE_POINT_PATCH_H
 
@@ -14,15 +14,15 @@
 /// The one pixel's centre that can be covered by a patch whose hull is no wider than the tolerance.
 struct l3d_point_place {
     std::int32_t x = 0, y = 0; ///< place of the centre, in 1/256 pixel from the picture's corner
-    double bound = 0;          ///< how far any point of the patch is from what is drawn; in pixels
+    double bound = 0;          ///< largest distance of the patch from the drawn point, in pixels
 };
 
-/// Whether a patch may be drawn as a point, and where. The bounding box of its net, with the
-/// point's own extent, must be within the tolerance and hold one pixel's centre. The net must be
-/// nearly as far everywhere.
+/// The place of a patch that may be drawn as a point. The bounding box of its net, with the point's
+/// own extent, must be within the tolerance and hold one pixel's centre. The net must be nearly
+/// equally far everywhere.
 ///
-/// Any pixel centre that the patch covers is in that box, so no gap opens. A centre that is covered
-/// instead is no farther from any of the patch's points than the box is wide.
+/// Any pixel centre that the patch covers is in that box, so no gap opens. If the drawn point
+/// covers another centre, its distance from the patch's points is at most the box's width.
 std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
                                                   const l3d_dice_view& view);
 

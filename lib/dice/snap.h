@@ -17,8 +17,8 @@ struct l3d_snapped {
 
 namespace l3d_detail {
 
-/// To nearest, ties away from zero. A cast is the one float to integer conversion that every
-/// processor has in vector form.
+/// Rounds to nearest, ties away from zero. It uses a cast, the one float to integer conversion that
+/// every processor has in vector form.
 template <std::floating_point T> std::int32_t rounded(T value) {
     return static_cast<std::int32_t>(value < 0 ? value - T(0.5) : value + T(0.5));
 }

@@ -64,7 +64,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     }
 }
 
-/// Third and fourth derivatives of a net, as its quarters' steps see them.
+/// Adds third and fourth derivatives of a net, by its quarters' parameters.
 void add_mixed(l3d_block_needs& needs, const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_image_box box =
         view.margin().intersected(l3d_image_box_of(net.points).grown(view.most_moved()));
@@ -91,7 +91,8 @@ l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_ima
     return needs;
 }
 
-/// Pieces are parts of patches by halves, so that all numbers here are exact.
+/// Marks the blocks that outlines may cross. Pieces are parts of patches by halves, so all numbers
+/// here are exact.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs) {
     needs.finer_outlines = view.finer_outlines();

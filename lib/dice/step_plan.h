@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <span>
 
-/// Which of the two ways to draw a quad steps are chosen for.
+/// The way of drawing quads for which steps are chosen.
 enum class l3d_quad_kind {
     whole,     ///< convex quads whole: only for pieces that need no clipping
     triangles, ///< two triangles, clipped
@@ -31,13 +31,13 @@ struct l3d_block_needs {
     bool visible = false;                         ///< whether any block is
     bool keeps_depth = false;                     ///< whether any depth is not zero
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
-    per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< those of w, in depth budgets
-    per_block least_w{}; ///< where a block is visible: no drawn point's exact w is less
+    per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< second bounds of w, in depth budgets
+    per_block least_w{}; ///< for visible blocks: the least exact w of a drawn point
 
     /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
     bool balanced = false;
-    /// Then bounds of the mixed third and fourth derivatives, for the steps of every block. Units:
-    /// pixels.
+    /// For balanced vertices: bounds of the mixed third and fourth derivatives, for the steps of
+    /// every block. Units: pixels.
     double uuv = 0, uvv = 0, uuvv = 0;
 
     /// Bounds of derivatives along the unit normal, by a block's own parameters (l3d_bend_numbers),
@@ -45,19 +45,19 @@ struct l3d_block_needs {
     struct normal_bends {
         per_block uu{}, uv{}, vv{}, uuu{}, uuv{}, uvv{}, vvv{}, uuvv{}, uuuv{}, uvvv{};
 
-        /// Asks for nothing in a block.
+        /// Removes the needs of a block.
         void clear(std::size_t i) {
             uu[i] = uv[i] = vv[i] = uuu[i] = uuv[i] = uvv[i] = vvv[i] = uuvv[i] = 0;
             uuuv[i] = uvvv[i] = 0;
         }
 
-        /// Asks for errors that many times smaller in a block.
+        /// Asks for errors smaller by a factor in a block.
         void refine(std::size_t i, double by) {
             for (per_block* of : {&uu, &uv, &vv, &uuu, &uuv, &uvv, &vvv, &uuvv, &uuuv, &uvvv})
                 (*of)[i] *= by;
         }
     };
-    bool keeps_bends = false;     ///< whether these count
+    bool keeps_bends = false;     ///< whether `bends` counts
     unsigned without_normals = 0; ///< bits of visible blocks that may have places without a normal
     normal_bends bends;
 
@@ -65,18 +65,19 @@ struct l3d_block_needs {
     /// curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
 
-    /// How many times smaller errors are to be where outlines may be: along the piece's sides, and
-    /// in blocks that may fold over, as bits. They are not proven to be: all bounds are of errors.
+    /// The factor by which errors are to be smaller where outlines may be: along the piece's sides,
+    /// and in blocks that may fold over, as bits. No bound relies on it.
     double finer_outlines = 1;
     unsigned folds = 0;
 };
 
-/// Largest side of a micro-quad. With it, nearly all quads fit in the 64 pixels that the
-/// rasterizer's 32-bit edge functions hold. The box of a square that lies across is sqrt(2) as
-/// large as its sides, 48 sqrt(2) = 68, and steps are rounded up. Units: pixels.
+/// Largest side of a micro-quad. Nearly all quads then fit in the 64 pixels of the rasterizer's
+/// 32-bit edge functions. The box of a diagonal square is sqrt(2) times its side, 48 sqrt(2) = 68,
+/// and steps are rounded up. Units: pixels.
 inline constexpr double l3d_largest_quad = 48;
 
-/// The slow twin of l3d_detail::bounds_in_lanes, which also takes what is clipped.
+/// The needs of a net's blocks. The slow twin of l3d_detail::bounds_in_lanes; it also takes clipped
+/// pieces.
 ///
 /// Shape:   blocks of the net, as in l3d_block_needs: 1 or 16.
 /// Units:   budget: of the image error, in pixels.
@@ -84,7 +85,7 @@ inline constexpr double l3d_largest_quad = 48;
 l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
-/// Takes what the view wants of outlines. Expects: the needs' strips are those of the piece.
+/// Takes the view's wishes for outlines. Expects: the needs' strips are those of the piece.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs);
 
@@ -115,8 +116,9 @@ struct l3d_step_plan {
 ///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
 ///                                                 + 4 m_u m_v uuvv,
 /// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
-/// between a side's row and its edge may be as far off as chords that are not balanced. So those of
-/// the outer blocks keep the budget, too.
+///                                                   between a side's row and its edge err as much
+///                                                   as unbalanced chords. So the outer blocks'
+///                                                   unbalanced chords keep the budget, too.
 ///
 /// Along the normal they err by at most
 ///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv) and so on (NUMERICS,
@@ -134,7 +136,7 @@ l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_qu
 /// Error of depth with other steps than those planned, as l3d_step_plan::bend_error.
 double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
 
-/// Steps from the blocks' nets. Shape and what is expected: those of l3d_needs_of.
+/// Steps from the blocks' nets. Shape, Expects: as l3d_needs_of.
 inline l3d_step_plan l3d_plan_steps(const l3d_image_patch& net,
                                     std::span<const l3d_image_patch> blocks,
                                     const l3d_dice_view& view, double budget, l3d_quad_kind kind) {

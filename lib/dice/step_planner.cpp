@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Choosing integer steps per strip, the blocks of a strip in SIMD lanes.
+// Chooses integer steps per strip, the blocks of a strip in SIMD lanes.
 #include "dice/step_plan.h"
 
 #include <algorithm>
@@ -21,13 +21,13 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Keeps hopeless cases finite, and tells even there which direction needs more steps.
+/// Limit of steps that keeps hopeless cases finite, and still tells which direction needs more.
 constexpr int most_steps = 1 << 28;
 
-/// Pieces with more steps than this are cut anyway, and are many when it comes to that.
+/// Steps beyond this are not coarsened: such pieces are cut anyway, and may be many.
 constexpr int most_worth_saving = 64;
 
-/// The steps while they are chosen, and what is asked of them.
+/// The steps while they are chosen, and the needs that they have to meet.
 class planner {
 public:
     planner(const l3d_block_needs& needs, double budget, l3d_quad_kind kind)
@@ -68,7 +68,7 @@ public:
         plan.bend_error = bend_error();
     }
 
-    /// Other steps than those that would be chosen.
+    /// Takes the steps of a given plan.
     HWY_INLINE void take(const l3d_step_plan& plan) {
         for (std::size_t strip = 0; strip < strips_; ++strip) {
             steps_[along_u].set(strip, plan.nu[strip], plan.balanced);
@@ -87,14 +87,14 @@ public:
     }
 
 private:
-    /// Half the budget to each direction: the product of the steps is then least.
+    /// Starts with half the budget for each direction, which makes the product of the steps least.
     HWY_INLINE void start() {
         start_along(along_u, needs_.least_u);
         start_along(along_v, needs_.least_v);
     }
 
-    /// The mixed terms come on top of the halves: refine where they do not fit. More steps are
-    /// never worse, but for two after one, which is not balanced: then all is looked at once more.
+    /// Refines strips where the mixed terms exceed the budget. More steps are never worse, except
+    /// two after one, which is not balanced: then all strips are checked once more.
     HWY_INLINE void refine() {
         for (bool settled = false; !settled;) {
             settled = true;
@@ -103,7 +103,7 @@ private:
         }
     }
 
-    /// Rounding up leaves slack that the other direction can often use.
+    /// Coarsens strips where the slack of rounding up allows it.
     HWY_INLINE void coarsen() {
         for (std::size_t strip = 0; strip < strips_; ++strip)
             for (const direction d : {along_u, along_v})
@@ -122,7 +122,7 @@ private:
                 hopeless |= 1u << lane;
                 continue;
             }
-            // In proportion, so that a far too coarse start needs few rounds.
+            // Steps grow in proportion, so that a far too coarse start needs few rounds.
             const auto more = [&](direction d, std::size_t s, int n) {
                 steps_[d].set(s, n + 1 + n / 8, needs_.balanced);
             };
@@ -132,21 +132,21 @@ private:
         return settled;
     }
 
-    /// Steps between 1 and most_steps.
+    /// Rounds up to a number between 1 and most_steps.
     static int rounded_up(double steps) {
         const double n = std::ceil(steps);
         return n < most_steps ? std::max(1, static_cast<int>(n)) : most_steps;
     }
 
-    /// Steps with which a second derivative takes half the budget at most, `squared` being the
-    /// square of those that are not balanced.
+    /// Steps with which a second derivative takes at most half the budget; `squared` is the square
+    /// of the unbalanced steps.
     int steps_for(double squared) const {
         if (!needs_.balanced || squared <= 1)
             return rounded_up(std::sqrt(squared));
         return std::max(2, rounded_up(std::sqrt(8 * l3d_balance * squared)));
     }
 
-    /// The same along the normal, with what third derivatives add to those steps.
+    /// The same along the normal, with the share of third derivatives.
     int steps_for_bends(double second, double third) const {
         const int steps = steps_for(second / 4);
         const double of_third = of_moved_thirds / l3d_balance / steps;
@@ -229,7 +229,7 @@ private:
                        hn::Mul(twist, hn::Set(lane_tag(), mixed_)));
     }
 
-    /// Along the normal, of quads and slits. Units: budgets of depth.
+    /// Errors of quads and slits along the normal. Units: budgets of depth.
     HWY_INLINE lane_vec bend_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec quads = bends_->errors(d, strip, lane, s);
@@ -244,7 +244,7 @@ private:
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         if (!needs_.balanced)
-            return hn::Zero(tag); // no more than that of the quads
+            return hn::Zero(tag); // no larger than the quads' errors
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec at_sides = hn::Set(tag, at_ends[strip]);
         const lane_vec own =

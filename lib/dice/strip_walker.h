@@ -20,7 +20,8 @@
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
 public:
-    /// Registers hold `unit` times what they are given: a power of two, 1 for floats.
+    /// Makes room for columns. Registers hold `unit` times their values: a power of two, 1 for
+    /// floats.
     /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns, double unit = 1) {
         columns_ = columns;
@@ -31,7 +32,7 @@ public:
                     difference.resize(columns);
     }
 
-    /// Columns that take no allocation.
+    /// The number of columns that need no allocation.
     std::size_t room() const { return registers_[0][0].size(); }
 
     /// Starts column c exactly, at the beginning of `curve`, to be walked in `steps` steps.

@@ -19,7 +19,7 @@ struct l3d_piece_side {
     bool whole() const { return t0 == 0 && t1 == 1; }
 };
 
-/// A part of a patch, and what it shares with its neighbours.
+/// A part of a patch, with the edges that it shares with its neighbours.
 ///
 /// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
 struct l3d_surface_piece : l3d_patch_part {
@@ -34,8 +34,8 @@ struct l3d_surface_piece : l3d_patch_part {
     }
 };
 
-/// Both halves of a piece. The sides across the cut are halved; the cut itself is a new edge, whole
-/// for both, which is counted.
+/// Cuts a piece into halves. The sides across the cut are halved; the cut itself becomes a new
+/// edge, whole for both, which is counted.
 std::array<l3d_surface_piece, 2> l3d_cut_piece(const l3d_surface_piece& p, bool along_u,
                                                const l3d_dice_view& view, l3d_edge_polylines& edges,
                                                l3d_dice_counts& counts);

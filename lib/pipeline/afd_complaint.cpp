@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_afd_complaint: the values that a frame of patches cannot be drawn with.
+// l3d_afd_complaint: names values with which no frame of patches can be drawn.
 #include "pipeline/pipeline_afd.h"
 
 #include "base/formatted_p.h"

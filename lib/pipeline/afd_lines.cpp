@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uint32_t net_color = 0x00ff9030, mark_color = 0x00ffd873;
 
-/// Lines between points in the image, those that several patches have once each. One that reaches
-/// behind the near plane is left out.
+/// Lines between points in the image; patches share equal ones. A line that reaches behind the near
+/// plane is left out.
 class image_lines {
 public:
     explicit image_lines(const l3d_dice_view& view) : view_(view) {}
@@ -75,7 +75,7 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    // A smooth line does not cover what is transparent.
+    // A smooth line does not cover transparent pixels.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
     l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale())
         .draw(lines.all());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: pictures with and without what is transparent, mixed.
+// l3d_pipeline_afd: mixes pictures with and without the transparent instances.
 #include "pipeline/pipeline_afd_p.h"
 
 #include "pipeline/stopwatch_p.h"
@@ -21,7 +21,7 @@ struct cell {
     unsigned instances = 0;
 };
 
-/// Disjoint boxes of all that some boxes hold, and which of these hold them.
+/// Disjoint boxes that cover the given ones, each with the set of boxes that hold it.
 std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
     std::vector<std::int32_t> columns, rows;
     for (const l3d_pixel_box& box : boxes) {
@@ -56,8 +56,8 @@ std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
 
 } // namespace
 
-/// Each transparent instance is there with the probability that is its opacity, and what is seen is
-/// the mean. So nothing needs to be sorted, and surfaces may pass through each other.
+/// Draws the mean of pictures in which each transparent instance is present with its opacity as
+/// probability. So nothing needs to be sorted, and surfaces may pass through each other.
 void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times) {
     std::vector<std::size_t> opaque, transparent;
     const auto instances = scene_.instances();
@@ -109,7 +109,7 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
         times.raster += writing.milliseconds();
     }
 
-    // The nearest surface that is there is as far away as if it were opaque.
+    // The depth is that of the nearest surface, as if it were opaque.
     if (settings_.depth)
         draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
 }
@@ -123,8 +123,8 @@ l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     return scene_.only(there);
 }
 
-/// Levels of a mean of light are off by at most 4/3 of what each picture's are (NUMERICS, section
-/// 22), and are rounded once more.
+/// Levels of a mean of light have at most 4/3 of each picture's error (NUMERICS, section 22), and
+/// are rounded once more.
 double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: what its camera shows, and where, and what it tells of that.
+// l3d_pipeline_afd: framing, picks, and the reasons for an empty picture.
 #include "pipeline/pipeline_afd.h"
 
 #include "pipeline/empty_picture_p.h"
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Whether there are patches to see, and the normals of all of them vanish everywhere.
+/// Whether there are patches, but all their normals vanish everywhere.
 bool is_without_area(const l3d_patch_scene& scene) {
     bool has_patches = false;
     for (const l3d_patch_instance& instance : scene.instances()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_load_any_model: what a model file holds, and which pipeline draws it.
+// l3d_load_any_model: the contents of a model file, and the pipeline that draws them.
 #ifndef L3D_PIPELINE_ANY_MODEL_H
 #define L3D_PIPELINE_ANY_MODEL_H
 

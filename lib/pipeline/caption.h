@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_caption: what a program shows and which keys it obeys, for people.
+// l3d_caption: tells people what a program shows and which keys it obeys.
 #ifndef L3D_PIPELINE_CAPTION_H
 #define L3D_PIPELINE_CAPTION_H
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Keys, as the help calls them, and what they do.
+/// Keys, as the help calls them, and their effect.
 struct L3D_PUBLIC l3d_caption_row {
     std::string keys; ///< such as "h j k l"
     std::string text; ///< such as "left, down, up, right"
@@ -30,14 +30,14 @@ struct L3D_PUBLIC l3d_caption {
     /// book.
     std::string teaches{};
 
-    /// The program's own keys. Those that every program has follow by themselves.
+    /// The program's own keys. The keys of every program are added automatically.
     std::vector<l3d_caption_row> keys{};
 
     /// The keys that show and hide the help. A program that needs one of them leaves it out.
     std::string help = "h?";
 
-    /// Where the window says for some seconds what it shows, until a button is pressed: where the
-    /// program has nothing to see.
+    /// The corner in which the window shows its caption for some seconds, or until a button is
+    /// pressed. Choose one where the program has nothing to see.
     l3d_corner corner = l3d_corner::bottom_left;
 
     /// All keys: the program's own, F11, those of help, and the end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// captioned: when the panel comes and goes, and the pixels below it.
+// captioned: shows and hides the panel, and keeps the pixels below it.
 #include "pipeline/captioned_p.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void captioned::key_event(int key) {
     follow();
 }
 
-/// Who presses a button looks at the picture, not at words upon it.
+/// Hides the hint: people who press a button look at the picture, not at words upon it.
 void captioned::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::button_press && hint_is_shown()) {
         hint_seconds_ = 0;
@@ -47,7 +47,7 @@ void captioned::pointer_event(const l3d_event& event) {
     follow();
 }
 
-/// Nothing of the picture before is left to put back.
+/// Forgets the covered pixels: nothing of the old picture is left.
 void captioned::resize_event(l3d_size size) {
     covered_ = {};
     std::vector<std::uint32_t>().swap(picture_); // {} would keep the memory
@@ -174,9 +174,9 @@ std::vector<l3d_panel> captioned::help_pages() const {
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-/// From the one that says most to the key alone.
+/// Hints from the longest down to the key alone.
 std::vector<l3d_panel> captioned::hints() const {
-    constexpr std::size_t most_keys = 4; // that one remembers
+    constexpr std::size_t most_keys = 4; // as many as one remembers
     l3d_panel what, taught;
     what.add_title(caption_.what);
     taught = what;

@@ -18,13 +18,13 @@
 
 namespace l3d_detail {
 
-/// Hands every call on to a pipeline. It draws a panel on the finished picture, and puts back what
-/// the panel covers before the pipeline draws again: some programs add to the picture before.
+/// Hands every call on to a pipeline, and draws a panel on the finished picture. Before the
+/// pipeline draws again, the covered pixels are put back: some programs add to the last picture.
 ///
-/// The panel says for some seconds what is shown, what it teaches, and some keys. Where that would
-/// hide much of the picture, it says less, down to the key that lists the others, or nothing. The
-/// keys of help show all keys, page after page, and hide them again. Another panel has the
-/// pipeline's message.
+/// For some seconds the panel tells the subject, the lesson, and some keys. If that would hide much
+/// of the picture, it tells less, down to the key that lists the others, or nothing. The keys of
+/// help show all keys, page after page, and hide them again. Another panel has the pipeline's
+/// message.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
@@ -69,7 +69,7 @@ private:
     l3d_font font_;
     double hint_seconds_;       ///< that are left
     std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
-    bool is_old_ = false;       ///< another panel is wanted than is drawn
+    bool is_old_ = false;       ///< the drawn panel is not the wanted one
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;
     std::vector<l3d_pixel_box> texts_; ///< the panels in the covered box

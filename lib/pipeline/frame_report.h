@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_report: what a frame of patches cost, how exact it is, and what it left out.
+// l3d_frame_report: a frame's cost, error bounds, and skipped work, for patches.
 #ifndef L3D_PIPELINE_FRAME_REPORT_H
 #define L3D_PIPELINE_FRAME_REPORT_H
 
@@ -29,13 +29,13 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// Pixels that stay from the last frame, as nothing changed there.
     std::int64_t pixels_kept = 0;
 
-    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
-    /// none_counted if nobody asked, or if only a part of the picture was drawn.
+    /// Pixels within any outline's bound, where the visible surface is not certain; none_counted if
+    /// nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 
     /// The largest part of any pixel's square that may show another surface, or the background,
-    /// than in the exact picture, from 0 to 1. It counts what is drawn in another place, and not
-    /// that pixels are sampled. It is infinite if nobody asked for the map of errors, or if places
+    /// than in the exact picture, from 0 to 1. It counts surfaces drawn in another place, and not
+    /// the sampling of pixels. It is infinite if nobody asked for the map of errors, or if places
     /// or depth have no bound.
     double coverage_bound = std::numeric_limits<double>::infinity();
     /// The largest error of any channel in pixels that lie inside one surface, in levels of 255. It

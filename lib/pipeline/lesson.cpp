@@ -70,7 +70,7 @@ std::string l3d_lesson::message() const {
     return stopped_ ? "stopped; space goes on" : "";
 }
 
-/// Two colours in a rectangle: every kind of output has that.
+/// Clears by a rectangle with two colours, which every kind of output has.
 void l3d_lesson::clear(l3d_rasterizer_2d& rasterizer) {
     if (ground_ == l3d_background())
         return rasterizer.clear_buffer();

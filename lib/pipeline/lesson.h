@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lesson: what the programs of the book have in common.
+// l3d_lesson: the common part of the book's programs.
 #ifndef L3D_PIPELINE_LESSON_H
 #define L3D_PIPELINE_LESSON_H
 
@@ -41,7 +41,7 @@ protected:
 
     /// The background where nothing is drawn: dark, or black if pictures are classic.
     const l3d_background& ground() const { return ground_; }
-    /// Changes it from the next picture on.
+    /// Changes the ground from the next picture on.
     void set_ground(const l3d_background& ground) { ground_ = ground; }
     /// Covers the whole picture with the ground.
     void clear(l3d_rasterizer_2d& rasterizer);
@@ -59,8 +59,8 @@ private:
     virtual void advance(double seconds) = 0;
     /// Begins as at first.
     virtual void restart() = 0;
-    /// The pointer has moved with its first button held, or that was pressed at (x, y): then it has
-    /// moved by nothing. Units: pixels.
+    /// The pointer has moved to (x, y) by (right, down) with its first button held; by 0 when the
+    /// button is pressed. Units: pixels.
     virtual void drag(int x, int y, int right, int down);
     /// The wheel was turned away from the user by so many notches.
     virtual void roll(int notches);
@@ -72,10 +72,10 @@ private:
     bool is_classic_;
     l3d_background ground_;
     bool stopped_ = false;
-    bool is_stale_ = true; ///< the picture may be another one than that which was drawn
+    bool is_stale_ = true; ///< the picture may differ from the drawn one
     bool is_bare_ = true;  ///< there is no picture on which the next could lie
-    bool is_held_ = false; ///< the first button
-    int x_ = 0, y_ = 0;    ///< where the pointer was last
+    bool is_held_ = false; ///< the first button is held
+    int x_ = 0, y_ = 0;    ///< the pointer's last place
 };
 
 #endif

@@ -17,7 +17,7 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// Processors inspect and have fog in any case: where GL does not, its frames are drawn without it.
+/// The rasterizer of processors serves where GL cannot inspect or has no fog.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
     const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();
@@ -36,8 +36,8 @@ l3d_method_afd<T>::next_batch(const l3d_surface_rasterizer& surface) {
     });
 }
 
-/// Batch after batch, so that what the nearer ones hide need not be diced. Most scenes are one
-/// batch; nobody then needs the depth of the whole picture, unless it is asked for.
+/// Draws batch after batch, so that patches behind nearer batches need not be diced. Most scenes
+/// are one batch; nobody then needs the depth of the whole picture, unless it is asked for.
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;

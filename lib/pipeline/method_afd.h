@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_afd: adaptive forward differencing, the method that the library is about.
+// l3d_method_afd: adaptive forward differencing, the library's own method.
 #ifndef L3D_PIPELINE_METHOD_AFD_H
 #define L3D_PIPELINE_METHOD_AFD_H
 

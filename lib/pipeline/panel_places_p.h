@@ -23,7 +23,7 @@ public:
     /// Keeps a place for a panel. Returns whether there is one for letters of the style's size.
     bool take(const l3d_panel& panel, l3d_corner corner);
 
-    /// Draws a panel in its place, if there is any, and keeps that. Returns what it covers.
+    /// Draws a panel in its place, if there is any, and keeps the place. Returns the covered box.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_part_switch: models without what is hidden, in the place of the whole ones.
+// l3d_part_switch: puts models without their hidden parts in place of the whole ones.
 #include "pipeline/part_switch.h"
 
 #include "base/printable_p.h"
@@ -22,7 +22,7 @@ l3d_patch_model without(const l3d_patch_model& model, const std::vector<std::str
 
 } // namespace
 
-/// Models that a program has placed since then are whole.
+/// Notes the parts of all models; models placed since the last call are whole.
 void l3d_part_switch::note_parts() {
     const auto instances = scene_.instances();
     instances_.resize(instances.size());

@@ -22,8 +22,8 @@ public:
     /// The scene may get its models later.
     explicit l3d_part_switch(l3d_patch_scene& scene) : scene_(scene) {}
 
-    /// Chooses the next part, the first one at first, and after the last one.
-    /// Returns: a line that says which.
+    /// Chooses the next part, beginning with the first, and again after the last one. Returns: a
+    /// line that names it.
     std::string choose_next();
 
     /// Hides the chosen part, or shows it again. Without one, the first is chosen. One part at
@@ -38,7 +38,7 @@ public:
     void show_all();
 
 private:
-    /// An instance as it was, and what is in its place.
+    /// An instance's own model, and the one in its place.
     struct taken {
         l3d_patch_model whole, shown;
     };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// How many pictures began before this one, or 1 for the only one.
+/// The number of pictures that began before the last, or 1 for a single one.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
@@ -18,7 +18,8 @@ std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point be
 
 } // namespace
 
-/// The last one is kept at least: it tells what drawing takes.
+/// Notes the beginning of a picture, and drops old ones. The last is kept: it tells the time that
+/// drawing takes.
 void l3d_picture_pace::begin() {
     begin_ = now_();
     follows_ = !done_.empty() && begin_ - done_.back().end <= span;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_picture_pace: how fast pictures follow each other, and what drawing one takes.
+// l3d_picture_pace: the rate of pictures, and the time that drawing one takes.
 #ifndef L3D_PIPELINE_PICTURE_PACE_H
 #define L3D_PIPELINE_PICTURE_PACE_H
 
@@ -11,11 +11,10 @@
 #include <string>
 #include <utility>
 
-/// Measures the pictures of the last second, by one clock: means over the same pictures. So no
-/// picture seems to take longer than the time from it to the next.
+/// Measures the pictures of the last second: time and rate are means over the same pictures, by one
+/// clock. So no picture seems to take longer than the time to the next.
 ///
-/// After a second without a picture, things were at rest: then nothing follows anything until there
-/// are two pictures again.
+/// A second without a picture counts as rest, and the rate begins anew with the next two pictures.
 class L3D_PUBLIC l3d_picture_pace {
 public:
     /// A clock that is never set back.

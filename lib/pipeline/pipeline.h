@@ -36,9 +36,8 @@ public:
     /// Any event; called before the more special call below, if there is one for it.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// A key was pressed: ASCII code or l3d_key. With Alt or Super held, or a character with Ctrl,
-    /// only any_event tells of it; and so it is with Shift, Ctrl and Alt alone, and with keys that
-    /// only type.
+    /// A key was pressed: ASCII code or l3d_key. Only any_event tells of keys with Alt or Super
+    /// held, of characters with Ctrl, of Shift, Ctrl and Alt alone, and of keys that only type.
     virtual void key_event(int key) { static_cast<void>(key); }
 
     /// A button, the pointer or the wheel moved.
@@ -54,13 +53,13 @@ public:
     /// Errors:  l3d_interrupted, as interrupt_when says; the pixels are no picture then.
     virtual void draw_event() {}
 
-    /// Gives what a long draw_event asks now and then: once it says true, nobody wants the picture,
-    /// and draw_event ends by l3d_interrupted. A later one draws a whole picture again. A pipeline
-    /// whose pictures take no time may ignore it.
+    /// Sets a function that a long draw_event calls now and then: if it returns true, draw_event
+    /// ends by l3d_interrupted. A later one draws a whole picture again. Fast pipelines may ignore
+    /// it.
     virtual void interrupt_when(std::function<bool()> wanted) { static_cast<void>(wanted); }
 
-    /// Which pixels the last draw_event may have changed; the dispatcher shows no others. May reach
-    /// beyond the picture.
+    /// The box of the pixels that the last draw_event may have changed; the dispatcher shows no
+    /// others. May reach beyond the picture.
     virtual l3d_pixel_box changed() const {
         constexpr auto far = std::numeric_limits<std::int32_t>::max();
         return {0, 0, far, far};
@@ -84,15 +83,15 @@ public:
     /// it, or at the event, rest_event comes. Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
-    /// So many seconds of a rest went by, for which no update_event comes.
+    /// Lets seconds of a rest pass, for which no update_event comes.
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
     virtual bool needs_redraw() const { return true; }
 
-    /// One line, once, on what the user should know, such as fewer threads than were asked for; ""
-    /// if there is nothing. The dispatcher asks after each frame.
+    /// One line that the user should read once, such as fewer threads than wanted; "" if there is
+    /// none. The dispatcher asks after each frame.
     virtual std::string take_remark() { return {}; }
 };
 

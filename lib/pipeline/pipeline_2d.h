@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_2d: what all programs that draw with the 2D rasterizer have in common.
+// l3d_pipeline_2d: the common part of programs that draw with the 2D rasterizer.
 #ifndef L3D_PIPELINE_PIPELINE_2D_H
 #define L3D_PIPELINE_PIPELINE_2D_H
 
@@ -19,7 +19,7 @@ public:
     /// A pipeline that draws on this canvas. Errors: as l3d_rasterizer_factory::create_2d.
     explicit l3d_pipeline_2d(l3d_canvas canvas);
 
-    /// Where the pictures are shown.
+    /// The screen that shows the pictures.
     l3d_screen& screen() { return *screen_; }
     /// The canvas's letters. Lives: copies share what they have drawn, so all belong to one thread.
     const l3d_font& font() const { return font_; }
@@ -28,7 +28,7 @@ public:
 
     void key_event(int key) override;
 
-    /// Takes up the new pixels; a subclass that overrides it calls this first.
+    /// Takes the new pixels; a subclass that overrides this calls it first.
     void resize_event(l3d_size size) override;
 
     void draw_event() final;

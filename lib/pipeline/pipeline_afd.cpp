@@ -100,7 +100,8 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe();
     else
         fill_surfaces(now, parts, times);
-    // A part may have had more of the budget than it has in a whole frame, and the rest less.
+    // A part may have a larger share of the budget than in a whole frame, and the rest a smaller
+    // one.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
         changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
@@ -152,7 +153,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
-    if (!l3d_has_scale(settings_.shade)) // viewers change shades while there is fog
+    if (!l3d_has_scale(settings_.shade)) // viewers may change to such a shade while there is fog
         shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
@@ -169,9 +170,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw: none if the picture is right as it is. It is the whole picture
-/// if something that was drawn on top may have to go, since nobody knows where that is. It also is
-/// from three quarters of the picture on, where a part costs nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw: none if the picture is right as it is. All is drawn if earlier
+/// drawing on top may have to go, since its place is unknown. So it is from three quarters of the
+/// picture on, where a part costs nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -189,8 +190,8 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
 }
 
-/// Around what was placed again, where it was and where it is, as far as it reaches; more than
-/// `most` is all.
+/// Boxes around the old and new places of moved instances, grown by `reach`; more than `most`
+/// pixels become the whole picture.
 l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach) {
     const l3d_matrix<double>& to_image = stages_->transform.matrix();
     l3d_pixel_boxes parts;
@@ -212,7 +213,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach)
     return reached;
 }
 
-/// The bound stays that of what is in the picture.
+/// Keeps the picture, and the bound that belongs to it.
 void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
@@ -291,9 +292,9 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
     report_.surface.add(stages_->method->surface_counts());
 }
 
-/// The report of the pixels that were kept. A whole frame might have diced more: what is hidden,
-/// but not by what was drawn before it, or just beside the parts. All that is known of them is that
-/// steps are chosen to keep the tolerance.
+/// Adds the bounds of the kept pixels to the report. A whole frame might have diced further patches
+/// beside the parts, or some that earlier batches do not hide. Only one thing is known of those:
+/// their steps would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
@@ -351,7 +352,7 @@ void l3d_pipeline_afd::draw_on_top() {
         changed_ = l3d_whole(stages_->view.size);
 }
 
-/// Lines hide nothing and have no depth: a depth that is asked for is empty.
+/// Draws lines, which hide nothing and have no depth: the depth buffer is empty.
 void l3d_pipeline_afd::draw_wireframe() {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
@@ -364,7 +365,7 @@ void l3d_pipeline_afd::draw_wireframe() {
     const l3d_patch_scene there = what_is_there();
     stages_->wire_culling.begin(there, stages_->transform.matrix(), stages_->view);
     l3d_dice_view view = stages_->view;
-    view.shading.antialias = settings_.antialias; // then borders are noted, which neighbours share
+    view.shading.antialias = settings_.antialias; // so that shared borders are noted
     stages_->wire_dicer.begin(view);
     l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : l3d_detail::wire_color,
                                   settings_.antialias, screen_->text_scale()});

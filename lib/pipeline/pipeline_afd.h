@@ -26,7 +26,7 @@ class l3d_outline_mask;
 class l3d_pixel_boxes;
 
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
-/// benchmarks that compare with and without a rule set these.
+/// benchmarks set these, to compare with and without a rule.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false; ///< lambert: in each pixel, also where less would do
     bool drawing = false;      ///< that of drawing the last frame's contents again
@@ -35,7 +35,7 @@ struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
 };
 
-/// How a scene is to be drawn.
+/// The settings by which a scene is drawn.
 struct L3D_PUBLIC l3d_afd_settings {
     /// The largest error of places and of depth that is allowed. Units: pixels.
     double tolerance = 0.25;
@@ -46,7 +46,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the tolerance holds for places in the picture alone, not for depth and shades.
     bool lateral_only = false;
 
-    /// How the filled surface gets its colours.
+    /// The way in which the filled surface gets its colours.
     l3d_shade shade = l3d_shade::lambert;
 
     /// The quantity that the inspecting shades show. Only the library's own method draws them.
@@ -62,12 +62,13 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
 
-    /// The colours of lights, and further lights. If it is not the usual one, or if a material has
-    /// highlights, the report's bound of shades holds for each channel, and is larger. The map of
-    /// doubt bounds each pixel more closely.
+    /// The colours of lights, and further lights. With unusual lights or with highlights, the
+    /// report's bound of shades holds for each channel, and is larger. The map of doubt bounds each
+    /// pixel more closely.
     l3d_lighting lighting{};
 
-    /// One light goes with the eye, in place of those: l3d_headlight. So no side is in the dark.
+    /// One light goes with the eye, in place of `light` and `lighting`: l3d_headlight. So no side
+    /// is in the dark.
     bool headlight = false;
 
     /// Edges are means over pixels, not stairs; see l3d_shading.
@@ -87,12 +88,12 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The control nets are drawn on top.
     bool net = false;
 
-    /// Work that is done although it could be left out.
+    /// Work that is done although it could be skipped.
     l3d_kept_work keep{};
 
     /// A patch, or a sixteenth of a large one, is left out if all of it turns its back: dS/du x
-    /// dS/dv points away from the eye. Backs in the same piece as a front stay. That is decided
-    /// before it is placed, so a mirrored model shows the same side.
+    /// dS/dv points away from the eye. Backs in the same piece as a front stay. The model decides
+    /// this, not its placement, so a mirrored model shows the same side.
     bool one_sided = false;
 
     /// The distance of each pixel is kept, for depth().
@@ -131,21 +132,21 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// A program that only wants pictures uses it as it is: it changes scene(), camera() and settings()
 /// and calls draw_event. A program with keys or things of its own to draw derives a class. A frame
 /// draws only what changed since the last one. If nothing changed, it draws nothing. If instances
-/// were only placed again and nothing is drawn on top, it draws the parts of the picture where they
-/// were or are.
+/// were only moved and nothing is drawn on top, it draws the parts of the picture at their old and
+/// new places.
 ///
-/// Expects: camera and settings of which l3d_afd_complaint has nothing to say, in every frame.
+/// Expects: camera and settings without an l3d_afd_complaint, in every frame.
 /// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// A pipeline that draws this scene on this canvas.
-    /// Errors: throws l3d_error with what l3d_afd_complaint says.
+    /// Errors: throws l3d_error with the text of l3d_afd_complaint.
     l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
     ~l3d_pipeline_afd() override;
 
-    /// Where the pictures are shown.
+    /// The screen that shows the pictures.
     /// Expects: nobody writes to its pixels. To draw on top, use pixels() or rasterizer() in
     ///          draw_overlay: they note that the picture is changed, so the next frame clears it.
     l3d_screen& screen() { return *screen_; }
@@ -198,12 +199,12 @@ public:
     /// the method does not find them, or if a part of the picture was drawn alone.
     const l3d_outline_mask* outlines() const;
 
-    /// How far each pixel of the last frame's surfaces may be from the exact picture with the
-    /// lights and the fog of the settings. It is null if nobody asked for it, for a wireframe, for
-    /// shades that are not light, and without a background.
+    /// The bound of each pixel's difference from the exact picture, with the settings' lights and
+    /// fog. Null if nobody asked for it, for a wireframe, for shades that are not light, and
+    /// without a background.
     const l3d_error_map* error_map() const;
 
-    /// The last frame drawn; the hash is counted when asked for.
+    /// The report of the last frame drawn; each call computes the hash.
     l3d_frame_report report() const;
 
     void resize_event(l3d_size size) override;
@@ -221,8 +222,8 @@ public:
     std::string take_remark() override;
 
 protected:
-    /// For draw_overlay: draws points, lines and polygons on the picture. After it was
-    /// asked for, the next frame that differs is drawn whole.
+    /// The rasterizer for draw_overlay: points, lines and polygons on the picture. After this call,
+    /// the next frame that differs is drawn whole.
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -245,7 +246,7 @@ protected:
     /// too. Nothing if no model has a part of that name.
     void mark_part(const std::string& name);
 
-    /// Changes what the finished surface shows, before control nets are drawn over it. Called
+    /// Changes the finished surface's pixels, before control nets are drawn over it. Called
     /// whenever draw_overlay is.
     virtual void paint_surfaces() {}
 
@@ -294,12 +295,12 @@ private:
     l3d_camera camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
-    bool untouched_ = false;  ///< nobody wrote to the pixels since surfaces were filled
-    bool is_foreign_ = false; ///< somebody did when no frame was drawn
+    bool untouched_ = false;  ///< the pixels are unchanged since surfaces were filled
+    bool is_foreign_ = false; ///< somebody changed them while no frame was drawn
     bool is_drawing_ = false;
     l3d_pixel_box changed_;
     l3d_frame_report report_;
-    /// The end of the curvature's scale, and the shade that it is of; none until it is asked for.
+    /// The shade of the last curvature scale, and the scale's end; none until it is needed.
     std::optional<std::pair<l3d_shade, double>> usual_curvature_;
     std::unique_ptr<stages> stages_;
 };

@@ -17,7 +17,7 @@
 
 #include <memory>
 
-/// All that a picture depends on but the placements of its models.
+/// Everything that a picture depends on, except the placements of its models.
 struct l3d_pipeline_afd::basis {
     l3d_pixels target;
     l3d_matrix<double> to_image;

@@ -60,7 +60,8 @@ void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     controls_.say("error at most " + counted(formatted("%.3g", settings().tolerance), "pixels"));
 }
 
-/// Without `error` where there is no bound to be shown, and without those of the other key.
+/// Takes the next shade, without `error` where no bound exists, and without the shades of the other
+/// key.
 void l3d_pipeline_afd_viewer::take_next_shade() {
     const std::size_t count = l3d_shades_of_normals + settings().method.has_bound();
     const std::size_t after = static_cast<std::size_t>(settings().shade) + 1;
@@ -72,7 +73,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// After the last one, light again.
+/// Takes the next inspecting shade; after the last one, light again.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());
@@ -86,7 +87,7 @@ void l3d_pipeline_afd_viewer::take_next_inspection() {
     controls_.say(std::string("shading: ") + next.first);
 }
 
-/// The lines are the steps of one method, and no picture of what another one does.
+/// Wireframe shows the steps of one method, so other methods refuse it.
 void l3d_pipeline_afd_viewer::switch_wireframe() {
     if (settings().method.is_default())
         settings().wireframe = !settings().wireframe;
@@ -99,7 +100,7 @@ void l3d_pipeline_afd_viewer::switch_antialias() {
     controls_.say(settings().antialias ? "smooth edges" : "sharp edges");
 }
 
-/// The picture marks the part as long as the line is shown.
+/// Shows a line about a part; the picture marks the part as long as the line stands.
 void l3d_pipeline_afd_viewer::tell_of_part(std::string line) {
     controls_.say(std::move(line));
     marks_part_ = true;
@@ -131,7 +132,7 @@ void l3d_pipeline_afd_viewer::rest_event(double seconds) {
         redraw();
 }
 
-/// A picture that is kept, with other words on top, tells nothing of what drawing takes.
+/// Draws a frame and measures its pace; a kept picture with other words on top does not count.
 void l3d_pipeline_afd_viewer::draw_event() {
     controls_.pace().begin();
     l3d_pipeline_afd::draw_event();

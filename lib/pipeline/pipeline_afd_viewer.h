@@ -18,7 +18,7 @@ public:
 
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
-    /// The same, to be looked at only.
+    /// The same, read-only.
     const l3d_viewer_controls& controls() const { return controls_; }
 
     void any_event(const l3d_event& event) override { controls_.note(event); }
@@ -34,7 +34,7 @@ public:
     void rest_event(double seconds) override;
 
 protected:
-    /// The title of the scale of mode `error`. A subclass that knows more than bounds says so.
+    /// The title of the scale of mode `error`. A subclass that shows more than bounds overrides it.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
     /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
@@ -54,7 +54,7 @@ private:
     l3d_panel legend();
 
     l3d_part_switch parts_{scene()};
-    bool marks_part_ = false; ///< until the next key
+    bool marks_part_ = false; ///< the picture marks a part until the next key
     l3d_viewer_controls controls_{
         *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed(), font()};
 };

@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 using json = nlohmann::ordered_json;
 
-/// So many were left out for that, and why that is right.
+/// A count of things left out for one reason, and the proof that this is right.
 struct left_out {
     const char* name;
     const char* proof;
@@ -28,13 +28,13 @@ json counts_json(std::span<const left_out> reasons);
 /// The beginning of a line.
 json head_json(const l3d_common_report& report);
 
-/// Times that every frame has, after those that are there already.
+/// Adds the times that every frame has.
 void add_times(json& times, const l3d_common_times& more);
 
-/// The end of a line: pixels, the names of the reasons that there were, the hash.
+/// Adds the end of a line: pixels, the names of the reasons that occurred, the hash.
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
 
-/// A line for each reason that there was; `what` is left out, of `all`.
+/// A line for each reason that occurred: how many of `all` things called `what` it left out.
 std::string explained(std::span<const left_out> reasons, std::int64_t all, const std::string& what);
 
 } // namespace l3d_detail

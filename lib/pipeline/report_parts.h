@@ -27,7 +27,7 @@ struct L3D_PUBLIC l3d_common_report {
     std::string real;           ///< the number type of the library, l3d_real_name()
     std::string simd;           ///< vector instructions, as l3d_simd_target names them
     l3d_size size;              ///< size of the picture, in pixels
-    int threads = 1;            ///< that drew
+    int threads = 1;            ///< threads that drew
     l3d_surface_counts surface; ///< counts of the filling
     std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };

@@ -27,7 +27,7 @@ struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene; ///< the scene to draw
     /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
-    const l3d_camera& camera;           ///< from where
+    const l3d_camera& camera;           ///< the eye
     const l3d_matrix<double>& to_image; ///< for the library's own methods, as is `view`
     const l3d_dice_view& view;          ///< others ask the camera for its image_matrix
     const l3d_shading& shading;         ///< light, and the way to shade
@@ -35,19 +35,19 @@ struct L3D_PUBLIC l3d_method_frame {
     l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target
     bool wants_depth;                   ///< else the method may leave the depth buffer as it is
     bool untouched;                     ///< nobody wrote to the target since the last frame's end
-    bool counts_pixels;                 ///< somebody wants to know how many are covered
+    bool counts_pixels;                 ///< whether the number of covered pixels is wanted
 
     /// The part of the picture that is drawn; the rest stays as it is. It is the whole picture,
     /// unless the method draws parts and nobody wants depth.
     l3d_pixel_box part;
 
-    bool outlines = false; ///< somebody wants to know the pixels that outlines reach
+    bool outlines = false; ///< whether the pixels that outlines reach are wanted
 
     /// Whether less than the whole picture is drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
-/// Draws the surfaces of whole frames, and says how exactly it did.
+/// Draws the surfaces of whole frames, and bounds its error.
 ///
 /// The picture of a method depends on the frame alone, not on frames before or on threads.
 /// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a method
@@ -59,7 +59,7 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
-    /// One line on what fills, for reports; empty if that is the processors.
+    /// The renderer that fills, in one line for reports; empty for the processors.
     std::string renderer() const { return do_renderer(); }
 
     /// Whether counts() bound the error of depth.
@@ -70,7 +70,7 @@ public:
     /// Whether it can draw a part of a picture alone (l3d_method_frame::part).
     bool draws_parts() const { return do_draws_parts(); }
 
-    /// Draws a frame; adds what its stages took to `times`.
+    /// Draws a frame; adds the times of its stages to `times`.
     /// Expects: a depth buffer of the target's size if `wants_depth`.
     void draw(const l3d_method_frame& frame, l3d_stage_times& times) { do_draw(frame, times); }
 

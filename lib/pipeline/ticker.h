@@ -15,13 +15,13 @@ public:
     /// Units:   steps per second. Expects: positive.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
 
-    /// How many steps are due `seconds` after the last call; what is left is kept for the next.
+    /// The number of steps due `seconds` after the last call; the rest is kept for the next call.
     ///
     /// At most a second's worth: a program that was stopped does not catch up with hours.
     int due(double seconds) {
         // A rounding error is no reason to put off a step. 1/60 s, as a double, times 60 is 1, but
-        // the sum of many such need not be whole. 2^-20 of a step is more than any error of 2^30 of
-        // them, and not seen by anybody.
+        // a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
+        // nobody sees it.
         constexpr double slack = 0x1p-20;
         steps_ = std::min(steps_ + std::max(seconds, 0.0) * per_second_, per_second_);
         const double whole = std::floor(steps_ + slack);

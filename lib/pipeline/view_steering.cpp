@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_view_steering: the camera's ways.
+// l3d_view_steering: moves of the camera.
 #include "pipeline/view_steering.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr double pixel_zoom = 1.01;
 /// Just beyond the sine at which l3d_camera::orbit stops, 0.02.
 constexpr double sine_beside_pole = 0.021;
 
-/// How much farther from the eye is the picture's height than its smaller side.
+/// The ratio of the picture's height to its smaller side.
 double height_share(l3d_size size) {
     return static_cast<double>(size.height) / std::min(size.width, size.height);
 }
@@ -91,7 +91,8 @@ void l3d_view_steering::approach(double factor, const vector& place) {
         camera_ = there;
 }
 
-/// Seen from above or below, the model's back or front is upright in the picture.
+/// Looks from a direction; from above or below, the model's back or front is upright in the
+/// picture.
 void l3d_view_steering::look_from(double right, double up, double front) {
     const l3d_upright stands(up_ = upright_);
     const double distance = l3d_length(camera_.eye - camera_.target);
@@ -107,8 +108,8 @@ void l3d_view_steering::look_from_opposite() {
         camera_.orbit(std::numbers::pi, 0);
 }
 
-/// Turning needs the upright direction again: the eye moves beside the pole, to where the picture
-/// has the same direction upwards.
+/// Moves the eye beside the pole, where turning has an upright direction again, and keeps the
+/// picture's.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;

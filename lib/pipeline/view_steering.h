@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_view_steering: how keys and the pointer move the eye of a viewer.
+// l3d_view_steering: moves a viewer's eye by keys and the pointer.
 #ifndef L3D_PIPELINE_VIEW_STEERING_H
 #define L3D_PIPELINE_VIEW_STEERING_H
 
@@ -17,7 +17,7 @@
 struct L3D_PUBLIC l3d_pointed_place {
     l3d_camera::vector place{0.0, 0.0, 0.0}; ///< in the world
     double error = 0; ///< the largest distance from the exact place, in world units
-    std::string text; ///< a line that tells what is there
+    std::string text; ///< a line about the surface there
 };
 
 /// The questions that the controls ask a viewer about its picture. An empty function leaves out the
@@ -25,14 +25,14 @@ struct L3D_PUBLIC l3d_pointed_place {
 struct L3D_PUBLIC l3d_viewed {
     /// The camera that shows everything along the line of sight of the given one.
     std::function<l3d_camera(const l3d_camera&)> framed{};
-    /// The nearest place at a position, in pixels from the picture's left upper corner; nothing if
-    /// nothing is there.
+    /// The nearest place at a position, in pixels from the picture's left upper corner; none if
+    /// there is no surface.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
     /// Whether the projection is parallel now.
     std::function<bool()> is_parallel{};
 };
 
-/// Moves a viewer's camera: turns it about its target, moves and zooms it with what is under the
+/// Moves a viewer's camera: turns it about its target, moves and zooms by the place under the
 /// pointer, shows a model from its sides, and frames it.
 ///
 /// Lives:   borrows screen and camera.
@@ -44,8 +44,8 @@ public:
     /// Steers the camera of pictures on that screen.
     l3d_view_steering(l3d_screen& screen, l3d_camera& camera, l3d_viewed viewed);
 
-    /// The first view is what `home` makes, now and at each reset; and after each change of the
-    /// picture's size as long as nobody has moved the camera.
+    /// Sets the function that makes the first view: now, at each reset, and at each change of the
+    /// picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
     /// Back to the first view.
@@ -56,7 +56,7 @@ public:
     /// placed itself stays as it is.
     void resized();
 
-    /// How much more keys and the pointer turn than usual. Expects: more than 0.
+    /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
     void set_turn_speed(double factor) { turn_speed_ = factor; }
 
     /// Moves the eye around the target. Units: radians, about the upright axis and about the
@@ -65,7 +65,7 @@ public:
     /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
     /// turn() until look_from or go_home. Units: radians.
     void roll(double angle);
-    /// Moves what is at the target's depth so many pixels to the right and down.
+    /// Moves things at the target's depth so many pixels to the right and down.
     void pan(double right, double down);
     /// Multiplies the distance from the target, unless that leads too near or too far.
     void approach(double factor) { approach(factor, camera_.target); }
@@ -79,8 +79,8 @@ public:
     /// False if nothing is there.
     bool turn_about(double x, double y);
 
-    /// Where the picture shows a place of the world, as rasterizers count: whole numbers are the
-    /// middles of pixels. Nothing if it is before the near plane.
+    /// A world place's position in the picture, as rasterizers count: whole numbers are the middles
+    /// of pixels. Nothing if it is before the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// A button went down, the pointer moved or the wheel turned: turns, moves or zooms. True if
@@ -94,7 +94,7 @@ private:
     bool go_on(const l3d_event& motion);
     void approach(double factor, const vector& place);
     void move(double x, double y);
-    /// The place under the pointer; where nothing is, at the target's depth.
+    /// The place under the pointer; without a surface, at the target's depth.
     vector place_under(double x, double y) const;
     double depth_of(const vector& place) const;
     void leave_pole();
@@ -105,7 +105,7 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera kept_;  ///< as a home or a frame left it; differs from camera_ if that was moved
+    l3d_camera kept_;  ///< set by a home or a frame; differs from camera_ if that was moved
     bool is_home_ = false, is_framed_ = false; ///< whether kept_ is so
     vector upright_;                           ///< the model's, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_viewer_controls: the table, and what it is made for.
+// l3d_viewer_controls: the table of keys, and its users.
 #include "pipeline/viewer_controls.h"
 
 #include "base/formatted_p.h"
@@ -160,7 +160,7 @@ void l3d_viewer_controls::arrow(int right, int down) {
     }
 }
 
-/// With Ctrl, signs that mean another thing alone.
+/// Zooms by signs that need Ctrl, since they mean another thing alone.
 bool l3d_viewer_controls::zoom_key(int key) {
     if (!control_ || (key != '+' && key != '-'))
         return false;
@@ -199,7 +199,7 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
     return event.control;
 }
 
-/// Every other click is the second one.
+/// Measures: every other click ends a distance.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-/// A row of a viewer's help, and what its keys do.
+/// A row of a viewer's help, with the actions of its keys.
 struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< as the help calls them
     const char* text; ///< their effect
@@ -44,34 +44,35 @@ struct L3D_PUBLIC l3d_standing_panel {
 /// Lives:   borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// `rows` are the viewer's own; `reset` takes back what it changed of the view beside the
-    /// camera, and may be empty; `viewed` tells what is in the picture; `font` has the letters of
-    /// all panels.
+    /// `rows` are the viewer's own; `reset` undoes its changes of the view beside the camera, and
+    /// may be empty; `viewed` answers questions about the picture; `font` has the letters of all
+    /// panels.
     /// Expects: no key is in two rows, ours included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
-    /// The eye circles the target by this angle from frame to frame (per 1 / fps of a second
-    /// where time is measured); the first frame is not turned. Units: degrees; frames a second.
+    /// Turns the eye around the target by this angle from frame to frame, or per 1 / fps of a
+    /// second where time is measured. The first frame is not turned. Units: degrees; frames a
+    /// second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
     }
 
-    /// How much more keys and the pointer turn than usual. Expects: more than 0.
+    /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
     void set_turn_speed(double factor) {
         turn_speed_ = factor;
         steering_.set_turn_speed(factor);
     }
 
-    /// Called by the key s with the picture; without it the key does nothing. The function returns
-    /// a line to show, such as the file's name.
+    /// Sets the function that the key s calls with the picture; without one the key does nothing.
+    /// The function returns a line to show, such as the file's name.
     void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
         save_ = std::move(save);
     }
 
-    /// Called by the key g; without it the key does nothing. The function returns the view as the
-    /// options that show it again, which are shown.
+    /// Sets the function that the key g calls; without one the key does nothing. The function
+    /// returns the view as the options that show it again, which are shown.
     void set_view_teller(std::function<std::string()> tell) { tell_view_ = std::move(tell); }
 
     /// The first view, which the key r returns to: l3d_view_steering::set_home.
@@ -95,14 +96,14 @@ public:
 
     /// Does what the key means. Expects: an ASCII code or an l3d_key.
     bool key(int key);
-    /// Turns, moves or zooms as the pointer is moved or its wheel turned; sets what is turned
-    /// about, and measures.
+    /// Turns, moves or zooms by the pointer and its wheel; sets the centre of turning, and
+    /// measures.
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
     /// Whether nothing turns.
     bool is_at_rest() const { return turntable_degrees_ == 0 || paused_; }
-    /// How long time alone changes no picture while nothing turns: until the hint ends.
+    /// The time for which nothing changes the picture while nothing turns: until the hint ends.
     /// Units: seconds.
     double rest_left() const {
         return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
@@ -112,7 +113,7 @@ public:
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
 
-    /// Other letters for all panels.
+    /// Sets the letters of all panels.
     void set_font(l3d_font font) { font_ = std::move(font); }
 
     /// The looks of the panels, with letters as large as the window and its display ask for.
@@ -127,11 +128,11 @@ public:
     /// Performs the key l of a viewer of surfaces: takes the other value, and says so.
     void switch_headlight(bool& is_on);
 
-    /// That line; "" if there is none.
+    /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Why the picture is empty, as l3d_why_unseen tells it; "" if it is not. It is shown as long
-    /// as it is so, with the key that mends it; 0 if none does.
+    /// Sets the reason why the picture is empty, as l3d_why_unseen tells it; "" if it is not. The
+    /// reason is shown with the key that mends it; 0 for none.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())
@@ -146,15 +147,14 @@ public:
 
     /// Panels on top of a finished picture: status, help and message, as they are switched on, the
     /// viewer's own legend and its standing panel, if they are not empty. They fit into every
-    /// window, and none covers another. Help that has no room beside them is drawn instead of
-    /// those that are in its way, but for the message.
-    /// `lines` are the viewer's own of the status, below that of pace().
+    /// window, and none covers another. Help without room beside them replaces those in its way,
+    /// but for the message. `lines` are the viewer's own of the status, below that of pace().
     void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
               const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
 
     /// The pace of the viewer's pictures, for the viewer to measure.
     l3d_picture_pace& pace() { return pace_; }
-    /// The same, to be looked at only.
+    /// The same, read-only.
     const l3d_picture_pace& pace() const { return pace_; }
 
 private:
@@ -172,7 +172,7 @@ private:
 
     l3d_screen& screen_;
     l3d_font font_;
-    double hint_seconds_ = 0; ///< that are left
+    double hint_seconds_ = 0; ///< seconds that are left
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
@@ -185,7 +185,7 @@ private:
     bool first_frame_ = true;
     bool paused_ = false;
     bool status_shown_ = false;
-    std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
+    std::size_t help_page_ = 0; ///< the page shown, from 1; 0 for none
     std::string message_;
     std::string empty_line_;
     l3d_picture_pace pace_;

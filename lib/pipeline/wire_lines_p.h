@@ -45,9 +45,9 @@ private:
             }
     }
 
-    /// A side that notes its border has the line of that, which its neighbour has, too. The grid's
-    /// own is off that by a part of the tolerance, and two such lines would be one that is too
-    /// bright. Between them are the triangles of a slit, which is empty to the eye.
+    /// Adds a side's line: its noted border if there is one, which its neighbour has, too. The
+    /// grid's own line differs by a part of the tolerance, and two such lines would look like one
+    /// that is too bright. Between them are the triangles of a slit, which is empty to the eye.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

@@ -24,14 +24,14 @@ namespace l3d_detail {
 struct wire {
     std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
-    /// Between the pixels that the ends lie in: a shift rounds down, also below zero.
+    /// The line between the pixels of its ends: a shift rounds down, also below zero.
     l3d_line_2d sharp() const {
         return {x0 >> l3d_subpixel_bits, y0 >> l3d_subpixel_bits, x1 >> l3d_subpixel_bits,
                 y1 >> l3d_subpixel_bits};
     }
 };
 
-/// Lines that several neighbours may have, whichever way each of them runs.
+/// A set of lines that several neighbours may share, in either direction.
 class shared_wires {
 public:
     /// Whether this line is new.
@@ -63,7 +63,7 @@ inline constexpr std::uint32_t white = 0x00ffffff;
 /// The colour of lines: light blue, seen on the dark ground and on grey surfaces.
 inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 
-/// Draws lines of one colour, smooth ones where they are.
+/// Draws lines of one colour, sharp or smooth.
 class wire_drawer {
 public:
     /// Units:   `width` in pixels, as l3d_screen::text_scale has it: 1 where a display is no finer
@@ -87,8 +87,8 @@ public:
     }
 
 private:
-    /// With square ends, half as long as lines are wide. All smooth ones are one path: what several
-    /// cover is covered once.
+    /// Draws wide lines with square ends. All smooth ones are one path, so pixels under several are
+    /// covered once.
     void draw_wide(std::span<const wire> wires) {
         path_.clear();
         for (const wire& w : wires) {
@@ -117,8 +117,8 @@ private:
     l3d_path path_;
 };
 
-/// Where there is no background, lines are drawn in white on black first: then a level is what they
-/// cover of a pixel. This gives the pixels their colour, and what is left to shine through.
+/// Turns white lines on black into lines of a colour on nothing: each level is the line's share of
+/// the pixel. Without a background, lines are drawn in white first.
 inline void make_lines_transparent(const l3d_pixels& picture, std::uint32_t color) {
     for (int y = 0; y < picture.height; ++y)
         for (std::uint32_t& word : picture.row(y)) {

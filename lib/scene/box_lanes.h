@@ -21,7 +21,7 @@ struct L3D_PUBLIC l3d_slanted_box {
 /// Boxes held so that a processor's lanes can each take one.
 ///
 /// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
-///        `lanes`, with numbers in it that mean nothing.
+///        `lanes`, with meaningless numbers behind the last box.
 /// Cost:  13 doubles a box. add allocates only when there are more than ever before.
 class L3D_PUBLIC l3d_box_lanes {
 public:

@@ -21,7 +21,7 @@ vector turned(const vector& v, const vector& axis, double angle) {
     return {r[0], r[1], r[2]};
 }
 
-/// Squares of what is very long or short would leave a double's range.
+/// The unit vector of any length; squares of very long or short ones would leave a double's range.
 vector unit_of_any_length(const vector& v) {
     const double longest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     return l3d_normalized(vector{v[0] / longest, v[1] / longest, v[2] / longest});
@@ -98,7 +98,7 @@ void l3d_camera::orbit(double around_up, double around_right) {
     vector arm = turned(eye - target, up, around_up);
     const vector right = turned(f.right, up, around_up);
     arm = turned(arm, right, around_right);
-    // Stop short of looking straight along `up`, where the picture has no upright direction.
+    // Stops short of looking straight along `up`, where the picture has no upright direction.
     const vector axis = l3d_cross(arm, up);
     if (l3d_length(axis) > 0.02 * l3d_length(arm) * l3d_length(up))
         eye = target + arm;

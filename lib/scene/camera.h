@@ -14,16 +14,16 @@
 /// 1 / distance in a float, which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
-/// How far from the origin an eye may be in x, y and z. The largest models reach to 1e12 there, and
-/// are seen from outside, also with a narrow field of view.
+/// The largest x, y and z of an eye. The largest models reach to 1e12 there, and are seen from
+/// outside, also with a narrow field of view.
 inline constexpr double l3d_farthest_eye = 1e15;
 
 /// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
-/// Directions as a person sees them who stands upright before a model. Front is the z axis, or -y
-/// if z is up, as in many files.
+/// Directions for a person who stands upright before a model. Front is the z axis, or -y if z is
+/// up, as in many files.
 ///
 /// Shape:   three perpendicular unit vectors; right x up = front.
 struct L3D_PUBLIC l3d_upright {
@@ -50,7 +50,7 @@ struct L3D_PUBLIC l3d_upright {
 struct L3D_PUBLIC l3d_camera {
     /// A place or a direction in the world.
     using vector = l3d_vector<double, 3>;
-    vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
+    vector eye{0.0, 0.0, 1.0};    ///< the eye's place
     vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture
     vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
     double fov = 38;              ///< full vertical angle of view, in degrees
@@ -78,7 +78,7 @@ struct L3D_PUBLIC l3d_camera {
     /// far.
     std::string complaint() const;
 
-    /// Whether complaint() has nothing to say.
+    /// Whether complaint() is empty.
     bool is_valid() const { return complaint().empty(); }
 
     /// Pixels per world unit at distance 1.

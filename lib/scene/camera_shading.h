@@ -18,13 +18,13 @@ struct L3D_PUBLIC l3d_frame_lights {
     l3d_lighting lighting;    ///< its colour, and the further ones
 };
 
-/// The light of a lamp that goes with the eye, alone: it shines over the eye's right shoulder, from
-/// where l3d_usual_light is for who looks at the teapot in the programs' first view. Ambient light
-/// and the first light's colour are those of `lighting`.
+/// The light of a lone lamp that goes with the eye: it shines over the right shoulder, as
+/// l3d_usual_light does in the programs' first view of the teapot. Ambient light and the first
+/// light's colour are those of `lighting`.
 /// Expects: camera.is_valid().
 L3D_PUBLIC l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 
-/// The shading of one frame: what a surface rasterizer needs to know of the camera and the light.
+/// The shading of one frame: the data on camera and light for a surface rasterizer.
 ///
 /// Units:   `light` points towards the first light, world space, any length but 0.
 /// Expects: camera.is_valid().
@@ -32,9 +32,9 @@ L3D_PUBLIC l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size siz
                                           const l3d_camera::vector& light,
                                           const l3d_lighting& lighting = {});
 
-/// Has vertices lit where they are diced: with levels if `with_levels` and the mode is lambert,
-/// else with normals turned to the eye. Expects: no levels of what is lit (l3d_shading::is_lit).
-/// Returns what the rasterizer has to do then.
+/// Has dicing light the vertices: with levels if `with_levels` and the mode is lambert, else with
+/// normals turned to the eye. Expects: no levels if l3d_shading::is_lit. Returns the rest of the
+/// shading, for the rasterizer.
 L3D_PUBLIC l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading,
                                            bool with_levels);
 

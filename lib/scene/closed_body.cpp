@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_orientation_of: edges that meet their like, and one point that all normals turn away from.
+// l3d_orientation_of: pairs of equal edges, and one point that all normals turn away from.
 #include "scene/closed_body.h"
 
 #include <algorithm>

@@ -15,8 +15,8 @@
 /// The proof has two parts. Every edge that is not collapsed into a point is an edge of exactly one
 /// other patch, with the same control points in the opposite direction. So the surface has no
 /// boundary. Every block of it turns the same side to one point, the middle of its box. So a ray
-/// from there crosses it always in the same direction, hence once: the body is star-shaped, and
-/// does not cut itself.
+/// from there crosses the surface always in the same direction, hence once: the body is
+/// star-shaped, and does not cut itself.
 /// Shape:   as many cones as patches.
 int l3d_orientation_of(std::span<const l3d_bezier_patch<double, 3>> patches,
                        std::span<const l3d_facing_cones> cones);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts of the shapes of a frame: how many were drawn, how exactly, and why others were not.
+// Counts of a frame's shapes: those drawn, with error bounds, and those left out, by reason.
 #ifndef L3D_SCENE_COUNTS_H
 #define L3D_SCENE_COUNTS_H
 
@@ -32,7 +32,7 @@ struct L3D_PUBLIC l3d_coarse_patch {
     /// The index of the instance in the scene, and of the patch in its model.
     std::int64_t instance = 0, patch = 0;
 
-    /// By bound; of equals the first of the scene is the greatest.
+    /// Orders by bound; among equals the first in the scene is the greatest.
     friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
         return std::tie(a.bound_px, b.instance, b.patch) <
                std::tie(b.bound_px, a.instance, a.patch);
@@ -47,20 +47,21 @@ struct L3D_PUBLIC l3d_surface_certificate {
     double depth = 0;
     /// The distance of the level from the exact one at the same parameters. Units: levels of 255.
     double shade = 0;
-    /// Where vertices have normals instead of levels: the length by which what is interpolated
-    /// between them is off the exact unit normal at the same parameters. Then `shade` is 0.
+    /// The error of interpolated normals against the exact unit normals at the same parameters, as
+    /// a length. It is for vertices with normals instead of levels; then `shade` is 0.
     double normal = 0;
-    /// Quads of which `shade` says nothing, since their block may be off by more than the
-    /// tolerance. Its normals turn faster than quads of six pixels can follow, or one of them
-    /// vanishes. Slits beside a block that may be off by more count as one quad.
+    /// Quads that `shade` does not cover, since their block may exceed the tolerance: its normals
+    /// turn faster than quads of six pixels can follow, or one vanishes. Slits beside such a block
+    /// count as one quad.
     std::int64_t unproven_quads = 0;
     /// Bit 4 * row + column, or bit 0, is set for a block that is seen and may have places without
     /// a normal.
     unsigned without_normals = 0;
-    /// The depth of these, but for what their corners are off a plane by (l3d_most_off_plane).
+    /// The error of depth in those blocks, without the corners' distance from a plane
+    /// (l3d_most_off_plane).
     double depth_without_normals = 0;
 
-    /// Adds what vertices are off by, and corners of blocks without normals.
+    /// Adds the errors of vertices, and of corners of blocks without normals.
     void add_to_depth(double vertices, double off_plane) {
         depth = std::max(depth, depth_without_normals + off_plane) + vertices;
     }
@@ -71,7 +72,7 @@ struct L3D_PUBLIC l3d_surface_certificate {
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0;      ///< patches left out: behind what had been drawn before
+    std::int64_t hidden = 0;      ///< patches left out: hidden by earlier ones
     std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn again
     std::int64_t backfacing = 0;  ///< patches left out: only their back is turned to the eye
     std::int64_t back_blocks = 0; ///< blocks left out of drawn patches, for the same reason
@@ -91,14 +92,14 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// same parameters. Units: pixels at that depth.
     double depth_bound_px = 0;
 
-    /// How far normals that are interpolated over quads and slits are from the exact unit normals
+    /// Error of normals that are interpolated over quads and slits, against the exact unit normals
     /// at the same parameters, if vertices have normals. Polygons' shapes add to this, and are not
     /// included.
     double normal_off = 0;
 
-    /// How far greys are from those of the exact surface at the same parameters. Units: levels.
+    /// Error of greys against the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    /// Quads of which the bound of shades says nothing: at most so many. A frame counts none twice.
+    /// At most so many quads are outside the bound of shades. A frame counts none twice.
     std::int64_t unproven_quads = 0;
 
     /// Adds the counts of other patches.

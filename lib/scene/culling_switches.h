@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// l3d_culling_switches: which rules of leaving patches out are switched off.
+// l3d_culling_switches: rules of leaving patches out that are switched off.
 #ifndef L3D_SCENE_CULLING_SWITCHES_H
 #define L3D_SCENE_CULLING_SWITCHES_H
 
 #include "base/public.h"
 
-/// Patches, and parts of them, that are drawn although a rule could leave them out. It serves those
-/// who measure or judge a rule.
+/// Patches, and parts of them, that are drawn although a rule could leave them out, to measure or
+/// judge a rule.
 struct L3D_PUBLIC l3d_culling_switches {
     /// Those outside the picture.
     bool outside = false;

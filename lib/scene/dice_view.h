@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dice_view: what dicing has to know of the picture.
+// l3d_dice_view: the picture's data that dicing needs.
 #ifndef L3D_SCENE_DICE_VIEW_H
 #define L3D_SCENE_DICE_VIEW_H
 
@@ -42,9 +42,9 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 }
 
 /// Outlines of smooth edges keep this and the tolerance together, as 1 / (1 / a + 1 / b): an eighth
-/// of a pixel at the usual tolerance of a quarter. In the root of the mean square an outline is off
-/// by an eighth of what it keeps, as was measured. Counting 64 samples is off by 0.73 / 64 of a
-/// pixel, which is nearly as much. Units: pixels.
+/// of a pixel at the usual tolerance of a quarter. Measured outlines have a root mean square error
+/// of an eighth of this bound. Counting 64 samples errs by 0.73 / 64 of a pixel, which is nearly as
+/// much. Units: pixels.
 inline constexpr double l3d_widest_outline = 0.25;
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -56,36 +56,35 @@ struct l3d_dice_view {
     double tolerance = 0.25;
 
     /// Pixels that a length of 1 takes at a distance of 1: depth is kept within the tolerance, too.
-    /// 0: places in the picture alone are.
+    /// 0: only places in the picture are.
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
     double error_xy = 0;        ///< error of a transformed control point
     double error_w = 0;
 
-    /// Bound of the terms that the points' coordinates are summed up from, those of the eye among
-    /// them: errors are in proportion to it. 0: that is not known, and errors are what they are.
+    /// Bound of the terms that the points' coordinates are summed up from, the eye's included:
+    /// errors are in proportion to it. 0: unknown, and errors cannot be reduced.
     double terms = 0;
-    double eye_terms = 0;   ///< those of the eye
+    double eye_terms = 0;   ///< the eye's part of terms
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
-    bool one_sided = false;        ///< nobody wants to see the back of dS/du x dS/dv
+    bool one_sided = false;        ///< the back of dS/du x dS/dv is not shown
 
-    /// Blocks of the patch that is diced in which it may fold over as seen from the eye: bit 4 *
-    /// row
-    /// + column, columns along u.
+    /// Blocks of the patch that is diced in which it may fold over as seen from the eye: bit
+    /// 4 * row + column, columns along u.
     unsigned folds = 0;
 
-    /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
-    /// if there is one.
+    /// The light of vertices: in mode `levels` they get levels, else unit normals, turned to the
+    /// eye if there is one.
     l3d_shading shading{.ray = {0, 0, 0}};
 
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
 
-    /// How many times smaller budgets are where outlines may be.
+    /// The factor by which budgets are smaller where outlines may be.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;
     }
@@ -108,7 +107,7 @@ struct l3d_dice_view {
     }
 
     /// The near plane of points that have this share of the errors. Nearer than 32 errors of w, w
-    /// is hardly known any more, and what is divided by it neither.
+    /// and quotients by it are hardly known any more.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }
@@ -120,7 +119,7 @@ struct l3d_dice_view {
         return result;
     }
 
-    /// Becomes whole.of_share(share). Expects: all else is that of `whole`.
+    /// Becomes whole.of_share(share). Expects: all else equals `whole`.
     void take_share(const l3d_dice_view& whole, double share) {
         near = whole.near_of(share);
         error_xy = whole.error_xy * share;
@@ -129,8 +128,8 @@ struct l3d_dice_view {
     }
 
     /// The largest chord error where rounding of vertices already takes `vertex_error`. Where that
-    /// is most of the tolerance, a quarter is left, and the bound says that it is exceeded. But it
-    /// is never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    /// is most of the tolerance, a quarter is left, and the bound says that it is exceeded. The
+    /// budget is never less than a 16th of a sub-pixel, which moves hardly any vertex.
     double chord_budget(double vertex_error) const {
         constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
@@ -139,26 +138,25 @@ struct l3d_dice_view {
     /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
     double most_moved() const { return chord_budget(0); }
 
-    /// The largest error that walking may add to a vertex, else the vertex is evaluated. Slits
+    /// The largest error that walking may add to a vertex; otherwise the vertex is evaluated. Slits
     /// along edges get half their budget for balanced chords, and may be off by 1 / (16
     /// l3d_balance) = 0.73 of it. With an eighth for walking, that is within the tolerance while
     /// all else takes less than a half.
     double walk_allowance() const { return tolerance / 8; }
 
-    /// The same where vertices err by `exact` already. It is no more than an eighth of what is
-    /// left, since it makes quads grow. It also leaves at least a quarter of the tolerance.
+    /// The same where vertices err by `exact` already. It is at most an eighth of the rest, since
+    /// it makes quads grow, and leaves at least a quarter of the tolerance.
     double walk_allowance(double exact) const {
         const double left = tolerance - exact;
         return std::max(0.0, std::min(left / 8, left - tolerance / 4));
     }
 
-    /// The least exact w where something is drawn of a net whose least w is `least`. Steps are
-    /// chosen so that the exact w is over half of a chord's w where the chord is in front of the
-    /// near plane.
+    /// The least exact w of the drawn part of a net whose least w is `least`. Steps are chosen so
+    /// that the exact w is over half of a chord's w where the chord is in front of the near plane.
     double drawn_w(double least) const { return std::max(least, near / 2); }
 
-    /// How much w of a chord may differ from the exact w: an eighth in front of the near plane
-    /// (l3d_vertex_accuracy counts on it), else what drawn_w allows.
+    /// The largest difference of a chord's w from the exact w: an eighth in front of the near plane
+    /// (l3d_vertex_accuracy counts on it), else as drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
     /// The box of the drawn points of a net whose exact points are in `hull`. Vertices of nets that
@@ -182,7 +180,7 @@ struct l3d_dice_view {
     /// vertices lie.
     l3d_image_box margin() const { return margin(window()); }
 
-    /// The same of a part of the picture.
+    /// The same for a part of the picture.
     l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + most_moved()); }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.

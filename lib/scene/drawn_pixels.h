@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_drawn_pixels: which pixels may show what is in some boxes.
+// l3d_drawn_pixels: the pixels that may show the contents of some boxes.
 #ifndef L3D_SCENE_DRAWN_PIXELS_H
 #define L3D_SCENE_DRAWN_PIXELS_H
 
@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <limits>
 
-/// Adds the pixels that may be covered by what is drawn of patches in boxes: wherever vertices are
-/// snapped, balanced or off. All of the picture if a box reaches the near plane.
+/// Adds the pixels that drawn patches in the boxes may cover, however vertices are snapped,
+/// balanced or in error. All of the picture if a box reaches the near plane.
 ///
 /// Once there are more than `enough` pixels, no more boxes are looked at.
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.

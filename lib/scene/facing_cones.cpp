@@ -16,8 +16,8 @@ using vector = l3d_facing_cones::vector;
 /// direction.
 constexpr double no_direction = 0x1p-40;
 
-/// Margin for the rounding of some thirty operations on doubles, relative to the distances that
-/// they are made of. It also covers an eye that was found by solving three equations.
+/// Margin for the rounding of some thirty operations on doubles, relative to the distances in them.
+/// It also covers an eye that was found by solving three equations.
 constexpr double slack = 1e-9;
 
 /// A Bernstein net of Order x Order vectors, columns along u.
@@ -56,8 +56,8 @@ void l3d_facing_cones::ball_and_cone::hold_points(std::span<const vector> points
         radius = std::max(radius, l3d_length(p - centre));
 }
 
-/// The cone of the coefficients holds all that they are positive weights of, if it is narrower
-/// than a half-space.
+/// Makes the cone of the coefficients. If it is narrower than a half-space, it holds all their
+/// positive combinations.
 void l3d_facing_cones::ball_and_cone::hold_normals(std::span<const vector> normals) {
     vector sum{0.0, 0.0, 0.0};
     for (const vector& n : normals)

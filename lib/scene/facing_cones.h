@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_facing_cones: which blocks of a patch show their back, whatever is in them.
+// l3d_facing_cones: finds the blocks of a patch that certainly show their back.
 #ifndef L3D_SCENE_FACING_CONES_H
 #define L3D_SCENE_FACING_CONES_H
 
@@ -14,8 +14,8 @@
 /// A ball around the points of a patch and a cone around its normals dS/du x dS/dv, and the same
 /// for each of its 4 x 4 blocks.
 ///
-/// Shape: block 4 * row + column, columns along u. Begins with a line of the cache, as the patch's
-///        own cone is all that is asked of most.
+/// Shape: block 4 * row + column, columns along u. Begins with a line of the cache, since most
+///        questions need the patch's own cone alone.
 class alignas(64) l3d_facing_cones {
 public:
     using vector = l3d_vector<double, 3>;

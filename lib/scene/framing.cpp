@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_framed: four planes through the eye that touch the model, and what they bound.
+// l3d_framed: four planes through the eye that touch the model.
 #include "scene/framing.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ using vector = l3d_camera::vector;
 
 constexpr double least_share = 0.6;
 
-/// The part of what control points span that a reach may be too large by.
+/// The largest error of a reach, as a part of the span of the control points.
 constexpr double reach_error = 1e-4;
-/// Halving a patch twice brings control points 16 times nearer to it: 7 times is more than enough.
+/// Two halvings bring control points 16 times nearer to a patch, so 7 times is more than enough.
 constexpr int most_cuts = 7;
 
 /// Dot products of a direction with the control points of a patch, or of a part of it.
@@ -90,7 +90,7 @@ private:
 double reach_along(const l3d_patch_scene& scene, const vector& direction) {
     highest found;
     for (const l3d_patch_instance& instance : scene.instances()) {
-        if (instance.opacity() == 0) // it is not there
+        if (instance.opacity() == 0) // it is invisible
             continue;
         const l3d_matrix<double>& m = instance.placement();
         vector model{0.0, 0.0, 0.0}; // the direction as the model's points see it
@@ -121,9 +121,9 @@ struct wedge {
         : slope(tangent), most(reach(side - forward * tangent)),
           least(-reach(-side - forward * tangent)) {}
 
-    /// The eye is nowhere nearer.
+    /// The largest depth that the eye may have.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// Where the eye is then; farther away it is a good middle as well.
+    /// The eye's place at that depth; farther away it is a good middle as well.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;
@@ -156,7 +156,7 @@ bool is_aside(const vector& side, const l3d_camera::frame& axes, const l3d_camer
            (reaches(-1, near_border * slope) && !reaches(1, much_room * slope));
 }
 
-/// How deep a model begins and ends along the line of sight, from the origin.
+/// The depths at which a model begins and ends along the line of sight, from the origin.
 struct depths {
     double nearest, farthest;
 
@@ -168,7 +168,7 @@ struct depths {
 
     bool is_flat() const { return nearest == farthest; }
 
-    /// How far the eye stays away at least. A model without any size is seen from anywhere.
+    /// The least distance of the eye. A model without any size is seen from anywhere.
     double least_distance() const {
         const double size = (farthest - nearest) * 1e-6;
         const double largest = std::max(std::abs(nearest), std::abs(farthest));
@@ -177,8 +177,8 @@ struct depths {
 };
 
 /// The camera with eye and target at these depths of one line along the line of sight. The eye is
-/// brought to where eyes may be. None if the eye is too near to the target, as it is to tiny
-/// models. Expects: the model begins at depth `nearest`.
+/// moved into its allowed range. None if the eye is too near to the target, as for tiny models.
+/// Expects: the model begins at depth `nearest`.
 std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, double eye,
                                  double target, double nearest) {
     l3d_camera result = camera;
@@ -191,7 +191,7 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
         if (std::abs(result.eye[i]) > l3d_farthest_eye)
             part = std::min(part,
                             (std::copysign(l3d_farthest_eye, arm[i]) - result.target[i]) / arm[i]);
-    if (part < 1) // a little less, so that rounding leads inside
+    if (part < 1) // a little less, so that rounding stays inside
         result.eye = result.target + arm * (part * (1 - 0x1p-40));
     // Depth is kept as 1 / distance in floats, which are as exact near the eye as far from it.
     const double near = std::min(1e-3 * (target - eye), 0.5 * (nearest - eye));
@@ -262,12 +262,13 @@ l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const
 
 namespace {
 
-/// How a model lies along the width or the height of a picture.
+/// The place of a model along the width or the height of a picture.
 struct side_of_picture {
     bool is_beside, is_within_a_pixel;
 };
 
-/// By the planes through the eye and two opposite sides of the picture, whose tangent is `slope`.
+/// Finds it by the planes through the eye and two opposite sides of the picture, whose tangent is
+/// `slope`.
 side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
                            double slope, int pixels, const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
@@ -276,7 +277,7 @@ side_of_picture seen_along(const vector& side, const vector& forward, const vect
     return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
 }
 
-/// By the planes `half` away from the eye.
+/// Finds it by the planes `half` away from the eye.
 side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
                               const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);

@@ -11,12 +11,12 @@
 #include <functional>
 #include <string>
 
-/// How far something reaches along a direction: the largest dot product of the direction with any
-/// of its points; minus infinity if it has no points.
+/// The reach of a thing along a direction: the largest dot product of the direction with any of its
+/// points; minus infinity without points.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
 /// The reach of the surfaces of a scene, not of their control points. It is too large by at most
-/// 1/10000 of what the control points span.
+/// 1/10000 of the span of the control points.
 /// Lives:   borrows the scene.
 /// Cost:    16 products for each patch, and some for the few that reach farthest.
 L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
@@ -27,14 +27,14 @@ inline constexpr double l3d_framed_share = 0.85;
 /// The camera that shows all of a model in a picture of that size, seen along the same line of
 /// sight, with the same `up` and `fov`. It fills l3d_framed_share of the width or of the height,
 /// and no more of the other. The target is in the middle of the model's depth. `near` becomes
-/// smaller if the model is so small or near that it has to.
+/// smaller if the model is too small or near for it.
 ///
 /// Expects: a valid camera.
 /// Errors:  none: the camera stays as it is if there is nothing to show, and an eye
 ///          that would be farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// The same for parallel projection, where the distance of the target decides on sizes.
+/// The camera for parallel projection, where the distance of the target decides on sizes.
 L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach);
 
@@ -43,8 +43,8 @@ L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size siz
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// Why nothing of a model is in a picture, such as "behind the eye"; "" if something may be. A
-/// model whose picture is less than one pixel wide and high is "smaller than a pixel".
+/// The reason why a picture shows nothing of a model, such as "behind the eye"; "" if it may show
+/// something. A model whose picture is less than one pixel wide and high is "smaller than a pixel".
 /// Expects: a valid camera. In parallel projection nothing is behind the eye.
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
                                       const l3d_reach& reach, bool is_parallel = false);

@@ -9,7 +9,7 @@
 #include "scene/dice_view.h"
 #include "scene/patch_scene.h"
 
-/// The camera's matrix, scaled so that what it makes fits the registers of every number type.
+/// The camera's matrix, scaled so that its results fit the registers of every number type.
 ///
 /// Homogeneous points may be scaled freely, here by a power of two, which is exact. It brings w to
 /// at most 2^8, |x| and |y| to at most 2^28. (32.32 has 31 integer bits; differences of third order
@@ -22,9 +22,9 @@ public:
     /// World (x, y, z, 1) to (x, y, -, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
 
-    /// The picture as dicing needs to know it, in the units of the transformed points. Its errors
-    /// hold for all points of the scene; l3d_dice_view::of_share tells those of some. Its near
-    /// plane is the camera's, or farther where rounding leaves too little of w.
+    /// The picture's data for dicing, in the units of the transformed points. Its errors hold for
+    /// all points of the scene; l3d_dice_view::of_share tells those of some. Its near plane is the
+    /// camera's, or farther where rounding leaves too little of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 

@@ -18,7 +18,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// Row i of what l3d_placed_net takes for coordinates 0, 1 and 2.
+/// The rows that l3d_placed_net takes for coordinates 0, 1 and 2.
 constexpr std::array<int, 3> rows{0, 1, 3};
 
 /// From the world to steps along the axes, counted from the origin.
@@ -86,7 +86,7 @@ void l3d_inspected_scene::add(const l3d_patch_scene& scene,
 }
 
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
-    // 25 places in each of so many patches.
+    // Patches that are sampled, at 25 places each.
     constexpr std::int64_t most_patches = 2048;
     constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
     const std::int64_t step = std::max<std::int64_t>(1, scene.patch_count() / most_patches);

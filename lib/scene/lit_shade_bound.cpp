@@ -12,8 +12,8 @@ namespace {
 
 using vector = std::array<double, 3>;
 
-/// Rounding of normals to 16383rds, 2^-14.2, and what floats add: 20 * 2^-24 of numbers up to 2^8
-/// times what their terms cancel, as levels have it, in parts of 229.5.
+/// Rounding of normals to 16383rds, 2^-14.2, and of floats: 20 * 2^-24 of numbers up to 2^8 times
+/// what their terms cancel, as for levels, in parts of 229.5.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
 /// Rounding of a channel to a whole level, and its float arithmetic.
@@ -65,9 +65,9 @@ struct seen_cone {
     }
 };
 
-/// How far a highlight of strength 1 may be off.
+/// The error of a highlight of strength 1.
 double highlight_off(double k, double apart, double normal_angle, double way) {
-    // The length of the sum of both directions: what halves the angle turns by way / length.
+    // The length of the sum of both directions: the bisector turns by way / length.
     const double least_sum = 2 * std::cos(std::min(apart + way, std::numbers::pi) / 2);
     if (!(least_sum > 0))
         return 1;

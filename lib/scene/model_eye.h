@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the eye is as a model sees it, and how near it is.
+// The eye's place in a model's space, and its nearness.
 #ifndef L3D_SCENE_MODEL_EYE_H
 #define L3D_SCENE_MODEL_EYE_H
 

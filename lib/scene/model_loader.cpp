@@ -17,8 +17,8 @@
 
 namespace {
 
-/// A file that another one names: beside it, also if it is named by a place on another machine, or
-/// as Windows writes places. A model from a pipe has no folder: the present one is meant.
+/// The path of a file that another file names: beside that file, also if the name is a path on
+/// another machine or of Windows. A model from a pipe has no folder: the present one is meant.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -33,7 +33,7 @@ std::string beside(const std::string& path, std::string named) {
         return result;
     std::ranges::replace(named, '\\', '/');
     if (named.size() > 1 && named[1] == ':')
-        named.erase(0, 2); // the letter of a drive
+        named.erase(0, 2); // a drive's letter
     return place();
 }
 
@@ -47,7 +47,7 @@ std::string text_of(const std::string& path, std::string& why) {
     }
 }
 
-/// Says which materials no file describes, but not one for each of thousands.
+/// Notes materials that no file describes, but not thousands of them.
 void note_unknown(std::span<const l3d_named_material> known, const std::string& name,
                   l3d_model_file& model) {
     constexpr std::size_t most = 5;

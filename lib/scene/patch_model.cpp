@@ -68,7 +68,7 @@ struct l3d_patch_model::contents {
 
 struct l3d_patch_model::paint {
     std::vector<l3d_material> materials;   ///< each once
-    std::vector<std::uint32_t> of_patches; ///< places in these; empty if there is only one
+    std::vector<std::uint32_t> of_patches; ///< places in `materials`; empty if there is only one
 };
 
 l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {

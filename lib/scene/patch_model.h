@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: bicubic patches with what can be known of them before any frame.
+// l3d_patch_model: bicubic patches, with everything that frames need of them computed once.
 #ifndef L3D_SCENE_PATCH_MODEL_H
 #define L3D_SCENE_PATCH_MODEL_H
 
@@ -68,7 +68,7 @@ public:
     ///         patches, and for patches that from_patches refuses.
     static l3d_patch_model load(const std::string& file);
 
-    /// A model of patches whose coordinates are not known to be good.
+    /// A model of patches whose coordinates are checked.
     /// Errors: nothing, with "name: patch and point: what" in `why`, if a coordinate is NaN,
     ///         infinite or beyond 1e12.
     static std::optional<l3d_patch_model> checked(std::vector<patch> patches, std::string_view name,
@@ -91,7 +91,7 @@ public:
 
     /// The same patches of these materials: one for all of them, or one for each, in their order.
     /// Expects: 1 or patches().size() materials.
-    /// Cost:    the patches and all that is known of them are shared.
+    /// Cost: the patches and their bounds are shared.
     l3d_patch_model painted(std::span<const l3d_material> materials) const;
     /// The same patches, all of one material.
     l3d_patch_model painted(const l3d_material& material) const {
@@ -105,11 +105,11 @@ public:
     /// The named parts of the patches.
     const l3d_parts& parts() const;
 
-    /// The same patches, those of one part of another material. Expects: an index of
+    /// The same patches, with another material for those of one part. Expects: an index of
     /// parts().names().
     l3d_patch_model part_painted(std::size_t part, const l3d_material& material) const;
 
-    /// A model of some parts alone, in their colours; what belongs to no part is left out.
+    /// A model of some parts alone, in their colours; patches without a part are left out.
     /// Expects: indices of parts().names().
     /// Cost:    bounds of the patches are computed again: some microseconds for each.
     l3d_patch_model only(std::span<const std::size_t> parts) const;
@@ -141,8 +141,8 @@ public:
     /// The largest coordinates of a patch. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
-    /// Whether it is proven to be a closed body, and where its normals point (l3d_orientation_of):
-    /// 1 outwards, -1 inwards, 0 if that is not proven.
+    /// The direction of the normals of a proven closed body (l3d_orientation_of): 1 outwards, -1
+    /// inwards; 0 if it is not proven to be one.
     int orientation() const;
 
     /// The corner of the box of all control points with the smallest x, y and z.
@@ -156,7 +156,7 @@ public:
     /// The same address for copies of one model, however they are painted, and another for any
     /// other model that lives at the same time, even one of equal patches.
     const void* identity() const;
-    /// The same for its materials; null if all are plain.
+    /// An address for its materials, likewise; null if all are plain.
     const void* paint_identity() const;
 
 private:

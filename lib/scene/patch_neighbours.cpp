@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_neighbours: how smoothly sides meet their like.
+// l3d_patch_neighbours: compares normals of sides that meet.
 #include "scene/patch_neighbours.h"
 #include "geom/normal_net.h"
 #include "scene/side_pairs.h"
@@ -17,8 +17,8 @@ using pairs = l3d_side_pairs;
 /// five places would do for curves that are the same. These are twice as many.
 constexpr int places = 11;
 
-/// Eight levels of Lambert's grey, 229.5 n.l, two degrees: beside a smaller kink nobody sees which
-/// of both patches a pixel shows.
+/// Eight levels of Lambert's grey, 229.5 n.l, two degrees: at a smaller kink nobody sees which of
+/// both patches a pixel shows.
 constexpr double least_angle = 8 / 229.5;
 
 vector unit(const vector& n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_neighbours: what the sides of a model's patches are to the picture.
+// l3d_patch_neighbours: sides of a model's patches that may be outlines, and patches that touch.
 #ifndef L3D_SCENE_PATCH_NEIGHBOURS_H
 #define L3D_SCENE_PATCH_NEIGHBOURS_H
 
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-/// Which sides of a model's patches end the surface or break it, and which patches touch.
+/// The sides of a model's patches that end or break the surface, and the patches that touch.
 ///
 /// A side is inside the surface if l3d_side_pairs finds another. It is smooth if on both sides
 /// normals point the same way, to eight levels of grey. A side that is a point is smooth if its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene: boxes and normals of what has been placed.
+// l3d_patch_scene: boxes and normals of placed models.
 #include "scene/patch_scene.h"
 
 #include "base/formatted_p.h"
@@ -83,7 +83,7 @@ bool can_be_inverted(const l3d_matrix<double>& m) {
     return std::abs(determinant) > rounding * terms;
 }
 
-/// Where the model's box comes to lie, without its reach.
+/// The model's box in the world, without its reach.
 l3d_slanted_box box_of(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
     l3d_slanted_box box;
     box.centre = placed_point(placement, (model.least() + model.most()) * 0.5);
@@ -109,7 +109,7 @@ std::int64_t patches_of(const l3d_patch_model& model) {
     return static_cast<std::int64_t>(model.patches().size());
 }
 
-/// The factor of a similarity, rounded up; 0 of any other map.
+/// The factor of a similarity, rounded up; 0 for any other map.
 double scale_of(const l3d_matrix<double>& placement) {
     constexpr double rounding = 0x1p-40; // some roundings of 2^-53
     double products[3][3] = {};
@@ -256,7 +256,8 @@ void l3d_patch_scene::add_by_opacity(const l3d_patch_model& model,
     const auto below_1 =
         static_cast<std::size_t>(std::ranges::count_if(opacities, [](float o) { return o < 1; }));
     if (below_1 > room) {
-        // Those from (i - 1) / room to i / room are one, for i < room; the last ones are opaque.
+        // Opacities from (i - 1) / room to i / room become one, for i < room; the last ones are
+        // opaque.
         opacities.clear();
         for (std::size_t i = 0; i <= room; ++i)
             opacities.push_back(static_cast<float>(i) / static_cast<float>(room));
@@ -321,8 +322,8 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     return materials_;
 }
 
-/// Looks at those instances that it has not seen; at all of them once one was moved, since nobody
-/// knows what the box would be without it.
+/// Finds the box from instances that it has not seen yet. Once an instance was moved, it looks at
+/// all, since the box without that one is unknown.
 const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
     if (extent_count_ == 0)
         extent_ = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene: what a pipeline draws: models, and where each of them stands.
+// l3d_patch_scene: the models that a pipeline draws, each with its placement.
 #ifndef L3D_SCENE_PATCH_SCENE_H
 #define L3D_SCENE_PATCH_SCENE_H
 
@@ -21,8 +21,7 @@
 /// Lives: shares the model.
 class L3D_PUBLIC l3d_patch_instance {
 public:
-    /// This model, placed so.
-    /// Expects: a placement that l3d_patch_scene::complaint has nothing to say of.
+    /// Places this model. Expects: a placement without an l3d_patch_scene::complaint.
     l3d_patch_instance(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
     /// The model that stands here.
@@ -31,14 +30,15 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Gives all of it one material; without one, the model's own are seen.
+    /// Gives the whole instance one material; without one, the model's own are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
-    /// The material that all of it is made of, if it is not the model's.
+    /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
 
-    /// The part of the light behind it that it keeps back: 1 if nothing is seen through it.
+    /// The part of the light behind the instance that it holds back: 1 if nothing is seen through
+    /// it.
     double opacity() const { return opacity_; }
-    /// Changes it. Expects: 0 to 1.
+    /// Sets the opacity. Expects: 0 to 1.
     void set_opacity(double opacity) { opacity_ = opacity; }
 
     /// From the model's space to the world.
@@ -60,17 +60,17 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of all terms that the world coordinates of the model's points are summed up from. The
-    /// points' own coordinates are at most `most` in magnitude.
+    /// Bound of all terms in the sums of world coordinates, for points of the model with
+    /// coordinates of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
-    /// The same for all of the model.
+    /// The same for all points of the model.
     double reach() const;
 
-    /// The sums of the magnitudes in the placement's columns: of what a model's coordinates are
-    /// multiplied by, and of what is added.
+    /// The sums of the magnitudes in the placement's first three columns, the factors of a model's
+    /// coordinates.
     const l3d_vector<double, 3>& terms() const { return terms_; }
-    /// The magnitudes of what is added: the sum's largest over x, y and z.
+    /// The sum of the magnitudes in the placement's last column, which is added.
     double shift() const { return shift_; }
 
 private:
@@ -86,10 +86,10 @@ private:
 
 /// Models of bicubic patches, each standing anywhere any number of times.
 ///
-/// Patches of one instance meet without a gap where their control points do. Between instances
-/// that holds only where their placements are the same numbers.
+/// Patches of one instance meet without a gap where their control points do. Patches of two
+/// instances do so only if the placements are the same numbers.
 /// Lives: shares the models: a program may forget its own copies.
-/// Cost:  104 bytes an instance to find out whether it is seen, 330 more if it is.
+/// Cost: 104 bytes an instance for the test whether it is seen, 330 more if it is.
 class L3D_PUBLIC l3d_patch_scene {
 public:
     /// A place in the world.
@@ -97,7 +97,7 @@ public:
 
     l3d_patch_scene() = default;
 
-    /// One instance, where the model is. Not explicit: a model is a scene.
+    /// A scene of one model, at its own place. Not explicit: a model is a scene.
     l3d_patch_scene(const l3d_patch_model& model) { add(model); }
 
     /// Why the model cannot be placed like this; "" if it can. A placement is affine (its last row
@@ -105,7 +105,7 @@ public:
     static std::string complaint(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
     /// Adds an instance: this model, placed so.
-    /// Errors: throws l3d_error with what complaint() says, and adds nothing.
+    /// Errors: throws l3d_error with the text of complaint(), and adds nothing.
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
@@ -128,19 +128,19 @@ public:
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
-    /// Gives all of an instance one material; without one, its model's own are seen again. It stays
-    /// so when the instance is placed elsewhere, until another model comes to its place.
+    /// Gives all of an instance one material; without one, its model's own are seen again. The
+    /// material stays when the instance is placed elsewhere, until another model takes its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
-    /// Makes an instance transparent: a pixel that it covers shows `opacity` of the light that it
-    /// would show, and the rest of what is seen without it. The instance itself shows its nearest
-    /// surface alone. The opacity lasts as long as a paint() does.
+    /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
+    /// light that is seen without it. The instance itself shows its nearest surface alone. The
+    /// opacity lasts as long as a paint() does.
     /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
-    /// Cost:    a frame draws what lies in the instance's box twice; where the boxes of n
-    ///          transparent instances overlap, 2^n times.
+    /// Cost: a frame draws everything in the instance's box twice; where the boxes of n transparent
+    ///       instances overlap, 2^n times.
     void set_opacity(std::size_t index, double opacity);
     /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
     static constexpr std::size_t most_transparent = 8;
@@ -170,19 +170,20 @@ public:
     /// Takes all instances away, and keeps their memory.
     void clear();
 
-    /// Whether anything differs from what it was at the last forget_changes().
+    /// Whether anything has changed since the last forget_changes().
     bool is_changed() const { return is_rebuilt_ || !moved_.empty(); }
 
-    /// Whether instances came or went since then: moved() does not tell of all changes.
+    /// Whether instances came or went since the last forget_changes(): moved() does not tell of all
+    /// changes.
     bool is_rebuilt() const { return is_rebuilt_; }
 
-    /// The instances that were placed again since then, each once, and the boxes that they had
-    /// then, in the same order. Without meaning if is_rebuilt().
+    /// The instances that were placed again since the last forget_changes(), each once. Meaningless
+    /// if is_rebuilt().
     std::span<const std::size_t> moved() const { return moved_; }
     /// The boxes of moved() at the last forget_changes(), in its order.
     const l3d_box_lanes& moved_from() const { return moved_from_; }
 
-    /// Called by a pipeline that has drawn the scene as it is now.
+    /// Forgets all changes; a pipeline calls it after drawing the scene.
     void forget_changes();
 
     /// The instances with their placements, in the order in which they were added.
@@ -197,8 +198,8 @@ public:
     /// The corner of that box with the largest x, y and z, likewise.
     const vector& most() const { return extent().most; }
 
-    /// Bound of the terms that a world point's coordinates are summed up from, in all: their
-    /// roundings are in proportion to this, however small the coordinates become.
+    /// Bound of all terms in the sums of world coordinates: roundings are in proportion to it,
+    /// however small the coordinates become.
     double reach() const { return extent().reach; }
 
     /// The instances' boxes, in their order.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pick_at: patches as the ray sees them, and what is told of the place where it meets them.
+// l3d_pick_at: patches in the ray's coordinates, and the facts on the place of the hit.
 #include "scene/pick.h"
 
 #include "base/formatted_p.h"
@@ -52,7 +52,7 @@ public:
         return ray_rounding * 3 * (reach + eye) * slant();
     }
 
-    /// The distance of two places from what the ray sees of it.
+    /// The distance of two places from its parts across the ray and along the depth.
     double length(double across, double depth) const { return across + depth * slant(); }
 
     vector direction() const { return axes_.forward + axes_.right * right_ + axes_.up * up_; }
@@ -77,7 +77,7 @@ patch_3 placed(const patch_3& patch, const l3d_patch_instance& instance) {
     return result;
 }
 
-/// Where the patches of all instances are in one row.
+/// The place of a patch in the row of all instances' patches.
 struct place_in_scene {
     std::size_t instance, patch;
 };
@@ -139,7 +139,7 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const l3d_patch_instance& instance = scene.instances()[i];
-        if (instance.opacity() == 0) // nobody sees it
+        if (instance.opacity() == 0) // it is invisible
             continue;
         const double error = ray.rounding(instance.reach());
         for (std::size_t p = 0; p < instance.model().patches().size(); ++p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pick: what is seen at a place of the picture, from the exact patches.
+// l3d_pick: the surface at a place of the picture, found from the exact patches.
 #ifndef L3D_SCENE_PICK_H
 #define L3D_SCENE_PICK_H
 
@@ -54,20 +54,21 @@ struct L3D_PUBLIC l3d_pick {
     /// The error of mean, in its unit.
     double mean_error = 0;
 
-    /// True if it is proven that the ray meets the surface here. Otherwise it passes so near to an
-    /// outline, or to a place without a normal, that rounding decides; the errors say how near.
+    /// True if it is proven that the ray meets the surface here. Otherwise the ray passes so near
+    /// to an outline, or to a place without a normal, that rounding decides; the errors say how
+    /// near.
     bool is_proven = false;
 
-    /// All of it, a line each: name, value and error. Patches count from 0.
+    /// All values, a line each: name, value and error. Patches count from 0.
     std::string text() const;
 
     /// Patch, parameters and point in one line, with no more digits than a picture has room for.
     std::string line() const;
 };
 
-/// How a scene is picked.
+/// The view in which a scene is picked.
 struct L3D_PUBLIC l3d_pick_view {
-    l3d_camera camera;      ///< its near and far planes hide what is beyond
+    l3d_camera camera;      ///< its near and far planes limit the depth of hits
     l3d_size size;          ///< size of the picture, in pixels
     bool one_sided = false; ///< backs are not seen, as l3d_afd_settings has it
 };

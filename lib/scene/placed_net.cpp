@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// In the order of l3d_matrix's own product.
+/// Adds the products in the order of l3d_matrix's own product.
 template <class D, class V>
 V row_times_point(D d, const l3d_matrix<double>& m, int row, V x, V y, V z) {
     const auto at = [&](int column) HWY_ATTR { return hn::Set(d, m(row, column)); };
@@ -24,7 +24,7 @@ V row_times_point(D d, const l3d_matrix<double>& m, int row, V x, V y, V z) {
 }
 
 void place_net(const l3d_matrix<double>& m, const double* from, double* to) {
-    // Eight at most, so that the number of lanes divides the number of points.
+    // At most eight lanes, so that their number divides the number of points.
     const hn::CappedTag<double, 8> d;
     for (std::size_t i = 0; i < 16; i += hn::Lanes(d)) {
         auto x = hn::Zero(d), y = x, z = x;

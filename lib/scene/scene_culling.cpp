@@ -28,7 +28,7 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
     return {boxes.left[i], boxes.top[i], boxes.right[i], boxes.bottom[i]};
 }
 
-/// The count of those that are left out for the same reason as box i; null if it may be seen.
+/// The counter of the reason for which box i is left out; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
     return l3d_reason_to_leave_out(
@@ -45,24 +45,24 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
            hidden(context, where.box, where.inv_w);
 }
 
-/// How far a balanced vertex' w may be off the exact one, where a net's are from `least` to `most`.
+/// Error of a balanced vertex's w, for a net with w from `least` to `most`.
 ///
-/// The vertex is off by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps.
-/// f'' <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common
-/// effect is below 0.001 of it.
+/// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps. f''
+/// <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common effect
+/// is below 0.001 of it.
 double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }
 
-/// A float not below 1 / distance of what is drawn at w >= `least`, if its w is off by `error`
-/// and 2^-12 of itself at the most. The float's rounding is within the latter, too.
+/// Upper bound of 1 / distance at w >= `least`, given an error of w of `error` and 2^-12 of itself;
+/// rounding included.
 float inv_w_above(double least, double error, double depth_scale) {
     return static_cast<float>(depth_scale / ((least - error) * (1 - 0x1p-12)));
 }
 
 /// Expects: the box lies within the margin.
 l3d_subpixel_box subpixels(const l3d_image_box& box, const l3d_dice_view& view) {
-    // A cast rounds down but left of or above the window, where there is no pixel to miss.
+    // A cast rounds down, except left of or above the window, where there is no pixel to miss.
     const l3d_image_box window = view.window();
     const auto place = [](double pixels, double from) {
         return static_cast<std::int32_t>((pixels - from) * l3d_subpixel_one);
@@ -91,7 +91,7 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
     return ticket{std::bit_cast<std::uint32_t>(where.nearest_w)} << 32 | at;
 }
 
-/// Where box i is, if it may be seen.
+/// The extent of box i, if it may be seen.
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
     extent where{static_cast<float>(std::max(view_.near, boxes.least[i])),
@@ -112,7 +112,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
-/// the others. When a part is drawn, there is one reason for all: nothing of them is in it.
+/// the others. When a part is drawn, all have one reason: they lie beside it.
 template <class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 const l3d_detail::placing_terms& terms, See see,
@@ -184,8 +184,8 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
         });
 }
 
-/// Brings the nearest of the line to its end, the nearest last. An eighth of a long line at once,
-/// so that its patches are looked at eight times, and sorted once, before all are taken.
+/// Brings the nearest patches of the line to its end, the nearest last. A long line is sorted by
+/// eighths, so that patches are looked at eight times, and sorted once.
 void l3d_scene_culling::sort_nearest(std::size_t count) {
     if (sorted_ >= count)
         return;
@@ -196,8 +196,8 @@ void l3d_scene_culling::sort_nearest(std::size_t count) {
     std::sort(nearest, patch_line_.end(), std::greater{});
 }
 
-/// Moves the nearest from the line to the batch, but for those that are hidden.
-/// Expects: no more than there are in the line.
+/// Moves the nearest patches from the line to the batch, except hidden ones. Expects: the line has
+/// that many.
 void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, const void* context) {
     sort_nearest(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -220,7 +220,7 @@ std::span<const l3d_placed_patch> l3d_scene_culling::next_batch(hidden_call hidd
     batch_size_ = std::clamp(2 * batch_size_, first_batch, largest_batch);
     batch_.clear();
     while (left_ > 0 && batch_.size() < batch_size_) {
-        // A rest that is not larger than this batch goes with it.
+        // A rest no larger than this batch goes with it.
         const std::size_t wanted = left_ <= static_cast<std::int64_t>(2 * batch_size_)
                                        ? 2 * batch_size_
                                        : batch_size_ - batch_.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scene_culling: which patches of a scene have to be drawn, nearest first.
+// l3d_scene_culling: finds the patches of a scene that have to be drawn, nearest first.
 #ifndef L3D_SCENE_SCENE_CULLING_H
 #define L3D_SCENE_SCENE_CULLING_H
 
@@ -26,16 +26,16 @@ struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
-    float nearest_w = 0;        ///< least w of its box, or near. In the view's units
+    float nearest_w = 0;        ///< least w of its box, or near, in the view's units
     std::int32_t middle = 0;    ///< row in the picture of its box; 0 if that is not known
 };
 
 /// Hands out the visible patches of a scene in batches, nearest first.
 ///
 /// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
-/// costs nothing of its own. When their turn has come, the nearest first, the others are opened,
-/// that is, the boxes of their patches are looked at. The proofs hold for all that is inside a
-/// box, so they let pass some of what control nets would prove unseen.
+/// costs nothing of its own. The others are opened in turn, nearest first: the boxes of their
+/// patches are looked at. A box proves less than a control net, so some patches pass that nets
+/// would prove unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
 /// Cost:  tests/bench/scaling_bench.cpp; no allocation once the largest frame has been seen.
 class l3d_scene_culling {
@@ -49,18 +49,19 @@ public:
         begin(scene, to_image, view, l3d_whole(view.size));
     }
 
-    /// Starts a frame of which only a part is wanted: what touches no pixel of it is left out.
+    /// Starts a frame of which only a part is wanted: patches that touch no pixel of the part are
+    /// left out.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, const l3d_pixel_box& part);
 
     /// The next batch, its nearest patch first; empty if there are no more.
     ///
-    /// A batch takes the nearest patches of those instances that are open then. So some may be
-    /// farther than some of the next batch, by the depth of their instance at most. `hidden(box,
-    /// inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance along the view
-    /// axis) would change no pixel. It is asked from the second batch on. So the caller is to draw
-    /// each batch before he asks for the next. Batches grow, as what is near hides most and each
-    /// has its price. Lives: until the next call.
+    /// A batch takes the nearest patches of the open instances. So some may be farther than some of
+    /// the next batch, by the depth of their instance at most. `hidden(box, inv_w)` tells whether a
+    /// thing in a box and no nearer than inv_w (1 / distance along the view axis) would change no
+    /// pixel. It is called from the second batch on, so the caller draws each batch before the
+    /// next. Batches grow, since near patches hide most and each batch has its price. Lives: until
+    /// the next call.
     template <std::predicate<const l3d_subpixel_box&, float> Hidden>
     std::span<const l3d_placed_patch> next(const Hidden& hidden) {
         return next_batch(
@@ -84,10 +85,10 @@ public:
 private:
     using hidden_call = bool (*)(const void*, const l3d_subpixel_box&, float);
 
-    /// Where something is in the picture.
+    /// The place of a thing in the picture.
     struct extent {
         float nearest_w;
-        float inv_w; ///< for the caller's `hidden`; infinite if he cannot be asked
+        float inv_w; ///< for the caller's `hidden`; infinite if that cannot tell
         l3d_subpixel_box box;
     };
     struct seen_instance {
@@ -124,7 +125,7 @@ private:
     std::vector<ticket> instance_line_; ///< farthest first
     std::vector<seen_patch> patches_;   ///< patches of the instances that were opened
     std::vector<ticket> patch_line_;
-    std::size_t sorted_ = 0; ///< so many at the end of patch_line_ are its nearest, nearest last
+    std::size_t sorted_ = 0; ///< the nearest at the end of patch_line_, nearest last
     std::vector<l3d_matrix<double>> matrices_;
     std::vector<l3d_placed_patch> batch_;
     std::int64_t left_ = 0; ///< patches not yet handed out or left out

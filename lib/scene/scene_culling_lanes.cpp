@@ -20,13 +20,13 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t lanes = l3d_box_lanes::lanes;
 using row = culled_boxes::row;
 
-/// One homogeneous coordinate of the boxes: of the centre, and what each axis adds.
+/// One homogeneous coordinate of the boxes: the centre's, and the change along each axis.
 struct coordinate {
     row centre;
     std::array<row, 3> axes;
 };
 
-/// Written to a row of its own, of which the compiler knows that nothing else is in it.
+/// The sums, in a row of their own: so the compiler knows that no other data is in it.
 row sums(const l3d_vector<double, 4>& m, const double* x, const double* y, const double* z,
          double more) {
     row result;
@@ -44,7 +44,7 @@ coordinate placed(const l3d_box_lanes& boxes, std::size_t first, const l3d_vecto
             {axis(0), axis(1), axis(2)}};
 }
 
-/// How far the boxes reach to the inner side of a half-space: the most that sign (x - at w) can be.
+/// The reach of boxes to the inner side of a half-space: the largest sign (x - at w).
 void keep_inside(const coordinate& x, const coordinate& w, double at, double sign, const row& share,
                  const l3d_dice_view& view, row& inside) {
     const double error = view.error_xy + std::abs(at) * view.error_w;
@@ -72,8 +72,7 @@ void project(const coordinate& x, const coordinate& w, const row& least, const r
     }
 }
 
-/// The share of the errors, and the near plane, of what is in the boxes. Written to rows of their
-/// own.
+/// The share of the errors, and the near plane, for the boxes' contents, in rows of their own.
 void judge_terms(const l3d_box_lanes& boxes, std::size_t first, const placing_terms& terms,
                  const l3d_dice_view& view, row& share, row& near) {
     const double* const reach = boxes.reach(first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cull_boxes: where boxes lie in the picture, many at a time.
+// cull_boxes: places boxes in the picture, many at a time.
 #ifndef L3D_SCENE_SCENE_CULLING_P_H
 #define L3D_SCENE_SCENE_CULLING_P_H
 
@@ -12,15 +12,15 @@
 
 namespace l3d_detail {
 
-/// The terms that the points in boxes are summed up from when these are placed. They are
-/// l3d_slanted_box::reach, plus `columns` times the largest coordinates of each box, plus `shift`.
+/// The bound of the terms in the sums that place the points in boxes: l3d_slanted_box::reach, plus
+/// `columns` times the largest coordinates of each box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
     double shift = 0;
 };
 
-/// Where a row of boxes lies in the picture. Bounds hold for all that is in a box, and include
-/// the error of the transform for points of such terms.
+/// The places of a row of boxes in the picture. Bounds hold for all points in a box, and include
+/// the error of the transform.
 struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
@@ -29,13 +29,12 @@ struct culled_boxes {
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the near plane for that share
 
-    /// Pixels from the picture's centre. Only where `least` is greater than `near`, and
-    /// only written if there is such a box that is inside.
+    /// Pixels from the picture's centre. They are valid where `least` is greater than `near`, and
+    /// written only if such a box is inside.
     row left, right, top, bottom;
 };
 
-/// Looks at boxes [first, first + lanes); what is said of those from boxes.count() on means
-/// nothing.
+/// Places boxes [first, first + lanes); results from boxes.count() on mean nothing.
 ///
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units; `margin` is
 ///          l3d_dice_view::margin of the part of the picture that matters.
@@ -45,9 +44,9 @@ void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<
                 const placing_terms& terms, const l3d_dice_view& view, const l3d_image_box& margin,
                 culled_boxes& result);
 
-/// Where what is drawn of box i may be. The box holds the exact surface, whatever the transform's
-/// error. A vertex is off that surface by its balance and by snapping. It is also off by the error
-/// of its own net, at most l3d_dice_view::walk_allowance (or is evaluated).
+/// The box in the picture that holds all drawn points of box i. The box in the scene holds the
+/// exact surface, whatever the transform's error. A drawn vertex leaves the surface by its balance,
+/// by snapping, and by walking, at most l3d_dice_view::walk_allowance.
 /// Units:   pixels from the picture's centre.
 /// Expects: boxes.least[i] is greater than boxes.near[i], and the box not wholly outside.
 l3d_image_box drawn_box_of(const culled_boxes& boxes, std::size_t i, const l3d_dice_view& view);

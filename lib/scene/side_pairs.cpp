@@ -13,14 +13,14 @@ using numbers = std::array<double, 12>;
 numbers numbers_of(const curve& c) {
     numbers result;
     for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k) // no -0, which is 0
+        for (int k = 0; k < 3; ++k) // -0 becomes 0
             result[3 * i + static_cast<std::size_t>(k)] = c.points[i][k] + 0.0;
     return result;
 }
 
 struct side_of {
     std::size_t patch, side;
-    bool forward; ///< walked in the direction that is the first in order
+    bool forward; ///< walked in the direction that sorts first
 };
 
 } // namespace

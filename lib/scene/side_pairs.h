@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_side_pairs: which side of which patch goes on where a side ends.
+// l3d_side_pairs: pairs of sides at which one patch continues another.
 #ifndef L3D_SCENE_SIDE_PAIRS_H
 #define L3D_SCENE_SIDE_PAIRS_H
 
@@ -10,10 +10,11 @@
 #include <cstdint>
 #include <vector>
 
-/// How the surface goes on beyond the sides of a model's patches.
+/// The continuation of the surface beyond the sides of a model's patches.
 ///
-/// It goes on where exactly one other side has the same control points, in either direction.
-/// Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
+/// The surface goes on where exactly one other side has the same control points, in either
+/// direction. Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the
+/// patch.
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Corners that are so far apart both ways spare most patches the box of their net.
+/// A quick test: corners so far apart spare most patches the box of their net.
 bool is_wider_than_a_pixel(const l3d_image_patch& net) {
     const auto is_wider = [&](int along) {
         return l3d_far_apart(net.at(0, 0), net.at(3, 3), along, 1) ||

@@ -8,13 +8,12 @@
 
 #include <cstdint>
 
-/// Whether what is drawn of a surface that lies in `hull` covers no pixel's centre, even when
-/// snapping moves it by half a sub-pixel.
+/// Whether a drawn surface in `hull` covers no pixel's centre, even when snapping moves it by half
+/// a sub-pixel.
 bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view);
 
-/// The count of what is left out for the same reason as something whose points are at those depths;
-/// null if it may be seen. `is_outside` and `holds_no_centre` are asked only if depth leaves it
-/// open.
+/// The counter of the reason for which a thing at those depths is left out; null if it may be seen.
+/// `is_outside` and `holds_no_centre` are asked only if depth gives no reason.
 template <class Outside, class Centreless>
 std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_dice_view& view,
                                       const Outside& is_outside, const Centreless& holds_no_centre,
@@ -30,8 +29,8 @@ std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_di
     return !view.keep.centreless && holds_no_centre() ? &counts.subpixel : nullptr;
 }
 
-/// Whether a patch need not be diced, as its net shows that it covers no pixel's centre, and is not
-/// to be kept; the reason is counted.
+/// Whether a patch need not be diced: its net proves that it covers no pixel's centre, and nobody
+/// keeps it. The reason is counted.
 bool l3d_left_out(const l3d_image_patch& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

@@ -67,7 +67,8 @@ void backend_survey::diagnose(std::ostream& out) {
         if (!row.variant)
             row.screen_factory->diagnose(probes);
     for (const l3d_probe& probe : probes) {
-        // Asked again, it would say the same, and so would libraries on stderr.
+        // The display would give the same answer again, and libraries would print it to stderr
+        // again.
         if (probe.what == l3d_display_probe && probe.outcome == l3d_probe::verdict::bad)
             display_problem_ = {l3d_service::level::no_display, probe.result};
         const bool good = probe.outcome == l3d_probe::verdict::good;
@@ -141,7 +142,7 @@ const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
         out << "Number or name [" << usual + 1 << "], or q to quit: " << std::flush;
         std::string line;
         if (!std::getline(in, line)) {
-            out << rows_[serving[usual]].name << '\n'; // on the line that the question began
+            out << rows_[serving[usual]].name << '\n'; // on the question's line
             return &rows_[serving[usual]];
         }
         const std::string answer = without_blanks_around(line);

@@ -47,7 +47,7 @@ public:
     /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
     const l3d_backend* asked(std::istream& in, std::ostream& out);
 
-    /// Throws what a program ends with that wanted `what` and got this answer.
+    /// Throws the error of a program that wanted `what` and got this answer.
     [[noreturn]] static void fail(const std::string& what, const l3d_service& answer);
 
     /// Whether somebody sees the pictures of a row. Expects: one of the table.

@@ -29,15 +29,15 @@ public:
     /// Names the application and the screen it draws into, which is also the source of events.
     void plug(l3d_pipeline& pipeline, l3d_screen& screen);
 
-    /// Has windows show this caption on their pictures, for some seconds and when help is asked
-    /// for.
+    /// Sets the caption that windows show on their pictures, for some seconds and when help is
+    /// asked for.
     void set_caption(l3d_caption caption) { caption_ = std::move(caption); }
 
     /// Runs until the pipeline is done, the frames are made, or the display is lost.
     ///
     /// Expects: plug() was called.
-    /// Errors:  returns display_lost if so; throws l3d_error(failure) if a picture cannot be
-    ///          written.
+    /// Errors: returns display_lost if the display is lost; throws l3d_error(failure) if a picture
+    ///         cannot be written.
     l3d_exit start();
 
 protected:
@@ -64,7 +64,7 @@ public:
     virtual ~l3d_dispatcher_factory() = default;
 
     /// Makes a dispatcher with these settings.
-    /// Errors: l3d_error(usage) if the settings name an output that cannot be meant.
+    /// Errors: l3d_error(usage) if the settings name an impossible output.
     std::unique_ptr<l3d_dispatcher> create(const l3d_frame_settings& settings) const {
         return do_create(settings);
     }

@@ -23,7 +23,7 @@ double seconds_between(steady_clock::time_point from, steady_clock::time_point t
 
 } // namespace
 
-/// One run, and what it has to remember from turn to turn.
+/// One run of the loop, with its memory from turn to turn.
 class l3d_dispatcher_window::loop {
 public:
     loop(l3d_dispatcher_window& dispatcher, l3d_pipeline& pipeline, l3d_screen& screen)
@@ -31,7 +31,7 @@ public:
           signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
           last_update_(steady_clock::now()),
           pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {
-        // Where files are written, the picture at hand is one of them, and is finished.
+        // If files are written, the picture at hand is one of them, and is finished.
         if (settings_.output.empty())
             pipeline_.interrupt_when([this] { return signals_.caught() || screen_.is_to_close(); });
     }
@@ -44,7 +44,7 @@ public:
 private:
     bool frames_are_made() const { return settings_.frames > 0 && frames_ >= settings_.frames; }
 
-    /// Whether a picture would be for nobody.
+    /// Whether nobody would see a picture.
     bool is_unseen() const {
         return (hidden_ || screen_.is_busy()) && settings_.frames == 0 && settings_.output.empty();
     }
@@ -67,7 +67,7 @@ private:
     steady_clock::time_point last_update_;
     l3d_frame_pacer pacer_;
     int frames_ = 0;
-    bool stale_ = true; ///< the pixels are not a drawn picture: none was made, or none of this size
+    bool stale_ = true; ///< the pixels hold no drawn picture of this size
     bool exposed_ = false;
     bool hidden_ = false;
     bool display_lost_ = false;
@@ -111,15 +111,15 @@ void l3d_dispatcher_window::loop::handle_events() {
     }
 }
 
-/// Whether no picture is to be made until the next event. Each turn counts as a frame for who
-/// counts or writes them.
+/// Whether no picture is to be made until the next event. If frames are counted or written, each
+/// turn is one.
 bool l3d_dispatcher_window::loop::rests() const {
     if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
         return false;
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Time that nobody sees does not count, and of a rest only the pipeline is told.
+/// Time that nobody sees does not count, and only the pipeline learns of a rest.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());
@@ -132,7 +132,7 @@ void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
 
 /// One timer, at the moment at which the pipeline wants to be woken.
 void l3d_dispatcher_window::loop::rest(steady_clock::time_point now) {
-    // Rounded up: a sleep that ends before the rest would be followed by one of no time.
+    // Rounded up: after a sleep that ends before the rest, the next would have no length.
     const auto left = std::chrono::ceil<std::chrono::nanoseconds>(std::chrono::duration<double>(
         std::min(pipeline_.rest_left(), std::chrono::duration<double>(longest_rest).count())));
     screen_.wait(left, signals_.waker());

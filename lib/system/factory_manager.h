@@ -20,11 +20,11 @@ class l3d_options;
 struct L3D_PUBLIC l3d_backend {
     std::string name;          ///< the word that --backend takes
     std::string purpose;       ///< its use, in a few words
-    bool automatic = false;    ///< taken without asking if it is the first such row that can serve
+    bool automatic = false;    ///< taken without a question if it is the first that can serve
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file
-    bool writes_files = false; ///< it knows itself where its pictures go
-    /// It is another row that a wish was added to: lists have it, and the prompt does not.
+    bool writes_files = false; ///< it writes its pictures to files itself
+    /// Another row with a wish added: lists show it, and the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
@@ -59,7 +59,7 @@ public:
     ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.
     bool choose(l3d_options& options);
 
-    /// The same with the prompt's streams named; `may_ask` says whether both are a terminal.
+    /// As above, with the prompt's streams given; `may_ask` says whether both are a terminal.
     bool choose(l3d_options& options, std::istream& in, std::ostream& out, bool may_ask);
 
     /// The row that choose() took. Expects: choose() was true.

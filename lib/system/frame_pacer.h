@@ -19,8 +19,8 @@ public:
 
     clock::time_point due() const { return due_; }
 
-    /// A frame is done at the time `now`. One that had nothing to draw (`idle`) keeps the next
-    /// from coming at once even where there is no limit: waiting must not cost a whole processor.
+    /// Notes a frame that is done at `now`. After one that drew nothing (`idle`), the next does not
+    /// come at once even without a limit: waiting must not cost a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;

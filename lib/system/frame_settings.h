@@ -22,7 +22,7 @@ struct L3D_PUBLIC l3d_frame_settings {
     /// Whether frames whose file is there already are left out, too.
     bool resume = false;
 
-    /// Frames per second; 0: as many as can be made; empty: what the screen is good for.
+    /// Frames per second; 0: as many as possible; empty: the screen's choice.
     std::optional<double> fps;
 
     /// Whether update_event gets 1 / fps instead of the time measured. Always so without a

@@ -53,7 +53,8 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : a
     l3d_detail::check_folder("--output", name, file_name(0));
 }
 
-/// A percent sign is one unless it begins a number field, so that most names need no second one.
+/// A percent sign stands for itself unless it begins a number field, so that most names need no
+/// second one.
 void l3d_frame_writer::read_pattern(std::string_view name) {
     for (std::size_t at = 0; at < name.size();) {
         const std::string_view rest = name.substr(at), field = field_at_front(rest);
@@ -85,7 +86,7 @@ std::string l3d_frame_writer::file_name(int number) const {
     return before_ + digits + after_;
 }
 
-/// The number of that frame stands where the field does.
+/// The frame's number stands in place of the field.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     if (kind_ == kind::single)
         return l3d_detail::mean_one_file(before_, file);

@@ -10,10 +10,8 @@
 #include <string>
 #include <string_view>
 
-/// Writes what a name asks for:
-///   ""              nothing;
-///   name.png, .ppm  the last frame;
-///   name%04d.png    every frame, numbered from 0 (%d, %5d and %05d are understood);
+/// Writes the files that a name asks for: "" nothing; name.png, .ppm the last frame; name%04d.png
+/// every frame, numbered from 0 (%d, %5d and %05d are understood);
 ///   -               every frame, as a stream of PPM pictures on the standard output.
 /// Any other percent sign is a part of the name, and so is %%, as one.
 class L3D_PUBLIC l3d_frame_writer {
@@ -32,7 +30,7 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether a frame goes into the file of this name, or into what that links to.
+    /// Whether a frame goes into the file of this name, or into its link's target.
     bool has_frame_in(const std::string& file) const;
 
     /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where plug-ins and data lie: beside the running program, else where l3d was to be installed.
+// Folders of plug-ins and data: beside the running program, else where l3d was to be installed.
 #ifndef L3D_SYSTEM_INSTALL_PATHS_H
 #define L3D_SYSTEM_INSTALL_PATHS_H
 
@@ -15,8 +15,8 @@ L3D_PUBLIC std::string l3d_plugin_folder();
 /// The folder of models and other data, likewise: ../share/l3d.
 L3D_PUBLIC std::string l3d_data_folder();
 
-/// The file that a user means by the name of a model. It is the file of that name, if there is one,
-/// else one of that name in the data folder, with or without its ending, else the name as it is.
+/// The file that a user means by the name of a model: the file of that name, else one in the data
+/// folder, with or without its ending. If there is neither, the name as it is.
 L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

@@ -24,7 +24,7 @@
 #include <span>
 #include <utility>
 
-/// The argument of a plug-in's functions: an object, and what the host does for it.
+/// The argument of a plug-in's functions: an object, with the host's data for it.
 struct l3d_plugin_object {
     l3d_object* object;
     std::string program, file, folder;
@@ -51,8 +51,8 @@ template <class T> constexpr double end_of() {
         return l3d_to_double(T::max());
 }
 
-/// The doubles of plug-ins go farther than the numbers of this build, which wrap or are infinite
-/// then. False for what is no number, too.
+/// Whether a plug-in's double fits this build's numbers, which would wrap or be infinite else.
+/// False for NaN, too.
 bool is_in_range(double value) {
     return std::abs(value) < end_of<l3d_real>();
 }
@@ -78,8 +78,7 @@ int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* co
     return 1;
 }
 
-/// Gives the object the polygons of a file, those of a Videoscape file alone if nothing else is
-/// wanted.
+/// Gives the object the polygons of a file; with `videoscape_only`, other formats are refused.
 int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool random_colors) {
     const auto path = (std::filesystem::path(to->folder) / file).string();
     try {
@@ -168,8 +167,8 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
 class library {
 public:
     explicit library(const std::string& file)
-        // All symbols at once: one that is missing is an error now, not in mid-flight. A name
-        // without a slash would be looked for in the system's folders.
+        // Binds all symbols at once, so that a missing one is an error now and not in mid-flight. A
+        // name without a slash would be looked for in the system's folders.
         : handle_(dlopen((file.find('/') == file.npos ? "./" + file : file).c_str(),
                          RTLD_NOW | RTLD_LOCAL)) {}
     library(const library&) = delete;

@@ -26,10 +26,10 @@ public:
 
     /// An object that the plug-in in `file` has set up with these parameters.
     ///
-    /// Errors:  null, and `why` = "file: what is wrong". There may be no such file, or it is no
-    ///          shared library, or it has no symbol l3d_plugin. The symbol may be of another
-    ///          version, too short, or lack a function. The plug-in may refuse, with its own
-    ///          reason. A later fault of the plug-in gives one line on stderr, once.
+    /// Errors: null, and `why` = "file: reason". There may be no such file, or it is no shared
+    ///         library, or it has no symbol l3d_plugin. The symbol may be of another version, too
+    ///         short, or lack a function. The plug-in may refuse, with its own reason. A later
+    ///         fault of the plug-in gives one line on stderr, once.
     std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
                                      std::string& why);
 

@@ -13,7 +13,7 @@
 namespace l3d_detail {
 
 /// Draws a picture if there is a reason to: the pixels are stale, or the pipeline says so. Shows
-/// what that changed. Hands the pixels to the writer in any case: a numbered sequence has a file
+/// the changed pixels. Hands the pixels to the writer in any case: a numbered sequence has a file
 /// for every frame. Returns whether there was a reason.
 ///
 /// Errors:  as l3d_frame_writer::frame.
@@ -37,7 +37,7 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     return drawn;
 }
 
-/// Whether frame number `frame`, of that size, which the writer comes to now, only passes.
+/// Whether frame number `frame`, the writer's next, is skipped without a picture.
 inline bool only_passes(int frame, const l3d_frame_settings& settings,
                         const l3d_frame_writer& writer, l3d_size size) {
     return frame < settings.first_frame || (settings.resume && writer.has_frame(size));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_program: what the main function of every program does, so that it shows the five steps alone.
+// l3d_program: the common part of every main function, which then shows the five steps alone.
 #ifndef L3D_SYSTEM_PROGRAM_H
 #define L3D_SYSTEM_PROGRAM_H
 
@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-/// A program's command line and factory manager, and how they are used.
+/// A program's command line and factory manager, and the way from one to the other.
 ///
 ///     int main(int argc, char** argv) {
 ///         l3d_program program("drawdot", "A dot leaves a trail.", {320, 200});
@@ -36,25 +36,24 @@ public:
     /// counted or written.
     l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size);
 
-    /// For options of the program's own, which are added before run().
+    /// Takes the program's own options, which are added before run().
     l3d_options& options() { return options_; }
 
-    /// For back-ends of the program's own, likewise.
+    /// Takes the program's own back-ends, likewise.
     l3d_factory_manager& factories() { return factories_; }
 
-    /// For work that needs neither a screen nor a back-end, such as a report that an option asks
-    /// for. It is called when the command line has been read, and answers whether there is more to
-    /// do.
+    /// Sets a function that is called once the command line has been read, for work without a
+    /// screen, such as a report. It returns whether there is more to do.
     void after_command_line(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
 
-    /// Reads the command line, chooses a back-end, and does the other steps; returns what main
-    /// does. The steps are left out if there is nothing to show, as after --help.
+    /// Reads the command line, chooses a back-end, and does the other steps; returns main's exit
+    /// code. The steps are left out if there is nothing to show, as after --help.
     ///
     /// Errors:  none: each exception becomes a line on stderr, and its exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
 
     /// All five steps for a program of one pipeline, which gets a canvas and these arguments.
-    /// Returns what main does. A program whose arguments depend on the command line calls run().
+    /// Returns main's exit code. A program whose arguments depend on the command line calls run().
     /// Errors:  as run().
     template <class Pipeline, class... Arguments>
     int show(int argc, const char* const* argv, const Arguments&... arguments) {
@@ -77,7 +76,7 @@ public:
     /// Checks that pictures without background can be made: no window shows them, and GL draws
     /// no smooth lines into them.
     ///
-    /// Errors:  l3d_error(usage) that names the option and what is in its way.
+    /// Errors: l3d_error(usage) that names the option and the obstacle.
     /// Expects: called by the steps.
     void check_transparency(bool in_window) const;
 

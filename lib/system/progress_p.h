@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// progress: how far a long run without a window is, on one line of a terminal.
+// progress: shows the progress of a long run without a window on one line of a terminal.
 #ifndef L3D_SYSTEM_PROGRESS_P_H
 #define L3D_SYSTEM_PROGRESS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pass_on_remarks: what a pipeline and its screen have to say reaches the user.
+// pass_on_remarks: prints the remarks of a pipeline and its screen.
 #ifndef L3D_SYSTEM_REMARK_P_H
 #define L3D_SYSTEM_REMARK_P_H
 

@@ -12,8 +12,8 @@
 /// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
 class L3D_PUBLIC l3d_report_writer {
 public:
-    /// Opens the file of this name. The name - is the standard output as it is: what was written to
-    /// it before stays, and what others write to it comes in between.
+    /// Opens the file of this name. The name - is the standard output as it is: earlier output
+    /// stays, and the output of others comes in between.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;

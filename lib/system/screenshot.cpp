@@ -11,7 +11,7 @@
 #include <filesystem>
 
 std::string l3d_save_screenshot(const l3d_pixels& pixels) {
-    std::error_code unknown; // then the name says enough
+    std::error_code unknown; // on an error the name alone is told
     const std::filesystem::path folder = std::filesystem::current_path(unknown);
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_signal_watch: the handler, and what it may touch.
+// l3d_signal_watch: the handler, and the variables that it may touch.
 #include "system/signal_watch.h"
 
 #include <atomic>
@@ -26,7 +26,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 extern "C" void note_signal(int signal) {
     const int error = errno;
     noted = signal;
-    // A pipe that is full has been heard of.
+    // If the pipe is full, its reader has been woken already.
     static_cast<void>(!write(bell, "!", 1));
     errno = error;
 }
@@ -62,7 +62,7 @@ void l3d_signal_watch::end_what_takes_too_long() const {
 
 l3d_signal_watch::l3d_signal_watch() {
     assert(noted == 0);
-    // Between a look at caught() and the sleep a signal would else go unheard.
+    // A pipe, since a signal between a look at caught() and the sleep would else be missed.
     std::array<int, 2> ends{-1, -1};
     if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
         waker_ = ends[0];
@@ -79,7 +79,7 @@ l3d_signal_watch::l3d_signal_watch() {
             const signals_held held;
             guard_ = std::thread([this] { end_what_takes_too_long(); });
         } catch (const std::system_error&) {
-            // No further thread is to be had: it takes a second signal then.
+            // Without a further thread, a second signal is needed to end a long wait.
         }
     }
     for (std::size_t i = 0; i < watched.size(); ++i) {

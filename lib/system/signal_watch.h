@@ -8,12 +8,12 @@
 #include <thread>
 
 /// While one lives, the first of the signals is only noted; a second one of that kind acts as
-/// it did before, for a program that hangs. When it dies, the signals mean again what they meant,
-/// and the one that was noted is raised: the parent process sees a death by that signal.
-/// A signal that was ignored (as by nohup) stays ignored.
+/// it did before, for a program that hangs. When it dies, the signals' old actions are restored,
+/// and the noted signal is raised: the parent process sees a death by that signal. A signal that
+/// was ignored (as by nohup) stays ignored.
 ///
-/// Who watches has five seconds to end in good order. After that the signal acts as a second one
-/// would, whatever loop the program is in: files have no names before they are complete.
+/// The watching program has five seconds to end in good order. After that the signal acts as a
+/// second one would, whatever loop the program is in: files have no names before they are complete.
 ///
 /// Signal handlers are a property of the process: this is the library's only such state.
 /// Expects: at most one at a time.

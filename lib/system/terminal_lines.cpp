@@ -45,7 +45,7 @@ struct terminal_lines::keys {
         return {};
     }
 
-    /// Whether a key is that of a special meaning, such as VERASE.
+    /// Whether a key has a special meaning, such as VERASE.
     bool mean(unsigned char key, int meaning) const {
         return key == before.c_cc[meaning] && key != _POSIX_VDISABLE;
     }
@@ -63,7 +63,7 @@ terminal_lines::int_type terminal_lines::underflow() {
     return traits_type::to_int_type(line_.front());
 }
 
-/// Whether a key comes before the countdown is over. It leaves the line as it was.
+/// Whether a key comes before the countdown is over. The line is unchanged afterwards.
 bool terminal_lines::first_key_comes(keys& typed) {
     bool has_come = false;
     for (int left = seconds_; left > 0 && !has_come; --left) {
@@ -100,7 +100,7 @@ bool terminal_lines::read_line() {
                 line_.pop_back();
                 out_ << "\b \b";
             }
-        } else if (*key >= ' ' && *key < 0x7f) { // the names are of such
+        } else if (*key >= ' ' && *key < 0x7f) { // names have only these characters
             line_ += static_cast<char>(*key);
             out_ << static_cast<char>(*key);
         }

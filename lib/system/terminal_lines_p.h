@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// terminal_lines: what a user types at a terminal, unless nobody is there.
+// terminal_lines: the lines that a user types at a terminal, unless nobody is there.
 #ifndef L3D_SYSTEM_TERMINAL_LINES_P_H
 #define L3D_SYSTEM_TERMINAL_LINES_P_H
 

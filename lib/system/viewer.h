@@ -73,9 +73,9 @@ public:
             reports_->add(this->report().json());
     }
 
-    /// Tells of the last frame what the options ask for: its distances, the bounds of its pixels,
-    /// what it did not need, what all frames took, and --pick. It also says why a picture is empty.
-    /// Call it once the dispatcher has ended.
+    /// Writes the facts of the last frame that the options ask for: distances, bounds of pixels,
+    /// skipped work, times, and --pick. It also tells why a picture is empty. Call it once the
+    /// dispatcher has ended.
     /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
@@ -93,7 +93,7 @@ public:
                       << (seconds_ > 0 ? std::llround(static_cast<double>(polygons_) / seconds_)
                                        : 0)
                       << " polygons a second\n";
-        // A window said so itself.
+        // A window shows the reason itself.
         if (const std::string why = this->why_empty(); !why.empty() && !in_window_)
             std::cerr << command_ << ": the picture is empty, as the model is " << why
                       << way_to_mend(why) << '\n';

@@ -76,11 +76,11 @@ struct L3D_PUBLIC l3d_event {
     int y = 0;
     /// resize: the new size.
     l3d_size size{};
-    /// wheel: how far it turned, in notches: +1 is one away from the user, -1 one towards. Fine
-    /// wheels and touchpads turn by parts of it.
+    /// wheel: its turn in notches, positive away from the user. Fine wheels and touchpads turn by
+    /// parts of a notch.
     double turn = 0;
-    /// wheel: the notches that are full now, for what knows only whole steps; 0 while a fine wheel
-    /// is on its way to the next.
+    /// wheel: the notches that are full now, for programs that count whole steps; 0 while a fine
+    /// wheel is on its way to the next.
     int notches = 0;
     /// button_press: 2 if another one came shortly before at the same place, else 1.
     int clicks = 0;
@@ -94,13 +94,13 @@ struct L3D_PUBLIC l3d_event {
     bool logo = false;
     /// key_press: the key was down already, and repeats.
     bool repeat = false;
-    /// key_press: what it types, in UTF-8; empty for keys that type nothing, and with Ctrl, Alt or
-    /// the logo. A dead key types nothing itself, and changes what the next one does.
+    /// key_press: the text that it types, in UTF-8; empty for keys that type nothing, and with
+    /// Ctrl, Alt or the logo. A dead key types nothing itself, and changes the next one's text.
     std::string text{};
     /// pointer_motion: how far a held pointer has moved to the right since the last such event;
     /// 0 if the pointer is not held. Units: pixels.
     double right = 0;
-    /// The same, downwards.
+    /// pointer_motion: the held pointer's way downwards, likewise.
     double down = 0;
     /// key_*, button_*, pointer_motion, wheel: when it happened, since some moment of the display.
     std::chrono::milliseconds time{};

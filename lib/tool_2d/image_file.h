@@ -51,7 +51,7 @@ L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int widt
 L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels,
                                 l3d_alpha alpha = l3d_alpha::none);
 
-/// Reads any PNG as 8-bit RGB, rows without padding. Numbers of 8 and of 16 bits are levels, unless
+/// Reads any PNG as 8-bit RGB, rows without padding. Values of 8 and of 16 bits are levels, unless
 /// the file says otherwise (gAMA, sRGB). With l3d_alpha::transparency, the words' highest bytes say
 /// how transparent they are, as l3d_write_png takes them; else the picture is laid on black, in
 /// linear light.

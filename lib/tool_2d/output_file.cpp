@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Like that of any new file: what the user's mask leaves of it.
+/// The mode of any new file, which the user's mask reduces.
 constexpr mode_t everybody = 0666;
 
 std::string folder_of(const std::string& target) {
@@ -47,7 +47,7 @@ std::string led_to(fs::path name) {
     return name.string();
 }
 
-/// A name in a folder, short enough beside any other.
+/// A temporary file's name in a folder, short enough for any file system.
 std::string part_name(const std::string& folder, std::uint64_t number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "/.l3d-%016llx.part",
@@ -55,7 +55,7 @@ std::string part_name(const std::string& folder, std::uint64_t number) {
     return folder + name.data();
 }
 
-/// 64 random bits: not to be guessed by those who might put a link there.
+/// A name with 64 random bits, which nobody can guess who might put a link there.
 std::string free_name(const std::string& folder) {
     std::uint64_t number = 0;
     if (getrandom(&number, sizeof number, 0) != sizeof number)
@@ -64,13 +64,13 @@ std::string free_name(const std::string& folder) {
 }
 
 /// The name that a complete file has for the moment between its link and its renaming. It is always
-/// the same, so that one which a death in this moment left behind is found by the next writer.
-/// Nobody need be kept from guessing it: a link follows and replaces nothing.
+/// the same, so that the next writer finds a file left behind by a death in this moment. It need
+/// not be secret: a hard link follows and replaces nothing.
 std::string complete_name(const std::string& target) {
     return part_name(folder_of(target), std::hash<std::string>()(target));
 }
 
-/// Removes what the death of a writer left behind. One that lives holds a lock on its file.
+/// Removes the file that a dead writer left behind. A living writer holds a lock on its file.
 void remove_left_behind(const std::string& name) {
     const int descriptor = open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0)
@@ -132,10 +132,10 @@ output_file::output_file(const std::string& path) : path_(path), target_(path) {
         open_directly();
         return;
     }
-    // Tells remove_left_behind that we live; where locks are not known, nobody asks.
+    // Tells remove_left_behind that this writer lives; file systems without locks ignore it.
     static_cast<void>(flock(descriptor, LOCK_EX | LOCK_NB));
     if (exists) {
-        // Only root may give a file away, and it is no harm if nobody may.
+        // Only root may give a file away; a refusal does no harm.
         static_cast<void>(!fchown(descriptor, old.st_uid, old.st_gid));
         fchmod(descriptor, old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
     }
@@ -171,7 +171,7 @@ int output_file::open_named() {
     });
 }
 
-/// Gives a nameless file its name; one for the moment, if another file has that.
+/// Gives a nameless file its name, or a temporary one if another file has the name.
 void output_file::link() {
     const std::string open_file = name_of(fileno(file_.get()));
     const auto link_to = [&](const char* name) {
@@ -181,7 +181,7 @@ void output_file::link() {
         return;
     if (errno != EEXIST)
         throw_write_error(path_);
-    // A link cannot replace a file; a name can.
+    // A hard link cannot replace a file, but a renaming can.
     const std::string name = complete_name(target_);
     int result = link_to(name.c_str());
     if (result != 0 && errno == EEXIST) {

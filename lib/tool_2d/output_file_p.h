@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// Throws l3d_error(failure): "path: what the system says about errno".
+/// Throws l3d_error(failure): "path: the system's text for errno".
 [[noreturn]] void throw_write_error(const std::string& path);
 
 struct file_closer {

@@ -46,11 +46,11 @@ public:
     }
 
 private:
-    /// Pixels that may be drawn for nothing to have one box less: the smallest part costs as much
-    /// as some 2000 of a whole picture (tests/bench/still_bench).
+    /// Needless pixels that are worth one box less: the smallest part costs as much as some 2000 of
+    /// a whole picture (tests/bench/still_bench).
     static constexpr std::int64_t cost = 2048;
 
-    /// Makes one of the two that lose least by it, if they lose little, overlap, or there are too
+    /// Unites the two boxes that lose least by it, if they lose little, overlap, or there are too
     /// many. Returns whether it did.
     bool unite_two() {
         std::size_t a = 0, b = 0;

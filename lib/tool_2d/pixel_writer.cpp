@@ -72,7 +72,7 @@ auto choose_replicate(int bytes_per_pixel) {
 
 } // namespace
 
-/// Any masks.
+/// Pixels by any masks.
 struct pixel_writer::by_tables {
     const l3d_screen_info& info;
 
@@ -113,7 +113,7 @@ struct pixel_writer::by_few_bits {
     }
 };
 
-/// A cube of colours.
+/// Pixels from a cube of colours.
 struct pixel_writer::by_cube {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -134,7 +134,7 @@ struct pixel_writer::by_cube {
     }
 };
 
-/// A ramp of grays.
+/// Pixels from a ramp of grays.
 struct pixel_writer::by_ramp {
     const pixel_writer& writer;
     const std::uint32_t* pixels;

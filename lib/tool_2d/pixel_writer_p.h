@@ -14,7 +14,8 @@
 
 namespace l3d_detail {
 
-/// Writes pictures as native pixels. How is chosen once per display, not per row or pixel.
+/// Writes pictures as native pixels. The kind of pixel is chosen once per display, not per row or
+/// pixel.
 ///
 /// Each word is shown as a square of scale x scale native pixels. The native picture may end
 /// within a square: ceil(native / scale) words make it.
@@ -39,13 +40,13 @@ public:
 
     int scale() const { return scale_; }
 
-    /// Writes one native row of those that show row y of a picture; they are all alike. It may
-    /// begin where a part does that writable_part has widened.
+    /// Writes one native row that shows row y of a picture; all rows that show y are alike. It may
+    /// begin at the left end of a part that writable_part has widened.
     /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// The part, so much wider that dithering finds its columns.
+    /// The part, widened so that dithering begins at its columns.
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
     /// The native pixels that show a part.
@@ -53,7 +54,7 @@ public:
         return part.scaled(scale_).intersected(l3d_whole(native));
     }
 
-    /// Writes the native rows of a part of a picture to where they are in those of the whole.
+    /// Writes the native rows of a part of a picture to their place in the whole picture's rows.
     /// Shape:   `bytes` has native.height rows, each bytes_per_line after the one above it.
     /// Expects: a part that writable_part has widened.
     void write(const l3d_pixels& picture, const l3d_pixel_box& part, l3d_size native,

@@ -18,17 +18,17 @@ struct L3D_PUBLIC l3d_size {
     friend bool operator==(const l3d_size&, const l3d_size&) = default;
 };
 
-/// Largest width and height of a picture that is asked for. 16384 x 16384 pixels of 4 bytes are 1
-/// GiB, X11 counts window sizes in 16 bits, and l3d_guard_band fits the rasterizer's range.
+/// Largest width and height that a picture may have. 16384 x 16384 pixels of 4 bytes are 1 GiB, X11
+/// counts window sizes in 16 bits, and l3d_guard_band fits the rasterizer's range.
 inline constexpr int l3d_largest_side = 16384;
 
 /// A view of the pixels that rasterizers write and screens show.
 ///
 /// Shape:   height rows of `stride` words, the first `width` of each the picture; row 0 on top.
 /// Units:   one word is 0x00RRGGBB in host byte order, whatever the display; screens convert
-///          when they show. The highest byte means nothing, but in a picture without background:
-///          there it is how transparent the pixel is, 0 for not at all. Red, green and blue are
-///          then those of what covers the rest, as in PNG files.
+///          when they show. The highest byte has a meaning only in a picture without background: it
+///          says how transparent the pixel is, 0 for not at all. Red, green and blue are then those
+///          of the covered part, as in PNG files.
 /// Lives:   borrows; the screen or image that made it owns the words.
 struct L3D_PUBLIC l3d_pixels {
     std::uint32_t* words = nullptr; ///< the first word of the top row

@@ -23,7 +23,7 @@ struct L3D_PUBLIC l3d_probe {
     std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
 };
 
-/// The l3d_probe::what of the display itself: if it is bad, no window can be had.
+/// The name of the display's own probe: if that is bad, no window can open.
 inline constexpr auto l3d_display_probe = "display";
 
 /// All that was found, in the order in which it is printed.

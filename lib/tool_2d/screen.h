@@ -33,14 +33,14 @@ public:
     /// The pixels to draw into. A resize event makes earlier views invalid.
     l3d_pixels pixels() { return do_pixels(); }
 
-    /// How this screen's pixel words and its display's native pixels look.
+    /// The formats of this screen's pixel words and of its display's native pixels.
     const l3d_screen_info& info() const { return do_info(); }
 
     /// Makes the pixels visible.
     void show() { do_show(l3d_whole(pixels().size())); }
 
-    /// Makes the pixels of a part visible; nobody sees what changed beside it. Nothing need be
-    /// done if no pixel is in it.
+    /// Makes the pixels of a part visible; changes beside it stay unseen. An empty part shows
+    /// nothing.
     void show(const l3d_pixel_box& part) {
         const l3d_pixel_box inside = part.intersected(l3d_whole(pixels().size()));
         if (!inside.empty())
@@ -55,24 +55,24 @@ public:
     /// be called while somebody draws: the pixels stay as they are.
     bool is_to_close() { return do_is_to_close(); }
 
-    /// Whether somebody sees it: then events come, and time is that of the clock.
+    /// Whether the screen is a window that somebody sees: then events come, and time is that of the
+    /// clock.
     bool is_window() const { return do_is_window(); }
 
-    /// How often showing a new picture makes sense if the user does not say.
+    /// The rate at which new pictures make sense if the user gives none.
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
-    /// How much larger text has to be than on a display of 96 dots an inch. It is 1.5 where the
-    /// user has set 144 and a pixel of ours is one of the display's. People read it as easily
-    /// then. At least 1.
+    /// Factor by which text must be larger than on a display of 96 dots an inch to be read as
+    /// easily; at least 1. It is 1.5 where the user has set 144 and our pixels are the display's.
     double text_scale() const { return do_text_scale(); }
 
-    /// Whether pictures travel over a slow line: what moves is coarse there, and what stands still
-    /// costs nothing.
+    /// Whether pictures travel over a slow line: moving parts are coarse there, and still parts
+    /// cost nothing.
     bool is_slow() const { return do_is_slow(); }
 
-    /// Where text stands in the pictures from the next one on, until the next call. Over a slow
-    /// line these parts go first, and exactly.
+    /// Tells where text stands, from the next picture on until the next call. Over a slow line
+    /// these parts go first, and exactly.
     void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
 
     /// Chooses which motion of the pointer is heard from now on; at first `dragged`. A screen that
@@ -125,11 +125,10 @@ struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< UTF-8, for people
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// Side of the square of the display's pixels that shows one of ours. 0: one of the display's,
-    /// and the picture is larger than `size` by as much as the display is finer than 96 dots an
-    /// inch.
+    /// Display pixels along the side of one of the picture's. 0: one, and the picture is larger
+    /// than `size` by as much as the display is finer than 96 dots an inch.
     int scale = 0;
-    /// How pictures travel to a display. Screens that are no windows ignore it.
+    /// The way of pictures to a display. Screens that are no windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
 };
 
@@ -138,7 +137,7 @@ struct L3D_PUBLIC l3d_service {
     /// How well, from best to worst.
     enum class level {
         fully,        ///< it serves as its name says
-        partly,       ///< it serves, but another way than its name says
+        partly,       ///< it serves, but in another way than its name says
         not_here,     ///< it cannot serve, and another display would not help
         no_display,   ///< there is no display that answers
         display_lost, ///< the display went away while it was asked
@@ -170,10 +169,10 @@ public:
         return do_create(request, refusal);
     }
 
-    /// Gives back what service() may keep for create(): another kind was chosen.
+    /// Frees resources that service() kept for create(): another kind was chosen.
     void release() const { do_release(); }
 
-    /// Adds what this kind depends on, each with its outcome and remedy.
+    /// Adds a probe for each thing that this kind depends on, with outcome and remedy.
     void diagnose(l3d_probes& probes) const { do_diagnose(probes); }
 
 private:

@@ -55,7 +55,7 @@ const char* l3d_name_of(l3d_color_class color_class) {
 
 std::string l3d_pixel_layout::describe() const {
     std::ostringstream text;
-    text.imbue(std::locale::classic()); // a host's would group digits
+    text.imbue(std::locale::classic()); // the host's locale would group digits
     text << l3d_name_of(color_class) << ", depth " << depth << ", " << bits_per_pixel
          << " bits per pixel, " << (byte_order == std::endian::little ? "low" : "high")
          << " byte first";
@@ -89,7 +89,7 @@ bool l3d_screen_info::native_is_word() const {
 
 std::string l3d_screen_info::describe() const {
     std::ostringstream text;
-    text.imbue(std::locale::classic()); // a host's would group digits
+    text.imbue(std::locale::classic()); // the host's locale would group digits
     text << layout_.describe();
     if (!has_palette())
         return text.str();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen_info: how a display's native pixels look, and how colours become them.
+// l3d_screen_info: the format of a display's native pixels, and the conversion of colours to them.
 #ifndef L3D_TOOL_2D_SCREEN_INFO_H
 #define L3D_TOOL_2D_SCREEN_INFO_H
 
@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-/// How a display finds the colour of a pixel. It looks in a map of colours or grays, or uses masks;
-/// in a direct_color one, it uses masks and a map for each channel. Static maps cannot be changed.
+/// The way in which a display finds a pixel's colour: in a map of colours or grays, by masks, or by
+/// masks and a map for each channel. Static maps cannot be changed.
 enum class L3D_PUBLIC l3d_color_class {
     static_gray,  ///< grays in a map that cannot be changed
     gray_scale,   ///< grays in a map that can be changed
@@ -62,9 +62,9 @@ struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp
     int blue = 0;                      ///< levels of blue; 1 on a ramp
-    std::vector<std::uint32_t> pixels; ///< empty: there is no palette, masks say all
-    /// How far the display is off: the largest difference between a channel that a pixel shows
-    /// and its level, 0..255. Other programs' colours, borrowed from a full map, need not be ours.
+    std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
+    /// The display's error: the largest difference between a channel that a pixel shows and its
+    /// level, 0..255. Other programs' colours, borrowed from a full map, need not be ours.
     int deviation = 0;
 
     /// Whether it has grays only.
@@ -77,7 +77,7 @@ struct L3D_PUBLIC l3d_palette {
     }
 };
 
-/// How the native pixels of one display look. A value: copy it freely.
+/// The format of one display's native pixels. A value: copy it freely.
 ///
 /// Cost:    three tables of 256 words, so that converting a pixel is three loads, or four.
 /// Source:  the scaling of few bits is that of Lin, Linux 3D Graphics Programming, chapter 2.
@@ -88,7 +88,7 @@ public:
 
     /// The display's own description.
     const l3d_pixel_layout& layout() const { return layout_; }
-    /// The cells of its map that show our colours; without pixels if masks say all.
+    /// The cells of the display's map that show our colours; without pixels if masks do.
     const l3d_palette& palette() const { return palette_; }
     /// Whether pixels are cells of a map.
     bool has_palette() const { return !palette_.pixels.empty(); }
@@ -146,21 +146,21 @@ public:
                1000;
     }
 
-    /// The display's own pixel value for such a word.
+    /// The display's own pixel value for a word.
     ///
     /// By masks, a channel value v becomes v * max / 255, where max is the display's largest. Below
     /// 8 bits it is rounded down, as in the book, so that each level stands for an equal share of
     /// the 256. At 8 bits it is the same number. Above, it is rounded to nearest, so that 0 and 255
     /// stay the ends. In a cube it becomes the nearest level, the lower of two. The shown colour
     /// differs by at most half the gap between two levels, and the palette's deviation. On a ramp,
-    /// so does gray_of.
+    /// this holds for the grey that gray_of gives.
     std::uint32_t to_display(std::uint32_t word) const {
         if (!has_palette())
             return by_masks(word);
         return palette_.pixels[sum_of_tables(palette_.is_ramp() ? gray_of(word) << 16 : word)];
     }
 
-    /// Likewise, for pictures in which this is decided once.
+    /// As to_display, for callers that have found out once that there is no palette.
     /// Expects: no palette.
     std::uint32_t by_masks(std::uint32_t word) const { return sum_of_tables(word) | opaque_bits_; }
 

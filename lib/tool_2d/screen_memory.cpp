@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen_memory: whose pixels they are, and what showing them means.
+// l3d_screen_memory: its own or borrowed pixels, and their conversion when shown.
 #include "tool_2d/screen_memory.h"
 
 #include "tool_2d/pixel_writer_p.h"

@@ -41,7 +41,7 @@ public:
     explicit l3d_screen_memory(const l3d_pixels& words);
 
     /// A screen around packed pixels, which hold the picture once it is shown. Colours that the
-    /// layout does not have are mixed from those beside, by an ordered dither.
+    /// layout lacks are mixed from neighbouring ones by an ordered dither.
     /// Expects: width and height at least 1; rows that do not overlap; a layout of masks; bytes
     ///          that outlive the screen.
     /// Errors:  std::bad_alloc.

@@ -74,7 +74,7 @@ std::string l3d_read_text_file(const std::string& path) {
     std::size_t length = 0;
     bool may_wait = S_ISFIFO(status.st_mode);
     for (;;) {
-        if (length == text.size()) // one byte more than there should be shows the end
+        if (length == text.size()) // room for one more byte shows the end
             text.resize(std::max(length == 0 ? size + 1 : 2 * length, least_step));
         const ssize_t count = read(file.get(), text.data() + length, text.size() - length);
         if (count > 0) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_text_file: a whole file, whatever is in it.
+// l3d_read_text_file: reads a whole file of any contents.
 #ifndef L3D_TOOL_2D_TEXT_FILE_H
 #define L3D_TOOL_2D_TEXT_FILE_H
 
 #include <string>
 
-/// Every reader of files begins here, so none waits or grows without end. A file may have 4 GB. A
-/// pipe or a device may give 256 MB, and a pipe waits two seconds for a program that writes into
-/// it.
+/// Reads a file for every reader of formats, so that none waits or grows without end. A file may
+/// have 4 GB, a pipe or a device 256 MB. A pipe waits two seconds for its writer.
 /// Errors: l3d_error(bad_input) that names the path, and the system's reason or the limit.
 std::string l3d_read_text_file(const std::string& path);
 

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Where the object is, and where its file. Nothing moves.
+/// The object's place and file. Nothing moves.
 struct videoscape {
     std::array<double, 3> position{};
     std::array<double, 9> axes{};
@@ -29,7 +29,7 @@ bool read(std::istream& text, const std::string& what, double& number, std::stri
 
 bool parse(const char* parameters, videoscape& model, std::string& why) {
     std::istringstream text(parameters);
-    text.imbue(std::locale::classic()); // a host's may have decimal commas
+    text.imbue(std::locale::classic()); // the host's locale may have decimal commas
     text.imbue(std::locale::classic());
     for (std::size_t i = 0; i < 3; ++i)
         if (!read(text, std::string("the position's ") + "xyz"[i], model.position[i], why))

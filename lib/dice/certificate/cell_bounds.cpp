@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cell_bounds: sheets of pieces, whether they fill a cell, and the light of what is seen.
+// l3d_cell_bounds: sheets of pieces, the proof that one fills a cell, and its light.
 #include "dice/certificate/cell_bounds.h"
 
 #include "dice/certificate/doubt_light_p.h"
@@ -22,7 +22,7 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
 }
 
-/// From where to where a piece reaches along a side, walked round its patch.
+/// The range of a piece along a side, walked round its patch.
 interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     switch (side) {
     case 0:
@@ -36,7 +36,7 @@ interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     }
 }
 
-/// Whether two pieces meet, and whether the surface may fold where they do.
+/// Whether two pieces meet, and whether the surface may fold there.
 struct meeting {
     bool is_there = false, may_fold = false;
 
@@ -144,8 +144,8 @@ void l3d_cell_bounds::connect() {
             sheets_[root_of(i)].may_end = true;
 }
 
-/// Finds which sheets are there. A sheet that does not end in the cell is there if one of its
-/// places is, and is not there if it misses the middle.
+/// Finds the sheets in the cell. A sheet that does not end in the cell fills it if one of its
+/// places lies there, and is outside if it misses the middle.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;
@@ -162,7 +162,7 @@ void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& v
     }
 }
 
-/// Farther than this, all is hidden: w; infinite where the background may be seen.
+/// The w beyond which all is hidden; infinite where the background may be seen.
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
@@ -200,7 +200,7 @@ l3d_doubt_verdict l3d_cell_bounds::judge(const l3d_image_box& cell,
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
-        if (pieces_[i]->has_no_area) // others end here, perhaps
+        if (pieces_[i]->has_no_area) // other sheets may end here
             continue;
         const l3d_light_bounds here = l3d_detail::light_in(*pieces_[i], cell, background);
         if (is_any)

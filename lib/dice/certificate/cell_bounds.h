@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cell_bounds: what the exact picture shows in a part of a pixel, as far as it is certain.
+// l3d_cell_bounds: bounds of the exact picture in a part of a pixel.
 #ifndef L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 
@@ -15,7 +15,7 @@
 /// Judges cells by the pieces that reach into them.
 ///
 /// Pieces that meet make a sheet. If no piece of a sheet ends, folds or breaks in the cell, then
-/// the sheet fills all of the cell or is not there at all (NUMERICS, The map of doubt).
+/// the sheet fills the cell or lies outside it (NUMERICS, The map of doubt).
 /// Lives: kept for its memory. Cost: grows with the square of the pieces.
 class l3d_cell_bounds {
 public:
@@ -47,8 +47,8 @@ public:
         const l3d_doubt_patch* of;
         unsigned sides; ///< bits of the sides that it reaches
         int facing;
-        std::uint32_t index; ///< among all pieces
-        std::size_t parent;  ///< one of the same sheet; the root is its own
+        std::uint32_t index; ///< index among all pieces
+        std::size_t parent;  ///< another member of the sheet; the root is its own parent
         double nearest = 0;  ///< w in the cell
     };
 
@@ -57,7 +57,7 @@ private:
     struct sheet {
         bool may_end = false; ///< it may end or fold in the cell
         bool is_there = false, may_be_there = false;
-        bool is_seen = false; ///< perhaps
+        bool is_seen = false; ///< it may be seen
         double farthest = 0;  ///< w
         bool fills() const { return is_there && !may_end; }
     };
@@ -74,7 +74,7 @@ private:
 
     std::vector<const l3d_doubt_leaf*> pieces_;
     std::vector<member> members_; ///< members for pieces_, in order
-    std::vector<sheet> sheets_;   ///< those of roots mean something
+    std::vector<sheet> sheets_;   ///< valid for roots
     std::size_t only_ = nowhere;  ///< the root of the sheet that is seen alone
 };
 

@@ -24,13 +24,13 @@ place projected(const l3d_image_point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// How a piece lies in the picture.
+/// The linear picture that is nearest to a piece's, and its error.
 struct linear_picture {
     plane x, y;
     double off = 0; ///< distance of the piece's points from these planes, in pixels
 
-    /// The picture is sum B_i (x_i - X w_i) off a linear one of value X, over w. That equals sum
-    /// B_i d_i + sum B_i (X_i - X) (w_i - w_mean), as sum B_i X_i = X.
+    /// The picture's distance from a linear one of value X is sum B_i (x_i - X w_i) over w. That
+    /// equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), as sum B_i X_i = X.
     linear_picture(const l3d_image_patch& net, double least_w, double most_w)
         : linear_picture(projected(net.at(0, 0)), projected(net.at(0, 3)), projected(net.at(3, 0)),
                          projected(net.at(3, 3))) {
@@ -109,9 +109,10 @@ struct parameter_box {
     }
 };
 
-/// A drawn point lies on a plane along the piece's normal, d pixels off. Its place is b pixels off.
-/// For that plane n.ray(X) / (n.Q + d) is 1 / w. So w differs by (b + d) |n| |ray'| w / (n.Q) of
-/// itself. Steps are chosen so that it is never more than an eighth.
+/// Bounds the relative difference of w. A drawn point lies on a plane d pixels off along the
+/// piece's normal, and its place is b pixels off. For that plane n.ray(X) / (n.Q + d) is 1 / w. So
+/// w differs by (b + d) |n| |ray'| w / (n.Q) of itself. Steps are chosen so that it is never more
+/// than an eighth.
 double w_margin_of(const l3d_doubt_view& view, const facing_range& facing, double most_w) {
     constexpr double most = 0.25;
     const double a_pixel =
@@ -159,8 +160,8 @@ void put_w(l3d_doubt_bounds& b, const l3d_image_patch& net, double error_w) {
 
 } // namespace
 
-/// Places of the piece are off its linear picture by so much that their parameters are off by u_off
-/// and v_off. A box beyond one of the four sides by more is not reached.
+/// Whether the piece may reach a box. Places differ from the linear picture by u_off and v_off in
+/// the parameters; a box farther beyond one of the four sides is not reached.
 bool l3d_doubt_bounds::touches(const l3d_image_box& other) const {
     if (box.intersected(other).empty())
         return false;

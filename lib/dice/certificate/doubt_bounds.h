@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_doubt_bounds: bounds of all that the exact picture shows of a piece.
+// l3d_doubt_bounds: bounds of a piece's place and light in the exact picture.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
 
@@ -24,11 +24,11 @@ struct l3d_doubt_view {
     /// Takes (x, y, w) to the world, as seen from the eye. Shape: its columns.
     std::array<l3d_vector<double, 3>, 3> world_of_image{};
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
-    /// The lamps and the fog of a frame that has more than that one white light.
+    /// The lamps and the fog of a frame that has more than the one white `light`.
     l3d_doubt_lighting lighting{};
-    /// How far drawn things may be from the exact ones: in the picture, and along the normal.
+    /// Bounds of drawn places: in the picture, and along the normal.
     double bound_px = 0, depth_bound_px = 0;
-    l3d_background background{}; ///< any but none
+    l3d_background background{}; ///< not none
 
     /// The background's light in a row of pixels.
     l3d_light_bounds background_light(int row) const {
@@ -44,30 +44,30 @@ struct l3d_doubt_view {
 /// linear function of the place.
 struct l3d_doubt_line {
     double least = 0, most = 0;
-    double middle = 0, along_x = 0, along_y = 0, off = 0; ///< places from the piece's own
+    double middle = 0, along_x = 0, along_y = 0, off = 0; ///< places count from the piece's own
 
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };
 
-/// Cosines of the normals, turned to the eye, with the way to a lamp, and with the way half-way
-/// between that and the way to the eye.
+/// Cosines of the normals, turned to the eye, with the direction to a lamp, and with the half-way
+/// vector between lamp and eye.
 struct l3d_doubt_cosines {
     l3d_doubt_line lit, facing;
 };
 
-/// Bounds of what a picture shows of a piece.
+/// Bounds of a piece's place, depth and light in a picture.
 ///
 /// Units: pixels from the picture's top left corner.
 struct l3d_doubt_bounds {
-    l3d_image_box box;         ///< that the whole piece is in
+    l3d_image_box box;         ///< holds the whole piece
     double at_x = 0, at_y = 0; ///< the piece's own place, from which lines count
     unsigned open_sides = 0;   ///< bits of the sides where the surface ends
     bool may_end = false;      ///< the near or the far plane may cut it
     int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
-    bool may_be_missing = false; ///< its back is seen, and nobody wants to see that
+    bool may_be_missing = false; ///< its back is seen, and not drawn
 
     l3d_doubt_line w;
-    /// Things that are drawn have another w than the exact ones of the piece, by this part of it.
+    /// The relative difference of w between the drawn and the exact piece.
     double w_margin = 0;
     l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
 
@@ -77,8 +77,8 @@ struct l3d_doubt_bounds {
 
     /// The parameters from -1/2 to 1/2 of a place. Shape: du/dx, du/dy, dv/dx, dv/dy.
     std::array<double, 4> parameters{};
-    double u_off = 0, v_off = 0; ///< the places' own are within so much; infinite: not known
-    double picture_off = 0;      ///< the piece's picture is within so much of a linear one
+    double u_off = 0, v_off = 0; ///< largest error of the parameters; infinite: not known
+    double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
 
     /// Whether the piece may reach into a box.
     bool touches(const l3d_image_box& other) const;

@@ -15,16 +15,16 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Normals that differ more from their common axis have no bound but that of all levels.
 constexpr double least_cosine = 1.0 / 16;
 
-/// The way half-way between that to a lamp and that to the eye, over a piece: a linear function of
-/// the place, nearly.
+/// The half-way vector between lamp and eye over a piece, nearly a linear function of the place.
 struct half_way {
     vector middle{0.0, 0.0, 0.0}, along_x{0.0, 0.0, 0.0}, along_y{0.0, 0.0, 0.0};
-    double reach = 2; ///< it is no farther from the middle
+    double reach = 2; ///< its largest distance from the middle
     double off = infinite;
 
     /// If v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with the least
-    /// |v|. It is within 0.58 p^2 of linear (NUMERICS, The map of doubt). The way e from the eye is
-    /// linear in the place. So this counts twice: for e / |e|, and for the half-way vector.
+    /// |v|. It is within 0.58 p^2 of linear (NUMERICS, The map of doubt). The vector e from the eye
+    /// is linear in the place. So this error counts twice: for e / |e|, and for the half-way
+    /// vector.
     half_way(const l3d_doubt_bounds& b, const l3d_doubt_view& view, const vector& light) {
         constexpr double bent = 0.58;
         const auto& [of_x, of_y, of_w] = view.world_of_image;
@@ -68,7 +68,7 @@ std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lam
             255 * mirrored * k * std::pow(std::max(most_facing, 0.0), k - 1)};
 }
 
-/// A line that counts for what it may be off, or for its range where that is less.
+/// The error of a line, or its range where that is less.
 double off_of(const l3d_doubt_line& line) {
     return std::min(line.off, (line.most - line.least) / 2);
 }
@@ -147,7 +147,7 @@ cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const v
     most = std::min(1.0, scaled(along + most_r, false) + known_to);
 }
 
-/// The linear function of the place that is linear in the parameters.
+/// Turns a linear function of the parameters into one of the place.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b) {
     l3d_doubt_line result;
     result.middle = of.middle;
@@ -157,7 +157,7 @@ l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b) {
     return result;
 }
 
-/// Takes what is known from a range alone, if a line does not say more.
+/// Puts a line into a result, or a range alone if the line is no better.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line) {
     if (line.off < (most - least) / 2)
         into = line;
@@ -167,7 +167,7 @@ void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& 
     into.most = most;
 }
 
-/// Where the piece may show both sides, a cosine has either sign.
+/// Sets the lamps' cosines; either sign is possible where the piece may show both sides.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view) {
     const l3d_doubt_lighting& lighting = *piece.of->lighting;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cosines, put_lamps: how a piece's normals lie to a direction, and to all lamps of a frame.
+// cosines, put_lamps: cosines of a piece's normals with a direction, and with all lamps of a frame.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
 #define L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
 
@@ -39,7 +39,7 @@ struct seen_normals {
 
     vector axis{0.0, 0.0, 0.0};
     std::array<double, count> along; ///< each normal's part along the axis
-    double most_along = 0;           ///< in size
+    double most_along = 0;           ///< largest size
     double most_across = 0, longest = 0;
     double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
 
@@ -50,19 +50,19 @@ struct seen_normals {
 struct cosines {
     plane line{0, 0, 0, 0};
     double off = 1, least = -1, most = 1;
-    double slope = 2; ///< a unit normal is no farther from the normals' axis
+    double slope = 2; ///< largest distance of a unit normal from the normals' axis
 
     cosines(const l3d_doubt_piece& piece, const seen_normals& seen,
             const l3d_doubt_piece::vector& light);
 };
 
-/// The linear function of the place that is linear in the parameters.
+/// Turns a linear function of the parameters into one of the place.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
-/// Takes what is known from a range alone, if a line does not say more.
+/// Puts a line into a result, or a range alone if the line is no better.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
-/// Sets what is known of all lamps of the piece's lighting, and of the level as far as it tells
+/// Sets the bounds for all lamps of the piece's lighting, and the level's spread, which tells
 /// whether smaller pieces would be better known.
 /// Expects: all else is set; w > 0.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,

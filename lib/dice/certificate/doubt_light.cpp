@@ -70,7 +70,7 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 
-    /// A lamp behind the surface adds nothing. So what it mirrors ends at once where n.l is 0.
+    /// A lamp behind the surface adds nothing. So its mirrored light ends at once where n.l is 0.
     lamp_amounts(const interval& lit, const interval& facing, const l3d_doubt_patch& of) {
         constexpr double of_lamps = 0.9;
         scattered = {of_lamps * std::max(0.0, lit.low), of_lamps * std::max(0.0, lit.high)};
@@ -214,7 +214,7 @@ l3d_doubt_verdict lone_sheet::of_levels() const {
             std::min(levels.high - levels.low, below + above)};
 }
 
-/// The mean of what is certain of each square of a grid.
+/// Splits the cell into squares and averages their bounds.
 l3d_light_bounds lone_sheet::mean_by_lamps(int cuts) const {
     const light_lines lines(best_->bounds);
     const double width = cell_.width() / cuts, height = cell_.height() / cuts;
@@ -256,7 +256,7 @@ l3d_doubt_verdict lone_sheet::of_lamps() const {
 
 l3d_doubt_verdict lone_sheet::verdict() const {
     if (first_ == nullptr || !is_known_ || !(ranges_[0].low <= ranges_[0].high))
-        return {false, false, l3d_light_bounds::any(), 255}; // rounding left nothing of the sheet
+        return {false, false, l3d_light_bounds::any(), 255}; // rounding left no piece of the sheet
     if (!is_one_look_)
         return {false, false, light_, light_.levels_apart()};
     return first_->piece.of->lighting ? of_lamps() : of_levels();

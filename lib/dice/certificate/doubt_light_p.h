@@ -39,17 +39,17 @@ using light_ranges = std::array<interval, light_lines::most>;
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
-/// The mean light of a sheet that fills a cell, where nothing else is seen. The lines of the piece
-/// that is known best tell it, and how far all others may be below and above them.
-/// Lives: borrows all that it is given.
+/// The mean light of a sheet that fills a cell, where nothing else is seen. It follows from the
+/// lines of the best known piece, and the range of all others around these.
+/// Lives: borrows cell, background and leaves.
 class lone_sheet {
 public:
     lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)
         : cell_(cell), background_(background) {}
 
-    /// One of its pieces. Expects: all are offered before any is added.
+    /// Offers a piece as the best known one. Expects: all are offered before any is added.
     void offer(const l3d_doubt_leaf& leaf);
-    /// One that touches the cell.
+    /// Adds a piece that touches the cell.
     void add(const l3d_doubt_leaf& leaf);
     l3d_doubt_verdict verdict() const;
 
@@ -64,8 +64,9 @@ private:
     const l3d_doubt_leaf* best_ = nullptr;
     const l3d_doubt_leaf* first_ = nullptr; ///< first of the leaves that are added
     bool is_one_look_ = true, is_known_ = true;
-    l3d_light_bounds light_;       ///< light of all of them
-    light_ranges ranges_, beside_; ///< numbers, and how far they are off the best piece's lines
+    l3d_light_bounds light_; ///< light of all of them
+    light_ranges ranges_,
+        beside_; ///< ranges of numbers, and of distances from the best lines
 };
 
 } // namespace l3d_detail

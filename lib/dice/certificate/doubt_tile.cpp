@@ -15,11 +15,11 @@ namespace {
 /// smaller than 2^-3. Cells of drawn surfaces are no smaller than 2^-3, or than the bound.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// Pixels are cut no further if less of their levels is unknown. Single smaller cells may have more
-/// unknown levels, in proportion to 1 / their width, since they are small parts of a pixel.
+/// Pixels are cut no further if fewer of their levels are unknown. Single smaller cells may have
+/// more unknown levels, in proportion to 1 / their width, since they are small parts of a pixel.
 constexpr double fine_levels = 1;
 
-/// From cells of 2^-3 pixel on, pixels are cut further only if more of their levels is unknown.
+/// From cells of 2^-3 pixel on, pixels are cut further only if more of their levels are unknown.
 constexpr int costly = 3;
 constexpr double costly_levels = 4;
 
@@ -34,12 +34,12 @@ constexpr std::size_t most_leaves = 100'000;
 /// so small without becoming small in the picture.
 constexpr double least_part = 0x1p-24;
 
-/// The area of the light that may be left out in a tile. Where the curve of sRGB is steepest, it
-/// is 12.92 * 255 times as many levels: a third of what is added for rounding.
+/// The area of the light that may be left out in a tile. At the steepest part of sRGB's curve it
+/// makes 12.92 * 255 times as many levels: a third of the allowance for rounding.
 constexpr double most_left_out = 1e-8;
 
-/// The area of the narrowest box along the line from one corner to the farthest other point, which
-/// may be `pad` off. The picture lies in it, as it does in its control points' hull.
+/// The area of the narrowest box along the line from one corner to the farthest other point, where
+/// points may err by `pad`. The picture lies in the box, as in its control points' hull.
 double area_along(const l3d_image_patch& net, double pad) {
     const auto place = [](const l3d_image_point& p) {
         return std::array<double, 2>{p[0] / p[2], p[1] / p[2]};
@@ -109,7 +109,7 @@ l3d_image_box l3d_doubt_tile::box_of(const cell& c) const {
     return {left, top, left + size, top + size};
 }
 
-/// Visits the cells that a box reaches, when they are grown, until `visit` returns false.
+/// Visits the grown cells that a box reaches, until `visit` returns false.
 template <class Visit>
 void l3d_doubt_tile::for_cells(const l3d_image_box& box, const Visit& visit) const {
     const int across = side << fineness_;
@@ -142,8 +142,8 @@ void l3d_doubt_tile::add(const l3d_doubt_piece& whole) {
     cut(whole, leaves_);
 }
 
-/// Whether nothing would be known better of smaller pieces: one that lies in the picture as a plane
-/// does, and has the light of one, needs not be as small as a cell.
+/// Whether smaller pieces would not be better known: a piece whose picture and light are nearly a
+/// plane's need not be as small as a cell.
 bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
     const double of_cell = std::ldexp(1.0, -fineness_);
     const double size = std::max(b.box.width(), b.box.height());
@@ -152,9 +152,9 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
                                b.picture_off <= plain_part * of_cell);
 }
 
-/// Whether nothing of a piece that reaches past the eye is in the tile. Most of it is far beside
-/// the picture, and would be cut until its pieces are as small as the distance of the near plane.
-/// The tile is grown by what the corners may be off at the near plane, and by a pixel to spare.
+/// Whether a piece that reaches past the eye lies outside the tile. Most of such a piece is far
+/// beside the picture, and would be cut until its parts are as small as the near distance. The tile
+/// is grown by the corners' error at the near plane, and by a pixel to spare.
 bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
     const l3d_dice_view& view = view_->view;
     const l3d_image_box window = view.window(tile_).grown(grown_);
@@ -162,8 +162,8 @@ bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) co
     return l3d_outside(piece.net.points, window.grown(1 + off), near - piece.of->error_w, view.far);
 }
 
-/// Whether a piece is seen from its edge so exactly that its light is none. It adds to what is left
-/// out of the tile.
+/// Whether a piece is seen so exactly from its edge that it has no light. Its area adds to
+/// areas_left_out_.
 bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
     const l3d_doubt_patch& of = *piece.of;
     const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
@@ -178,7 +178,7 @@ bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
     return true;
 }
 
-/// Halves a piece until its bounds are good enough. Leaves out what reaches no cell.
+/// Halves a piece until its bounds are good enough. Leaves out parts that reach no cell.
 void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_leaf>& into) {
     const l3d_dice_view& view = view_->view;
     const double near = view.camera_near > 0 ? view.camera_near : view.near;
@@ -242,7 +242,7 @@ l3d_doubt_pixel& l3d_doubt_tile::pixel_of(const cell& c) {
                                             (c.column >> fineness_))];
 }
 
-/// Finds out what it can of a cell. Cells are kept only if smaller ones may not tell more.
+/// Bounds a cell. The result counts only if smaller cells cannot tell more.
 void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
     const l3d_image_box box = box_of(c);
     const double part = std::ldexp(1.0, -2 * fineness_);
@@ -277,7 +277,7 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
         judge_.mark_seen(is_needed_);
 }
 
-/// Whether smaller cells may tell more of a cell. Then what it told is taken back.
+/// Whether smaller cells may tell more of a cell. Then its own result is taken back.
 bool l3d_doubt_tile::is_cut(cell& c) {
     l3d_doubt_pixel& pixel = pixel_of(c);
     c.of_light = c.of_light && pixel.is_open;

@@ -78,7 +78,7 @@ private:
 
     const l3d_doubt_view* view_ = nullptr;
     l3d_pixel_box tile_;
-    double grown_ = 0; ///< cells, by what is drawn elsewhere
+    double grown_ = 0; ///< growth of cells by the bound of places
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide

@@ -17,11 +17,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Rounding of the sums of light in double and of the map's floats. Units: levels.
 constexpr double rounding = 1e-4;
 
-/// Where drawn things may be farther off, pixels are not searched for other surfaces: all of a
-/// pixel may show another one. Units: pixels.
+/// With larger bounds of places, pixels are not searched for other surfaces: all of a pixel may
+/// show another one. Units: pixels.
 constexpr double most_searched = 2;
 
-/// The columns of the inverse of what takes the world, as seen from the eye, to (x, y, w).
+/// The columns of the inverse of the matrix from the world, as seen from the eye, to (x, y, w).
 /// Source: Cramer's rule.
 std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
     const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
@@ -31,7 +31,7 @@ std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
             l3d_cross<double>(x, y) * part};
 }
 
-/// How far a drawn word may be from light between bounds, in its worst channel.
+/// The largest distance of a drawn word from light between bounds, in its worst channel.
 double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     double result = 0;
     for (std::size_t i = 0; i < light.least.size(); ++i) {
@@ -42,12 +42,12 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     return std::min(result + rounding, 255.0);
 }
 
-/// Coefficients of normals are sums of some dozens of products of differences. Some dozens of
-/// halvings follow, and a matrix.
+/// Rounding of normals: their coefficients are sums of some dozens of products of differences,
+/// followed by some dozens of halvings, and a matrix.
 constexpr double normal_rounding = 0x1p-44;
 
-/// No normal is longer: the largest component of a net is 1 (l3d_normal_net) before it is turned,
-/// and perhaps after.
+/// The largest length of a normal: a net's largest component is 1 (l3d_normal_net) before it is
+/// turned.
 double longest_normal(const l3d_patch_instance& instance) {
     double sum = 2;
     for (int row = 0; row < 3; ++row)
@@ -75,9 +75,9 @@ double determinant_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-/// Finds the patches that may reach the picture. Only boxes are kept, as nets are large.
+/// Finds the patches that may reach the picture. It keeps only boxes, since nets are large.
 void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
-    sides_.clear(); // a model may have gone, and another come to its place
+    sides_.clear(); // another model may have come to a gone one's address
     patches_.clear();
     const l3d_dice_view& view = view_.view;
     const double near = view.camera_near > 0 ? view.camera_near : view.near;
@@ -141,7 +141,8 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     return whole;
 }
 
-/// Each transparent instance is there or not; all that reach the tile are told apart.
+/// Bounds the light of a box: the mean over all choices of the transparent instances that reach it,
+/// each present or not.
 std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
                                                                   const l3d_pixel_box& box,
                                                                   l3d_doubt_tile& tile) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_doubts: how far each pixel of a frame may be from the exact picture.
+// l3d_frame_doubts: bounds each pixel's difference from the exact picture.
 #ifndef L3D_DICE_CERTIFICATE_FRAME_DOUBTS_H
 #define L3D_DICE_CERTIFICATE_FRAME_DOUBTS_H
 
@@ -16,7 +16,7 @@
 #include <map>
 #include <vector>
 
-/// A drawn frame, and what is certain of it.
+/// A drawn frame, with its bounds.
 ///
 /// Lives: borrows all that it refers to.
 struct l3d_doubted_frame {
@@ -26,7 +26,8 @@ struct l3d_doubted_frame {
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Bounds of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
-    /// It shows Lambert's levels of one white light, without highlights and fog; else, its lamps.
+    /// Whether the frame shows Lambert's levels of one white light, without highlights and fog;
+    /// else `lighting` counts.
     bool has_levels = true;
     l3d_lighting lighting{}; ///< beside the direction of the first light
     l3d_fog fog{};
@@ -34,8 +35,8 @@ struct l3d_doubted_frame {
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };
 
-/// Bounds the exact picture from the exact patches, and compares what was drawn with it (NUMERICS,
-/// The map of doubt). The map does not depend on how the picture was drawn.
+/// Bounds the exact picture from the exact patches, and compares the drawn one with it (NUMERICS,
+/// The map of doubt). The bounds do not depend on how the picture was drawn.
 ///
 /// Cost: some 7 us a pixel that shows a surface, and a millisecond a pixel at an outline.
 class l3d_frame_doubts {
@@ -46,8 +47,8 @@ public:
     /// The bound of each pixel of the last frame, in levels.
     const l3d_error_map& map() const { return map_; }
 
-    /// The part of each pixel's square, from 0 to 1, of which coverage_bound tells the largest. It
-    /// is 1 everywhere where that is infinite.
+    /// The part of each pixel's square, from 0 to 1, that may show another surface; the largest is
+    /// coverage_bound. 1 everywhere if that is infinite.
     const l3d_error_map& coverage() const { return coverage_; }
 
     /// The largest part of any pixel's square that may show another surface than in the exact
@@ -55,10 +56,10 @@ public:
     double coverage_bound() const { return coverage_bound_; }
 
     /// The largest bound of any pixel that lies inside one surface or the background. Units:
-    /// levels. Infinite if some lie in neither, and none inside a surface.
+    /// levels. Infinite if no pixel lies inside a surface, and some lie in neither.
     double color_bound() const { return color_bound_; }
 
-    /// Pieces of patches that have been cut in two, in all frames so far: what the map costs.
+    /// Pieces of patches that have been cut in two, in all frames so far: the map's cost.
     std::int64_t cuts() const;
 
 private:
@@ -89,7 +90,7 @@ private:
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
     l3d_error_map map_, coverage_;
-    bool is_searched_ = false; ///< for other surfaces, within the bounds of places and depth
+    bool is_searched_ = false; ///< for other surfaces within the bounds
     double coverage_bound_ = 0, color_bound_ = 0;
 };
 

@@ -13,7 +13,7 @@
 /// The parts of white that a material has, red first.
 using l3d_color_parts = std::array<double, 3>;
 
-/// Those of a pixel word.
+/// The parts of white of a pixel word.
 inline l3d_color_parts l3d_parts_of(std::uint32_t word) {
     return {(word >> 16 & 0xff) / 255.0, (word >> 8 & 0xff) / 255.0, (word & 0xff) / 255.0};
 }
@@ -25,11 +25,11 @@ struct l3d_light_bounds {
     static l3d_light_bounds none() { return {}; }
     static l3d_light_bounds any() { return {{0, 0, 0}, {1, 1, 1}}; }
 
-    /// That of each channel, from `of(part)`, the bounds of one that has this part of white.
+    /// Bounds of each channel, from `of(part)`, the bounds of a channel with this part of white.
     template <class Of> static l3d_light_bounds by_parts(const l3d_color_parts& parts, Of of) {
         l3d_light_bounds result;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const bool is_known = i > 0 && parts[i] == parts[i - 1]; // as all of greys are
+            const bool is_known = i > 0 && parts[i] == parts[i - 1]; // as for greys
             const std::array<double, 2> bounds =
                 is_known ? std::array{result.least[i - 1], result.most[i - 1]} : of(parts[i]);
             result.least[i] = bounds[0];
@@ -38,7 +38,7 @@ struct l3d_light_bounds {
         return result;
     }
 
-    /// Another light, added.
+    /// Adds another light.
     void add(const l3d_light_bounds& other, double part = 1) {
         for (std::size_t i = 0; i < least.size(); ++i) {
             least[i] += part * other.least[i];
@@ -46,7 +46,7 @@ struct l3d_light_bounds {
         }
     }
 
-    /// Bounds that hold for another light, too.
+    /// Widens the bounds so that they hold for another light, too.
     void include(const l3d_light_bounds& other) {
         for (std::size_t i = 0; i < least.size(); ++i) {
             least[i] = std::min(least[i], other.least[i]);
@@ -54,7 +54,7 @@ struct l3d_light_bounds {
         }
     }
 
-    /// How far apart they are, in levels, where they are farthest apart.
+    /// The distance of the bounds in levels, in the worst channel.
     double levels_apart() const {
         double result = 0;
         for (std::size_t i = 0; i < least.size(); ++i)

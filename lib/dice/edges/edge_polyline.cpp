@@ -50,7 +50,8 @@ std::size_t points_of(const l3d_block_starts& strips) {
 l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i, const l3d_dice_view& view) const {
     l3d_clip_vertex result;
     if (strips_[0].blocks > 0) {
-        // Drawn as it is; only one that meets a corner which rounding put out of range is clipped.
+        // The segment is drawn as it is; only one at a corner that rounding put out of range is
+        // clipped.
         const double w = view.depth_scale / static_cast<double>(inv_w_[i]);
         result.h = {(x_[i] - view.centre_x()) * w / l3d_subpixel_one,
                     (y_[i] - view.centre_y()) * w / l3d_subpixel_one, w};
@@ -98,7 +99,7 @@ void l3d_edge_polyline::build(std::span<l3d_edge_polyline, 4> lines,
 }
 
 void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& view) {
-    // The other three write the same numbers to the same places.
+    // All four lanes write the same numbers to the same places.
     std::array<l3d_detail::edge_strips, 4> strips;
     strips.fill(room_for_strips());
     l3d_detail::make_edge_strips({edge, edge, edge, edge}, view, {1, 1, 1, 1}, strips);
@@ -148,7 +149,7 @@ void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_im
     vertex_error_ = strips.vertex_error;
 }
 
-/// In as few parts as will do; whether any number does.
+/// Makes the edge in as few parts as will do; false if no number will.
 bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_view& view) {
     std::array<l3d_image_curve, most_parts> parts{edge};
     for (std::size_t count = 2; count <= most_parts; count *= 2) {
@@ -169,7 +170,7 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
         std::array<l3d_image_curve, at_once> some;
         std::array<l3d_detail::edge_strips, at_once> of_some;
         for (std::size_t k = 0; k < at_once; ++k) {
-            // Where there are but two, two are made twice.
+            // If there are only two parts, both are made twice.
             const std::size_t which = std::min(part + k, parts.size() - 1);
             some[k] = parts[which];
             of_some[k] = room_for_strips(which);
@@ -186,7 +187,7 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
     chord_error_ = vertex_error_ = 0;
     for (std::size_t part = 0; part < parts_; ++part) {
         const l3d_detail::edge_strips& from = strips[part];
-        // A part begins with the last one's end, the same bits.
+        // A part begins with the end of the one before, bit for bit.
         const std::size_t to = size_ - 1, count = points_of(from.strips);
         for (std::size_t i = 0; i < count; ++i)
             t_[to + i] = (static_cast<double>(part) + from.t[i]) / static_cast<double>(parts_);
@@ -203,7 +204,7 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
     return true;
 }
 
-/// Any edge, in as many strips as it takes.
+/// Makes any edge, in as many strips as it takes.
 void l3d_edge_polyline::cut(const l3d_image_curve& edge, const l3d_dice_view& view) {
     t_.clear();
     x_.clear();

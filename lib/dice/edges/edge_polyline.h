@@ -38,7 +38,7 @@ public:
     /// One edge; the same points, but slower than a quarter of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
-    /// From now on, no edge allocates that would not in `other`.
+    /// Reserves memory, so that no edge allocates here that would not in `other`.
     void reserve_as(const l3d_edge_polyline& other);
 
     std::size_t size() const { return size_; }
@@ -47,7 +47,7 @@ public:
     const std::int32_t* y() const { return y_.data(); }
     const float* inv_w() const { return inv_w_.data(); }
 
-    /// The point as clipping needs it, without parameters and normal.
+    /// A point in the form for clipping, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
     /// Number of equal parts, 16 at most, of an edge all points of which can be drawn. It is one,
@@ -55,11 +55,11 @@ public:
     static constexpr std::size_t most_parts = 16;
     std::size_t parts() const { return parts_; }
 
-    /// Where the strips of a part begin, counted in points of the whole edge. A part has one strip
+    /// The beginnings of a part's strips, counted in points of the whole edge. A part has one strip
     /// or four of equal length, as a patch has. 0 blocks if not all points can be drawn.
     const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
 
-    /// Those of the part from t0 to t1; null if there is none such.
+    /// The strips of the part from t0 to t1; null if there is no such part.
     const l3d_block_starts* strips_between(double t0, double t1) const {
         const double part = t0 * static_cast<double>(parts_);
         return (t1 - t0) * static_cast<double>(parts_) == 1 && part == std::floor(part)
@@ -75,8 +75,8 @@ public:
         return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
     }
 
-    /// Certified image error of the visible segments, in pixels: that of chords between exact
-    /// points, and what the points' own errors add.
+    /// Certified image error of the visible segments, in pixels: the error of chords between exact
+    /// points, and that of the points themselves.
     double chord_error() const { return chord_error_; }
     double vertex_error() const { return vertex_error_; }
     double bound() const { return chord_error_ + vertex_error_; }
@@ -98,7 +98,7 @@ private:
     std::vector<std::int32_t> x_, y_;
     std::vector<float> inv_w_;
 
-    // Only of edges without strips.
+    // The points of edges without strips.
     std::vector<l3d_image_point> h_;
     std::vector<unsigned char> drawable_;
 

@@ -29,7 +29,7 @@ public:
         used_ = sides;
     }
 
-    /// Builds one more, and returns its index.
+    /// Builds one more edge, and returns its index.
     std::size_t add(const l3d_image_curve& curve, const l3d_dice_view& view) {
         if (used_ == edges_.size())
             edges_.emplace_back();
@@ -37,7 +37,7 @@ public:
         return used_++;
     }
 
-    /// From now on, edges that are no more and no larger than any `other` has had allocate nothing.
+    /// Reserves memory, so that edges no more and no larger than any of `other` allocate nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())
             edges_.resize(other.edges_.size());

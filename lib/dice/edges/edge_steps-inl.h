@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many steps strips of edges take: bounds of what their chords are off by, a strip a lane.
+// Steps of strips of edges, from bounds of their chords' errors, a strip a lane.
 #if defined(L3D_DICE_EDGES_EDGE_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_EDGES_EDGE_STEPS_INL_H
 #undef L3D_DICE_EDGES_EDGE_STEPS_INL_H
@@ -90,11 +90,11 @@ struct strip_wishes {
     row per_budget;
     /// The factor by which balance changes squared steps: 8 l3d_balance, or 1 without balance.
     row balance;
-    row grown_by; ///< how far balance can move vertices
+    row grown_by; ///< largest move of vertices by balance
 };
 
 /// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
-/// are those of chords that are not balanced, as slits may be.
+/// are those of unbalanced chords, as in slits.
 void plan_strips(const strip_nets& nets, const l3d_image_box& window, double focal,
                  const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;

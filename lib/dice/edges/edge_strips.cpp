@@ -68,7 +68,7 @@ void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
     }
 }
 
-/// Writes points and goes on behind them.
+/// Writes points one after the other.
 class point_writer {
 public:
     point_writer(const l3d_dice_view& view, const edge_strips& out)
@@ -127,7 +127,7 @@ private:
         return hn::Sub(sum, hn::Mul(moved, second));
     }
 
-    /// To sub-pixels as l3d_snap does: to nearest, ties away from zero.
+    /// Rounds to sub-pixels as l3d_snap does: to nearest, ties away from zero.
     template <class D, class I> static hn::Vec<I> snapped(D d, I di, hn::Vec<D> pixels) {
         const auto scaled = hn::Mul(pixels, hn::Set(d, double{l3d_subpixel_one}));
         const auto half = hn::CopySign(hn::Set(d, 0.5), scaled);

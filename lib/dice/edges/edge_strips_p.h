@@ -25,13 +25,13 @@ inline bool runs_backwards(const l3d_image_curve& edge) {
     return false;
 }
 
-/// Where an edge's points go, and what is known of them.
+/// The arrays that get an edge's points, and facts on them.
 struct edge_strips {
     /// Vectors are stored whole, of up to eight doubles.
     static constexpr std::size_t room =
         std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1 + 8;
 
-    double* t; ///< these have room for `room` numbers
+    double* t; ///< each array has room for `room` numbers
     std::int32_t *x, *y;
     float* inv_w;
 
@@ -40,9 +40,9 @@ struct edge_strips {
     bool too_long; ///< every control point can be drawn, but a strip needs more than 32 steps
 };
 
-/// Makes the points of those edges of which every control point can be drawn and that need at most
-/// 32 steps a strip; `strips` of others are 0. Which, and what points, is a function of each edge
-/// alone, and the same bits in reverse order for the edge reversed.
+/// Makes the points of edges whose control points can all be drawn and that need at most 32 steps a
+/// strip; `strips` of others are 0. The result depends on each edge alone, and is the same, in
+/// reverse order, for the reversed edge.
 /// Shape:  the points of edges[k] have the share shares[k] of the view's errors.
 /// Cost:   150 ns an edge of 24 points with AVX-512.
 /// Errors: points are evaluated in power form, see l3d_power_form_error.

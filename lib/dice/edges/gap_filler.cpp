@@ -43,8 +43,7 @@ template <class Point> bool covers_nothing(const Point& p, const Point& q, const
 }
 
 /// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
-/// has the level of that end, whatever it should be: then it goes farther than anything is known
-/// for.
+/// has the level of that end, which no bound covers: then the span is infinite.
 void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, double high) {
     const std::vector<double>& at = along_u ? out.u : out.v;
     if (at.size() < 2)
@@ -147,7 +146,8 @@ private:
                 piece_.has_levels ? level_at(along, i) : 0, along};
     }
 
-    /// A triangle whose corners are lit as the row is at their parameters, near its vertex `near`.
+    /// Adds a triangle whose corners get the row's light at their parameters, near its vertex
+    /// `near`.
     void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         const float seen = side_beside(near);
         if (piece_.has_levels) {
@@ -188,8 +188,8 @@ private:
                         : l3d_side_of_quad(grid_, quad, side_ == 3 ? grid_.columns - 2 : 0, side_);
     }
 
-    /// Between which vertices of the row a parameter lies, and how far from the first to the next.
-    /// One beyond an end, as of a point of the edge beside a row that begins after it, is there.
+    /// The place of a parameter in the row: two vertices, and the share of the way between them. A
+    /// parameter beyond an end counts as that end.
     struct place {
         std::size_t before, after;
         float part;
@@ -277,7 +277,7 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
             continue;
         }
         const l3d_clip_vertex next = on_row(++j);
-        add(q, p.vertex, next, side, notes, view, out); // one that covers nothing has a side, too
+        add(q, p.vertex, next, side, notes, view, out); // empty triangles have sides, too
         if (notes)
             note_edge(q, next, view, out);
     }

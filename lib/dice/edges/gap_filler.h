@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filling the slit between a piece's own boundary row and the polyline its neighbours meet along.
+// Fills the slit between a piece's own boundary row and the polyline along which neighbours meet.
 #ifndef L3D_DICE_EDGES_GAP_FILLER_H
 #define L3D_DICE_EDGES_GAP_FILLER_H
 
@@ -12,31 +12,31 @@
 struct l3d_boundary_point {
     double t = 0;
     l3d_clip_vertex vertex;
-    float side = 1; ///< light of the slit from here to the next vertex is its corners' times this
+    float side = 1; ///< factor of the corners' light in the slit from here to the next vertex
 };
 
 /// Adds triangles that fill the slit between `row` and the stretch of `edge` beside it.
 ///
 /// Both are polylines with vertices on the same curve of the surface. A triangle joins two
-/// neighbours of one with one of the other, so its vertices span at most one step. It is as far off
-/// as that step's chord: filling adds nothing to the error bound. The row may start or end between
+/// neighbours of one with one of the other, so its vertices span at most one step. Its error is
+/// that step's chord's: filling adds nothing to the error bound. The row may start or end between
 /// two points of the edge. Then the fan from the edge point below goes on in the neighbouring
-/// piece, which shares the row's end vertex.
-/// With anti-aliasing, the edge is noted in the part's border if it `is_border`.
+/// piece, which shares the row's end vertex. With anti-aliasing, the edge is noted in the part's
+/// border if it `is_border`.
 /// Shape:   row in order of rising t, at least two points.
 /// Expects: every t of `row` within [0, 1]; if it is_border, a part without a grid.
 void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
                   const l3d_dice_view& view, l3d_diced_piece& out, bool is_border = false);
 
-/// The same along a whole side of the piece's grid, where nothing needs to be clipped. The side
-/// lies along the edge from t0 to t1.
+/// Fills the slit along a whole side of the piece's grid, without clipping. The side lies along the
+/// edge from t0 to t1.
 ///
-/// First the row takes over the edge's vertices where both stand for the same points. These are the
-/// ends of strips, and all points of strips in which the row has as many steps as the edge: there
-/// the slit is empty. The row's normals stay, and are those of the triangles. If the grid shows
-/// both sides, a triangle shows the one that the quad beside it does. Shape:   side as in
-/// l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written. Expects: the edge has
-/// strips. If an end of the row lies between the edge's own ends, it is at
+/// First the row takes over the edge's vertices where both stand for the same points: at the ends
+/// of strips, and in strips with as many steps as the edge. There the slit is empty. The row's
+/// normals stay, and triangles use them. If the grid shows both sides, a triangle shows the same
+/// one as the quad beside it. Shape: side as in l3d_edge_polylines; piece.u or piece.v and the
+/// grid's blocks are written. Expects: the edge has strips. If an end of the row lies between the
+/// edge's own ends, it is at
 ///          the exact place that both neighbours compute, since the edge's points there may be
 ///          balanced.
 /// Cost:    12 ns a triangle. No allocation once there is memory for the most triangles.

@@ -50,7 +50,8 @@ struct largest_of {
     }
 };
 
-/// Lanes i on of an array of which each group of four lanes is all one element: `of` in its group.
+/// Lanes from i on of an array in which each group of four repeats one element: number `of` of its
+/// group.
 template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i / 4 * 4 + of);

@@ -27,27 +27,28 @@ using doubles = hn::CappedTag<double, points>;
 /// the image, |d (x, y) - X0 d w| + r |d w|. Units: the largest w times the reach of the centred
 /// box.
 ///
-/// The net is rounded, then summed up twice from four products. That makes 9 roundings of 2^-24, of
-/// numbers up to 1 in these units. A difference has 4 of these points and 4 roundings of its own,
-/// 40 in all. With the error of X0 d w it is 80 in x and in y, and sqrt(2) times 80 in both. The
-/// error of r |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative`
-/// has the relative error of the norm's own eight operations.
+/// The net is rounded, then summed up twice from four products: 9 roundings of 2^-24, of numbers up
+/// to 1 in these units. A difference has 4 of these points and 4 roundings of its own, 40 in all.
+/// With the error of X0 d w it is 80 in x and in y, and sqrt(2) times 80 in both. The error of r |d
+/// w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative` has the
+/// relative error of the norm's own eight operations.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same of third and fourth differences of a whole net. They are made in doubles and rounded
+/// The same for third and fourth differences of a whole net. They are made in doubles and rounded
 /// once. In these units the differences of x and y are at most 16. Those of w, which is positive,
 /// are at most 8. Their own rounding is 16 + 8, that of X0 d w is 8, and that of X0 is 8. As seen,
 /// that is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
-/// The same of w alone.
+/// The same for w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
 /// Rounding of a projected point, relative to the reach of the centred box: 9 roundings in x
 /// and in w, and two of the quotient.
 constexpr float projected_rounding = 20 * 0x1p-24F;
 
-/// Box and depths of the whole net; whether it is ordinary. The comparisons fail for NaN.
+/// Measures box and depths of the whole net, and whether it is ordinary. The comparisons fail for
+/// NaN.
 HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
     const doubles d;
     auto left = hn::Set(d, HUGE_VAL), top = left, nearest = left;
@@ -81,7 +82,7 @@ HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds&
                    out.hull.right < l3d_guard_band && out.hull.bottom < l3d_guard_band;
 }
 
-/// Moves the net to the middle of what is seen of it.
+/// Moves the net to the middle of its visible part.
 HWY_ATTR void centre(lane_bounds& out) {
     centred_net& net = out.net;
     net.x = static_cast<std::int32_t>((out.seen.left + out.seen.right) / 2);
@@ -125,12 +126,12 @@ double depth_matters_below(const l3d_dice_view& view, bool balanced) {
 struct block_surroundings {
     const l3d_image_box& window; ///< the largest part that is seen
     float reach;                 ///< largest |x' / w| or |y' / w|
-    float grown_by;              ///< how far vertices may leave the net's box
+    float grown_by;              ///< largest distance of vertices from the net's box
     float deep_below;            ///< width and height together below which depth matters
     float most_w;
 };
 
-/// Needs of the blocks in lanes `lane` on.
+/// Finds the needs of the blocks in lanes from `lane` on.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
                                      const block_surroundings& in, l3d_block_needs& needs) {
     // The visible part of each block.
@@ -150,7 +151,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     needs.visible = needs.visible || !hn::AllFalse(d, visible);
     needs.keeps_depth = needs.keeps_depth || !hn::AllFalse(d, deep);
 
-    // Its largest second differences, by the norm for what is seen.
+    // The largest second differences, by the norm for the visible part.
     const auto diagonal = hn::Sqrt(hn::Add(hn::Mul(width, width), hn::Mul(height, height)));
     const seen_norm norm{hn::Mul(half, hn::Add(left, right)), hn::Mul(half, hn::Add(top, bottom)),
                          hn::Mul(half, diagonal)};
@@ -184,7 +185,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
 }
 
-/// The norm for all of a net that is seen.
+/// The norm for the visible part of a net.
 HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
     const floats d;
     const double width = seen.width(), height = seen.height();

@@ -20,7 +20,7 @@ struct centred_net {
     double largest_xy = 0;     ///< largest |x'|, |y'| of the points
 };
 
-/// All of a patch that is needed to choose steps and to judge its vertices.
+/// The data of a patch for the choice of steps and the errors of its vertices.
 struct lane_bounds {
     /// In front of the near plane, before the far one, within the guard band. If not, nothing else
     /// is valid.
@@ -32,8 +32,8 @@ struct lane_bounds {
     l3d_block_needs needs; ///< one block, if the net is small
 };
 
-/// The slow twin is l3d_needs_of; needs are larger than its by the rounding of floats, at most:
-/// so they are bounds too.
+/// Finds the needs in lanes. The slow twin is l3d_needs_of; the needs here exceed its by at most
+/// the rounding of floats, so they are bounds, too.
 /// Cost: no more than one block takes in scalar code.
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out);
 

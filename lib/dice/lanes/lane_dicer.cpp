@@ -41,7 +41,7 @@ l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& 
 
 } // namespace
 
-/// The error that rounding adds, if registers are off by walk_xy and walk_w at the end.
+/// The error that rounding adds, if registers err by walk_xy and walk_w at the end.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                                        double snap_error) const {
@@ -60,14 +60,14 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     accuracy.seen_reach = around_centre(seen);
     accuracy.reach = around_centre(view.drawn_box(hull));
     accuracy.snap_error = snap_error;
-    // The transform's errors, and that of moving the centre, count at the picture's own place.
+    // The errors of the transform, and of moving the centre, count for places in the whole picture.
     const double moved = 4 * 0x1p-53 * bounds_.most_w * hull.reach();
     return accuracy.drawn_error(l3d_vertex_accuracy::in_front) +
            l3d_vertex_error(view.error_xy + moved, view.error_w, seen.reach(),
                             bounds_.least_w - accuracy.error_w);
 }
 
-/// Chooses the registers, and what 1 is in them; whether they are exact enough.
+/// Chooses the registers and their units; false if none is exact enough.
 template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
@@ -149,7 +149,7 @@ l3d_lane_dicer<T>::certificate(const l3d_patch_part& piece, const l3d_dice_view&
     return result;
 }
 
-/// Places and depths of the grid that is planned.
+/// Walks places and depths of the planned grid.
 template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_surface_part& part) {
     // Parameters of columns and rows, and the size of the grid.
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);
@@ -177,7 +177,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
                              const l3d_dice_view& view, l3d_diced_piece& out) {
     l3d_surface_part& part = out.part;
     walk(view, part);
-    constexpr int most_more = 2; // each may double the steps
+    constexpr int most_more = 2; // each round may double the steps
     const double depth_budget = view.chord_budget(depth_error_);
     for (int more = 0;
          more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs);
@@ -199,7 +199,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
     else
         l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
 
-    // The results that slits and counts ask for.
+    // The data for slits and counts.
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
     out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;
@@ -229,7 +229,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
             l3d_note_outline_edge(out, side, edges[side], view);
         counts.add_edge(edges[side].size(), edges[side].bound());
     }
-    // Slits lie between vertices of the patch and of its edges, each off by its own error.
+    // Slits lie between vertices of the patch and of its edges, each with its own error.
     counts.bound_px = std::max({counts.bound_px, out.bound, edge_chord + row_error_});
     counts.add_surface(certificate(whole, view, bends, out), edge_chord + row_depth_error_);
     ++counts.drawn;

@@ -23,7 +23,7 @@
 /// Cost:  no allocation but what `out` needs to be larger than ever before.
 template <class T> class l3d_lane_dicer {
 public:
-    /// The patch in one piece, grid and slits. It leaves out nothing, even where it could.
+    /// Dices the patch in one piece, with grid and slits. It leaves nothing out.
     ///
     /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
     /// Expects: tolerance > 0, near > 0.
@@ -35,8 +35,8 @@ public:
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
 
-    /// The steps of a patch or piece whose edges' vertices are off by `edge_vertex`; more than 32 a
-    /// strip are too many to be filled.
+    /// The steps of a patch or piece whose edges' vertices err by `edge_vertex`; more than 32 a
+    /// strip are too many for fill().
     /// Lives:  until the next one is planned.
     /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
     const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,
@@ -47,11 +47,11 @@ public:
                                         const l3d_bend_bounds& bends,
                                         const l3d_diced_piece& out) const;
 
-    /// How far vertices of slits along the sides of what was planned last are from the surface.
+    /// The error of depth of the slits' vertices along the sides of the last plan.
     /// Units: pixels at their depth.
     double row_depth_error() const { return row_depth_error_; }
 
-    /// The grid of what was planned last, its parameters and its bound.
+    /// Fills the grid of the last plan, its parameters and its bound.
     /// Expects: at most 32 steps a strip were planned, of the piece's own net.
     void fill(const l3d_patch_part& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);

@@ -55,7 +55,7 @@ using float_lanes = hn::Vec<floats>;
 
 using six_lanes = std::array<float_lanes, quintic_weights::order>;
 
-/// Six vectors: what `at` gives for 0 to 5.
+/// Six vectors: the values of `at` for 0 to 5.
 template <class At> HWY_ATTR HWY_INLINE six_lanes six_of(const At& at) {
     return {at(0), at(1), at(2), at(3), at(4), at(5)};
 }
@@ -80,7 +80,7 @@ HWY_ATTR HWY_INLINE normal_lanes direction_of(const std::array<float, 3>& v) {
     return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
 
-/// 1 / length, or 0 where there is nothing but rounding.
+/// 1 / length, or 0 where the normal may be rounding alone.
 HWY_ATTR HWY_INLINE float_lanes over_length(const normal_lanes& n) {
     const floats d;
     const auto square = dot(n, n), rounding = hn::Set(d, normal_rounding * normal_rounding);
@@ -145,7 +145,7 @@ private:
     normal_lanes ray_, right_, down_;
 };
 
-/// Vertices column vector by column vector, from top to bottom.
+/// Writes vertices column vector by column vector, from top to bottom.
 template <class Writer>
 HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
                                       const l3d_micro_grid& grid, Writer& writer) {

@@ -13,9 +13,9 @@
 
 namespace l3d_detail {
 
-/// A normal shorter than this is nothing but rounding, as in l3d_unit_normal. Such normals occur
-/// where the net's own coefficients vanish, as in the corner of a singular patch. Weights of all
-/// others are exactly 0 there.
+/// Normals shorter than this may be rounding alone, as in l3d_unit_normal. They occur where the
+/// net's own coefficients vanish, as in the corner of a singular patch, where all other weights are
+/// exactly 0.
 inline constexpr float normal_rounding = 0x1p-43F;
 
 /// A number of every vertex of a grid, and of one vector more, kept for its memory.
@@ -36,8 +36,8 @@ void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const
 
 /// Writes levels and bends, as l3d_micro_vertex has them, of normals that are turned to the eye.
 /// The slow twin is l3d_light_grid. Expects: as above.
-/// Errors:  each level is good to 229.5 times what the unit normal is: 2^-16 where the normal's
-///          coefficients are not much larger than the normal.
+/// Errors: each level errs by 229.5 times the error of the unit normal: 2^-16 where the normal's
+///         coefficients are not much larger than the normal.
 void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                      const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
 

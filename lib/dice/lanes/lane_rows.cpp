@@ -24,15 +24,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using doubles = hn::CappedTag<double, lane_columns>;
 
 /// For each strip, the point where it starts, [coordinate][column], and one more for the last
-/// strip's end. And four registers of three coordinates, [4 * coordinate + difference][column], of
-/// the balanced curve from there on.
+/// strip's end. Besides, four registers of three coordinates, [4 * coordinate +
+/// difference][column], of the balanced curve from there on.
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
     alignas(64) Number point[5][3][lane_columns];
     alignas(64) Number at[4][registers][lane_columns];
 };
 
-/// How starts are stored in the registers' type.
+/// Stores starts in the registers' type.
 HWY_ATTR HWY_INLINE void put(hn::Vec<doubles> value, double, float* out) {
     const hn::Rebind<float, doubles> d;
     hn::Store(hn::DemoteTo(d, value), d, out);
@@ -60,7 +60,7 @@ template <class D, class V> HWY_ATTR HWY_INLINE auto as_float(D, V value) {
         return hn::ConvertTo(float_tag<D>(), value);
 }
 
-/// To nearest, as 32-bit integers.
+/// Rounds to nearest, as 32-bit integers.
 template <class D> HWY_ATTR HWY_INLINE auto snapped(D, hn::Vec<D> value) {
     if constexpr (sizeof(hn::TFromD<D>) == 4)
         return hn::NearestInt(value);
@@ -111,7 +111,7 @@ struct difference_weights {
     }
 };
 
-/// Starts of the columns at u, for all strips, in lanes i on.
+/// Finds the starts of the columns at u, for all strips, in lanes from i on.
 template <class Number>
 HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
                                const difference_weights* weights, std::size_t column, std::size_t i,
@@ -162,7 +162,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
     }
 }
 
-/// Walks lanes i on of the columns that begin with `column`.
+/// Walks lanes from i on of the columns that begin with `column`.
 template <class Number>
 HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Number>& starts,
                                    std::size_t column, std::size_t i, l3d_micro_grid& grid) {
@@ -174,7 +174,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const hn::Rebind<float, decltype(df)> ds;
     const auto to_pixels =
         hn::Set(df, static_cast<real>(l3d_subpixel_one * walk.register_w / walk.register_xy));
-    // Two factors, for their product may not fit a float where what it makes of 1 / w does.
+    // Two factors, since their product may not fit a float where its product with 1 / w does.
     const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
     const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);

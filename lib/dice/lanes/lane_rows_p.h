@@ -11,7 +11,8 @@
 
 namespace l3d_detail {
 
-/// Columns and rows that are taken at a time; what is beyond the last one is there, and finite.
+/// Columns and rows that are taken at a time; the arrays are filled with finite numbers beyond the
+/// last one.
 inline constexpr std::size_t lane_columns = 16;
 
 /// Parameters along one direction of a grid of at most 4 strips.
@@ -19,7 +20,7 @@ struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
-    alignas(64) double moved[room]; ///< how much of its second derivative a vertex is moved by
+    alignas(64) double moved[room]; ///< part of its second derivative by which a vertex is moved
     std::size_t count = 0;
 
     /// Rounded up to whole vectors.
@@ -28,17 +29,17 @@ struct lane_parameters {
     /// The middle between each and the next; the last one again.
     lane_parameters middles() const;
 
-    /// The points i / n of each of the strips; 1 from the last one on. Balanced or not.
+    /// Sets the points i / n of each strip, balanced or not; 1 from the last one on.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 
-    /// From now on those of the stretch from low to high.
+    /// Maps the parameters to the stretch from low to high.
     void place(double low, double high);
 };
 
 /// The kinds of registers in which columns can be walked.
 enum class lane_register { float_32, float_64, fixed_32, fixed_64 };
 
-/// Where vertices come from and go to.
+/// The source and the target of vertices.
 struct lane_walk {
     const centred_net& net;
     const lane_parameters& u;

@@ -8,11 +8,12 @@
 
 namespace l3d_detail {
 
-/// How much of control point `from` of a cubic is in control point `to` of its part on
-/// [strip / 4, (strip + 1) / 4].
+/// The weight of control point `from` of a cubic in control point `to` of its part on [strip / 4,
+/// (strip + 1) / 4].
 ///
-/// A part's control point is the blossom at its ends, the one as often as the other: de Casteljau's
-/// scheme with another parameter at each level. A multiple of 1/64, so exact in a float.
+/// A part's control point is the blossom at its ends, in the numbers that `to` says: de Casteljau's
+/// scheme with another parameter at each level. The weight is a multiple of 1/64, so exact in a
+/// float.
 /// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
 constexpr float quarter_weight(int strip, int to, int from) {
     std::array<double, 4> p{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_outlines: sheets that are close, and outlines that are seen.
+// l3d_frame_outlines: close sheets, and visible outlines.
 #include "dice/outlines/frame_outlines.h"
 
 #include "dice/outlines/outline_search.h"
@@ -16,7 +16,7 @@ void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_matrix<do
     to_image_ = to_image;
     view_ = view;
     focal_ = focal;
-    sides_.clear(); // a model may have gone, and another come to its place
+    sides_.clear(); // another model may have come to a gone one's address
     depths_.begin(view.size, focal);
 }
 
@@ -34,7 +34,7 @@ void l3d_frame_outlines::add(const l3d_placed_patch& patch,
 
 void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double near) {
     mask_.begin(view_.size);
-    // Where nobody knows a bound of depth, that of places stands for it.
+    // The bound of places stands for an unknown bound of depth.
     const double depth_bound = std::isfinite(depth_bound_px) ? depth_bound_px : bound_px;
     const double bound = std::max(bound_px, depth_bound);
     for (int y = 0; y < view_.size.height; ++y)
@@ -49,7 +49,7 @@ void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double n
         const l3d_patch_model& model = instance.model();
         const auto eye = l3d_eye_of(to_image);
         for (std::size_t i = 0; eye && i < model.patches().size(); ++i) {
-            // Backs that nobody wants to see have no outlines.
+            // Backs that are not drawn have no outlines.
             if (view_.one_sided && model.facing(i).away_from(*eye, 1) == l3d_facing_cones::all)
                 continue;
             const auto& patch = model.patches()[i];

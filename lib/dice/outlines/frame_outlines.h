@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_outlines: the pixels of a frame in which outlines leave open what is seen.
+// l3d_frame_outlines: the pixels of a frame in which an outline may change the visible surface.
 #ifndef L3D_DICE_OUTLINES_FRAME_OUTLINES_H
 #define L3D_DICE_OUTLINES_FRAME_OUTLINES_H
 
@@ -14,7 +14,7 @@
 #include <map>
 #include <span>
 
-/// Gathers what a frame draws, and finds its outlines when all is drawn (NUMERICS, Outlines).
+/// Gathers a frame's surfaces, and finds their outlines when all is drawn (NUMERICS, Outlines).
 ///
 /// Lives: borrows the scene from begin to finish.
 /// Cost:  36 bytes a pixel; drawing all once more on one thread; l3d_outline_search of all patches

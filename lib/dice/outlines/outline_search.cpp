@@ -13,15 +13,15 @@ namespace {
 using vector = l3d_vector<double, 3>;
 using place = l3d_picture_place;
 
-/// Whether a piece is hidden is asked until it is so small: over smaller ones the surface around
-/// an outline is not told from what hides it. Units: pixels.
+/// Smallest size of a piece that is tested for being hidden: around a smaller one, the surface at
+/// an outline cannot be told from one that hides it. Units: pixels.
 constexpr double least_asked = 8;
 
-/// Sides are looked for in pieces no larger than this, and no line of an outline is longer.
+/// Largest size of a piece in which sides are searched, and longest line of an outline.
 /// Units: pixels.
 constexpr double longest_line = 16;
 
-/// 2^-20 of a patch along both directions: where that is not enough, nothing is known.
+/// Halvings down to 2^-20 of a patch along both directions; beyond, nothing is known.
 constexpr int most_levels = 40;
 
 /// Pieces in a frame; beyond it, the rest is taken as boxes.
@@ -34,9 +34,9 @@ double mean(double a, double b) {
     return (a + b) / 2;
 }
 
-/// How far the picture of a piece or a curve is from a linear one, whose value is X. That is sum
-/// B_i (x_i - X w_i). It equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), since sum B_i X_i =
-/// X.
+/// The distance of a piece's or a curve's picture from a linear one, whose value is X. It is sum
+/// B_i (x_i - X w_i), which equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), since sum B_i
+/// X_i = X.
 struct linear_error {
     double most = 0, least_w = 0, most_w = 0;
 
@@ -67,7 +67,7 @@ l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, 
       farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
       mask_(mask) {}
 
-/// A patch is cut by near planes that are no farther than its own errors push them.
+/// Takes a patch's share of errors: its near planes are no farther than these errors push them.
 void l3d_outline_search::take_share(double share) {
     view_.take_share(whole_, share);
     radius_ = bound_ + view_.error_xy / std::max(view_.near, 1e-300);
@@ -184,7 +184,7 @@ void l3d_outline_search::search(const piece& p) {
     split(next);
 }
 
-/// Along its longer direction in space.
+/// Halves a piece along its longer direction in space.
 void l3d_outline_search::split(const piece& p) {
     double along_u = 0, along_v = 0;
     for (int line = 0; line < 4; ++line)
@@ -193,7 +193,7 @@ void l3d_outline_search::split(const piece& p) {
             along_v += l3d_length(p.patch.at(i + 1, line) - p.patch.at(i, line));
         }
     const bool in_u = along_u >= along_v;
-    // On the heap: as many lie below each other as there are halvings.
+    // On the heap, since the recursion is as deep as there are halvings.
     const auto halves = std::make_unique<std::array<piece, 2>>();
     auto& [low, high] = *halves;
     std::tie(low.patch, high.patch) = in_u ? p.patch.split_u() : p.patch.split_v();
@@ -220,8 +220,8 @@ void l3d_outline_search::split(const piece& p) {
     }
 }
 
-/// Whether all that is drawn in and around a box is nearer than the surface. It must be nearer than
-/// the surface's nearest point by as much as the surface bends, since it goes on beside the piece.
+/// Whether everything drawn in and around a box hides the surface. It must be nearer than the
+/// surface's nearest point by as much as the surface bends, since that goes on beside the piece.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const double nearest = view_.depth_scale / w.least, farthest = view_.depth_scale / w.most;
     const double limit = (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
@@ -248,7 +248,7 @@ void l3d_outline_search::add_box(const l3d_image_box& box) {
               fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
-/// The places as one line, wider by what they lie beside it. False, with nothing done, if it would
+/// Adds places as one line, wider by their distance from it. False, with nothing done, if it would
 /// be too long or too wide.
 bool l3d_outline_search::add_straight(const place* places, std::size_t count, double error,
                                       double radius) {
@@ -291,8 +291,8 @@ void l3d_outline_search::add_curve(const l3d_image_curve& curve, int level) {
     add_curve(high, level + 1);
 }
 
-/// Where a polynomial may be 0: a strip of the piece, as wide as the polynomial is off from a
-/// linear one; its picture is nearly a line. True if that is done, or if there is none.
+/// Adds the places where a polynomial may be 0: a strip of the piece, as wide as the polynomial's
+/// distance from a linear one; its picture is nearly a line. True if it is added, or empty.
 template <std::size_t N>
 bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     constexpr std::size_t end = N - 1;
@@ -311,7 +311,8 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     if (std::abs(middle) - (std::abs(in_s) + std::abs(in_t)) / 2 > off)
         return true;
 
-    // Corners of the strip: of the unit square in it, and where its two lines meet the square.
+    // Corners of the strip: the unit square's corners in it, and the crossings of its two lines
+    // with the square.
     constexpr std::size_t most_corners = 12;
     place corners[most_corners];
     std::size_t count = 0;

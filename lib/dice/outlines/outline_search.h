@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_outline_search: where the outlines of exact patches lie in the picture.
+// l3d_outline_search: finds the outlines of exact patches in the picture.
 #ifndef L3D_DICE_OUTLINES_OUTLINE_SEARCH_H
 #define L3D_DICE_OUTLINES_OUTLINE_SEARCH_H
 
@@ -18,16 +18,16 @@
 /// nearly straight. The straight outline is put into a mask, as wide as the bound.
 ///
 /// Outlines are sides that are asked for, the cuts by the near and the far plane, and folds: where
-/// the normal is perpendicular to the line of sight. All bounds are of exact patches: nothing
-/// depends on how they are drawn. The drawn depth says only whether an outline is visible.
+/// the normal is perpendicular to the line of sight. All bounds are those of exact patches, however
+/// drawn. The drawn depth says only whether an outline is visible.
 /// Cost:    some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Beside a fold, both its sheets are within `depth_bound` of being one, up to half of that
-    /// bound away from the fold. Its picture is a parabola d = k t^2 / 2 over the depth t, and the
-    /// normal's slope there is k t. So the sheets, which are 2 t apart, are 4 d apart along the
-    /// normal, and each of them may be off.
-    /// Units:   pixels; `farthest_near` in the view's w: of all near planes that were drawn with.
+    /// Beside a fold, up to half of `depth_bound` away, its two sheets are closer than their bounds
+    /// of depth. The fold's picture is a parabola d = k t^2 / 2 over the depth t, and the normal's
+    /// slope is k t. So the sheets, 2 t apart in depth, are 4 d apart along the normal, and each
+    /// may err.
+    /// Units:   pixels; `farthest_near` in the view's w: the farthest near plane in use.
     /// Lives:   borrows depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
                        double farthest_near, const l3d_two_layer_depths& depths,
@@ -45,7 +45,7 @@ private:
     using vector = l3d_vector<double, 3>;
     static constexpr std::size_t order = 6; ///< order of normals, of degree 5
 
-    /// A part of a patch, and what it may still have.
+    /// A part of a patch, and the outlines that it may still have.
     struct piece {
         l3d_bezier_patch<double, 3> patch; ///< from the eye
         l3d_image_patch net;

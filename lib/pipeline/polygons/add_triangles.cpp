@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t together = 4;
 static_assert(l3d_micro_triangles::lanes % together == 0);
 
-/// A corner of each of them, and how its normal is turned round.
+/// A corner of each of the triangles, and the bit that turns its normal round.
 struct corner_records {
     std::array<const placed_vertices::place*, together> places;
     std::array<const placed_vertices::normal*, together> normals;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// corner_tree: which corners of a flat polygon are left, and whether any is in a triangle.
+// corner_tree: the remaining corners of a flat polygon, and whether any is in a triangle.
 #ifndef L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 #define L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 
@@ -27,8 +27,8 @@ inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_pl
 /// A tree of halves of the corners, by the wider side of their box, with the number that is left in
 /// each.
 ///
-/// Cost:    n log n to make. A question looks at about sqrt(n) boxes if the triangle is empty, as
-///          those are that its sides cross, and at fewer if it is not.
+/// Cost: n log n to make. A question for an empty triangle looks at the boxes that its sides cross,
+///       about sqrt(n), and for others at fewer.
 /// Source:  Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
 ///          1975).
 class corner_tree {
@@ -36,12 +36,11 @@ public:
     /// Lives: borrows the places.
     explicit corner_tree(std::span<const flat_place> places);
 
-    /// Forgets a corner. Expects: it was left.
+    /// Removes a corner. Expects: it is not removed yet.
     void remove(std::size_t corner);
 
-    /// Whether blocks(p, {ab, bc, ca}) is true for a corner p that is left, other than these three,
-    /// and in their triangle or on its sides. The numbers are turn() of p and each side, and not
-    /// negative.
+    /// Whether blocks(p, {ab, bc, ca}) is true for any other remaining corner p in the triangle or
+    /// on its sides. The numbers are turn() of p and each side, and not negative.
     /// Expects: the triangle is counterclockwise.
     template <class Blocks>
     bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {

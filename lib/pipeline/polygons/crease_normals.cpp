@@ -15,10 +15,10 @@ float cosine(double degrees) {
     return static_cast<float>(std::cos(degrees * std::numbers::pi / 180));
 }
 
-/// Normals are rounded to float, so that those of coplanar faces differ by some ulps: 1 less.
+/// Margin for normals rounded to float: those of coplanar faces differ by some ulps.
 constexpr float rounding = 1e-6F;
 
-/// The first of the corners that hang together with one.
+/// The first of the corners connected with a corner.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];

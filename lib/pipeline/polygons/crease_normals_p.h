@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crease_normals: the normals of corners where faces meet at an edge that is to be seen.
+// crease_normals: the normals of corners where faces meet at a visible edge.
 #ifndef L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
 #define L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
 
@@ -47,7 +47,7 @@ private:
     struct corner {
         std::uint32_t face, before, after;
     };
-    /// Where a vertex's face has its normal.
+    /// The place of the normal of a vertex's face.
     struct place {
         std::uint32_t vertex, face, normal;
         friend auto operator<=>(const place&, const place&) = default;
@@ -68,7 +68,7 @@ private:
     };
     /// The corners around a vertex; kept for their memory.
     std::vector<end> ends_;
-    std::vector<std::uint32_t> groups_; ///< another one that hangs together with it
+    std::vector<std::uint32_t> groups_; ///< another corner connected with each
     std::vector<vector> sums_;
     std::vector<std::uint32_t> numbers_;
 };

@@ -51,8 +51,8 @@ private:
     }
 
     /// Whether the face's border enters the inside of a triangle at a corner that is in it or on
-    /// it. From the diagonal between a and c, it could leave only by a corner that is inside, or at
-    /// b, and these are asked, too.
+    /// it. A border that enters by the diagonal between a and c could leave only at a corner
+    /// inside, or at b, and these are asked, too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
         const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;
@@ -66,7 +66,8 @@ private:
         return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
-    /// The first of a queue that is still one of its kind, or none: corner 0 is never cut off.
+    /// The first corner of a queue that still is of the queue's kind, or 0 for none: corner 0 is
+    /// never cut off.
     template <class Queue, class Still>
     static std::size_t first_of(Queue& queue, const Still& still) {
         while (!queue.empty()) {
@@ -90,7 +91,8 @@ private:
         };
         if (const std::size_t flat = first_of(flat_, is_flat))
             return flat;
-        // Where corners coincide, an ear may have come up that is no neighbour of what was cut off.
+        // Where corners coincide, a corner may have become an ear that is no neighbour of the last
+        // one cut off.
         if (surveys_ < most_surveys) {
             ++surveys_;
             for (std::size_t i = next_[0]; i != 0; i = next_[i])
@@ -120,7 +122,7 @@ private:
     std::vector<std::size_t> next_, previous_;
     std::size_t left_;
     std::vector<bool> is_ear_, is_cut_;
-    /// Those that were ears, or flat, when they were judged, the first on top.
+    /// Corners that were ears, or flat, when they were judged; the first is on top.
     using queue =
         std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<std::size_t>>;
     queue ears_, flat_;
@@ -175,7 +177,8 @@ std::vector<flat_face::triangle> flat_face::triangles() const {
     return fan;
 }
 
-/// Turns left everywhere, never back, and goes round once: right, then left along u.
+/// Whether the border turns left everywhere, never back, and goes round once: right, then left
+/// along u.
 bool flat_face::is_convex() const {
     const std::size_t n = places_.size();
     int reversals = 0;

@@ -25,12 +25,12 @@ public:
 
     flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face);
 
-    /// The triangles that the face consists of, two fewer than its corners. A polygon is covered
-    /// once, if it does not cross itself; corners and sides of it may touch, as where a way leads
-    /// to the border of a hole and back. One that crosses itself becomes some triangles or other.
+    /// The triangles that the face consists of, two fewer than its corners. They cover a polygon
+    /// once, if it does not cross itself. Its corners and sides may touch, as where a path leads to
+    /// the border of a hole and back. Crossing polygons become arbitrary triangles.
     ///
-    /// The first corner that makes a triangle with its neighbours which the border does not enter
-    /// is cut off, again and again.
+    /// Each step cuts off the first ear: a corner whose triangle with its neighbours the border
+    /// does not enter.
     /// Cost:    linear for a convex face. Else n log n, and three questions to a corner_tree for
     ///          each corner: cutting one off changes the triangles of its neighbours alone.
     /// Source:  Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).

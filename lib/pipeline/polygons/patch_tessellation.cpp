@@ -24,7 +24,7 @@ std::array<double, 3> numbers(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// Whether a curve is to be evaluated from its other end, so that both patches do it alike.
+/// Whether a curve is evaluated from its other end, so that both patches evaluate it alike.
 bool runs_backwards(const curve& c) {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto from = numbers(c.points[i]), to = numbers(c.points[3 - i]);
@@ -58,8 +58,8 @@ point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// A patch may fold within less than a facet, as the teapot's do at the top of the knob. There its
-/// normal may point to the other side of all facets around, and the facets decide.
+/// Turns normals to the side of the facets around. They may disagree where a patch folds within
+/// less than a facet, as the teapot's do at the top of the knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -13,10 +13,10 @@
 
 struct l3d_model_file;
 
-/// Largest n that programs take: 2 n^2 triangles for each patch are two millions of the teapot.
+/// Largest n that programs take: 2 n^2 triangles for each patch make two million for the teapot.
 inline constexpr int l3d_most_facets = 192;
 
-/// The n of models that are drawn as polygons where nobody says otherwise.
+/// The usual n of models that are drawn as polygons.
 inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles.

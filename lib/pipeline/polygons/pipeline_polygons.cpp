@@ -181,7 +181,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
             {"v", "perspective, parallel", {{'v', project}}}};
 }
 
-/// How the model is turned and projected belongs to the view; how it is painted does not.
+/// Resets the turn and the projection of the model, which belong to the view, but no colours.
 void l3d_pipeline_polygons::reset_view() {
     settings_.rotation = first_settings_.rotation;
     settings_.projection = first_settings_.projection;

@@ -29,19 +29,19 @@ class l3d_polygon_wires;
 enum class L3D_PUBLIC l3d_polygon_style {
     solid,        ///< faces, filled
     wireframe,    ///< the sides of all faces but culled ones
-    hidden_lines, ///< the sides, without what faces hide
+    hidden_lines, ///< the sides, but for parts that faces hide
 };
 
 /// The answer of l3d_pipeline_polygons::why_empty if all faces were left out as they are seen from
 /// behind.
 inline constexpr const char* l3d_turning_its_back = "turning its back";
 
-/// How a model is to be drawn.
+/// The settings by which a model is drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
     /// Surfaces, or lines.
     l3d_polygon_style style = l3d_polygon_style::solid;
 
-    /// How surfaces get their colours.
+    /// The way in which surfaces get their colours.
     l3d_shade shade = l3d_shade::lambert;
 
     /// Whether far things look smaller.
@@ -53,7 +53,8 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The colours of lights, and further lights.
     l3d_lighting lighting{};
 
-    /// One light goes with the eye, in place of those: l3d_headlight. So no side is in the dark.
+    /// One light goes with the eye, in place of `light` and `lighting`: l3d_headlight. So no side
+    /// is in the dark.
     bool headlight = false;
 
     /// The turn about x, y and z, round the middle of the box. Units: degrees.
@@ -97,12 +98,12 @@ class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:
     ~l3d_pipeline_polygons() override;
 
-    /// Where the pictures are shown.
+    /// The screen that shows the pictures.
     l3d_screen& screen() { return *screen_; }
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }
 
-    /// The last frame drawn; the hash is counted when asked for.
+    /// The report of the last frame drawn; each call computes the hash.
     l3d_polygon_report report() const;
 
     /// The eye that the next frame is drawn for; a reference to change it. The next draw_event

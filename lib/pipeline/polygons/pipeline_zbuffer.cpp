@@ -45,7 +45,7 @@ void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
     report.renderer = rasterizer.describe();
 }
 
-/// GL has no fog as ours is: processors draw such frames.
+/// The rasterizer for a shading: GL lacks our fog, so processors draw such frames.
 l3d_surface_rasterizer& l3d_pipeline_zbuffer::rasterizer_for(const l3d_shading& shading) {
     if (!shading.fog.is_on() || rasterizer_->inspects())
         return *rasterizer_;

@@ -42,7 +42,8 @@ void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float
 }
 
 /// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
-/// the window at all: for the pieces of clipped ones what choose_triangles finds for whole ones.
+/// the window at all. It is for pieces of clipped triangles; choose_triangles does the same for
+/// whole ones.
 bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
                  l3d_size size, bool squares) {
     const auto first = [squares](std::int32_t least) {
@@ -121,7 +122,8 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     }
 }
 
-/// Where the near plane cuts a body, its inside is seen; the ball around the model tells.
+/// Whether no back can be seen. The near plane may open a body and show its inside; the ball around
+/// the model tells.
 bool l3d_polygon_frame::hides_backs(const l3d_polygon_model& model,
                                     const l3d_polygon_view& view) const {
     const double nearest = placed(view.matrix(), model.centre())[2] - model.radius() * (1 + 1e-9);
@@ -155,7 +157,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     }
 }
 
-/// All that are chosen but the last one, if that must be clipped.
+/// Adds the chosen triangles, except the last one if it must be clipped.
 void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles& chosen,
                                   chunk& to) {
     const std::size_t count = chosen.count - (chosen.clipped ? 1 : 0);
@@ -190,7 +192,7 @@ void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangle
     }
 }
 
-/// Those of the last `count` triangles of the part.
+/// Notes the turns of the last `count` triangles of the part.
 void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = all.count - count; i < all.count; ++i) {
@@ -201,8 +203,8 @@ void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     }
 }
 
-/// The sides beyond which no triangle goes on that turns alike: there the surface may end or fold
-/// over. A triangle that covers nothing has no sides: those beside it do.
+/// Notes the sides beyond which no triangle turns alike: there the surface may end or fold over. A
+/// triangle that covers nothing adds no sides: its neighbours do.
 void l3d_polygon_frame::make_border(chunk& of) const {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = 0; i < all.count; ++i) {
@@ -228,7 +230,7 @@ void l3d_polygon_frame::make_border(chunk& of) const {
     }
 }
 
-/// That of the face or of its corner, turned round on the face's other side.
+/// The normal of the face or of its corner, turned round on the face's other side.
 l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, std::size_t triangle,
                                                        std::size_t corner, bool from_behind) {
     const auto& of = in.how.smooth ? in.model.corner_normal(triangle, corner)

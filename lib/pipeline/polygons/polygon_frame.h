@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-/// Vertices once each to the picture, then faces: which are seen, clipped where they must be.
+/// Takes each vertex to the picture once, then finds the faces that are seen, and clips some.
 ///
 /// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
 /// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
@@ -32,17 +32,18 @@
 ///          anti-aliasing, 13 more per triangle of the model.
 class l3d_polygon_frame {
 public:
-    /// Which triangles are made, and how.
+    /// The choice of triangles, and their form.
     struct way {
         /// Faces seen from behind are left out.
         bool cull = true;
-        /// Vertices have their own normals; else all of a face have the face's.
+        /// Vertices have their own normals; else each corner has its face's.
         bool smooth = false;
         /// Also triangles that hold no pixel's centre, and the borders of parts.
         bool antialias = false;
         /// Parts are made. Else triangles can only be listed. Expects: true for anti-aliasing.
         bool parts = true;
-        /// Faces seen from behind are left out, too, where closed bodies hide them all.
+        /// Without `cull`, faces seen from behind are still left out if closed bodies hide them
+        /// all.
         bool cull_hidden = false;
         /// The place of the model's first material among those of the picture.
         std::uint32_t first_material = 0;
@@ -62,14 +63,15 @@ public:
     /// Lives:   until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
-    /// The same triangles one by one, with the sides that are sides of faces. The outline of the
-    /// rest of a clipped triangle.
+    /// Lists the same triangles one by one, with the sides that are sides of faces. A clipped
+    /// triangle has the outline of its rest.
     /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
     /// Where the parts of that list end.
     std::vector<std::size_t> ends() const;
-    /// Those of one part. Expects: `out` has as many elements as the part has triangles.
+    /// Lists the triangles of one part. Expects: `out` has as many elements as the part has
+    /// triangles.
     void list_part(std::size_t part, std::span<l3d_painter_triangle> out) const;
 
     const l3d_polygon_counts& counts() const { return counts_; }
@@ -99,7 +101,7 @@ private:
         l3d_dice_view window;
         way how;
         std::span<const std::size_t> ends;
-        std::size_t in_chunk; ///< triangles, if there are no ends
+        std::size_t in_chunk; ///< triangles in a chunk without ends
     };
 
     using normal = std::array<float, 3>;

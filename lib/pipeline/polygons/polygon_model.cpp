@@ -19,7 +19,8 @@ namespace {
 using vector = l3d_polygon_model::vector;
 using direction = l3d_polygon_model::direction;
 
-/// Zero has none. Squares of a length beyond 2^511, or of one below its inverse, are no doubles.
+/// The unit vector, or zero for zero. Squares of lengths beyond 2^511, or below its inverse, do not
+/// fit doubles.
 direction unit(const vector& v) {
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     const bool has_square = largest < 0x1p511 && largest > 0x1p-511;
@@ -72,7 +73,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
     make_materials(looks);
 }
 
-/// Vertices that no face uses are not seen, and may be anywhere.
+/// Measures the box of the vertices in use; the others may be anywhere.
 void l3d_polygon_model::contents::measure() {
     std::vector<bool> is_seen(mesh.vertices.size(), mesh.corners.empty());
     for (const std::uint32_t corner : mesh.corners)
@@ -224,10 +225,9 @@ void l3d_polygon_model::contents::make_facing_blocks() {
     }
 }
 
-/// Normals point to the side from which corners run counterclockwise, whatever a file takes for
-/// its outside: the side that is seen is lit. Where a surface folds over, a vertex' normal points
-/// to one side of it for some faces, and to the other side for others. Between two opposite normals
-/// there would be darkness.
+/// Turns normals to the side from which corners run counterclockwise, whatever a file takes for its
+/// outside: the visible side is lit. Where a surface folds over, faces around one vertex need
+/// opposite normals. Between two opposite normals there would be darkness.
 void l3d_polygon_model::contents::turn_normals_to_faces() {
     const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
         return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_model: a mesh with what can be known of it before any frame.
+// l3d_polygon_model: a mesh, with everything that frames need of it computed once.
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 
@@ -42,8 +42,8 @@ inline constexpr double l3d_usual_crease_angle = 30;
 /// A polygon mesh ready to be drawn: faces as triangles, normals of faces and vertices, its box.
 ///
 /// Faces of more than three corners are cut into triangles by clipping ears, in the plane they are
-/// most parallel to. That takes n log n time for n corners. Faces that cross themselves become some
-/// triangles or other. A model never changes after it is made. Its copies share its contents.
+/// most parallel to. That takes n log n time for n corners. Faces that cross themselves become
+/// arbitrary triangles. A model never changes after it is made. Its copies share its contents.
 /// Lives:   the contents live as long as any copy does, such as the one in a pipeline.
 /// Cost:    memory per triangle 22 bytes and 12 for the face's normal, per vertex 12 for its
 ///          normal, beside the mesh's own: 68 bytes per face of a closed mesh of triangles. A copy
@@ -63,9 +63,10 @@ public:
     l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
     ~l3d_polygon_model() = default;
 
-    /// With `to_origin`, all is moved so that the mean of the vertices is the origin. Faces whose
-    /// normals are at most the crease angle apart look smooth where they meet, unless the mesh has
-    /// normals: then these count. Faces of four corners that cross themselves become two triangles.
+    /// A model of this mesh. With `to_origin`, it is moved so that the mean of the vertices is the
+    /// origin. Faces whose normals are at most the crease angle apart look smooth where they meet,
+    /// unless the mesh has normals: then these count. Faces of four corners that cross themselves
+    /// become two triangles.
     /// Units:   degrees.
     /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12; an angle of 0 to 180.
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
@@ -77,8 +78,7 @@ public:
     ///         neither polygons nor patches.
     static l3d_polygon_model load(const std::string& file);
 
-    /// The polygons as they were given but for faces that crossed themselves, or moved to the
-    /// origin.
+    /// The given polygons, but for faces that crossed themselves and a move to the origin.
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
     /// The triangles of all faces that are shown, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
@@ -112,12 +112,12 @@ public:
     /// The named parts of the faces.
     const l3d_parts& parts() const { return contents_->parts; }
 
-    /// The same faces, those of one part of another material. Expects: an index of
+    /// A model in which the faces of one part have another material. Expects: an index of
     /// parts().names().
     l3d_polygon_model part_painted(std::size_t part, const l3d_material& material) const;
 
-    /// A model that shows some parts alone; what belongs to no part is left out. It keeps its mesh,
-    /// and turns about the same centre; triangles() has only those that are shown.
+    /// A model that shows some parts alone; faces without a part are left out. It keeps its mesh,
+    /// and turns about the same centre; triangles() has only the shown ones.
     /// Expects: indices of parts().names().
     l3d_polygon_model only(std::span<const std::size_t> parts) const;
 
@@ -173,7 +173,7 @@ private:
         /// none.
         std::vector<std::array<std::uint32_t, 3>> crease_corners;
         std::vector<l3d_material> materials;
-        std::vector<std::uint32_t> materials_of_faces; ///< places in these
+        std::vector<std::uint32_t> materials_of_faces; ///< places in `materials`
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
     };

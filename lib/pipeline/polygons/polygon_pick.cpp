@@ -27,7 +27,7 @@ vector largest_of(const vector& a, const vector& b) {
             std::max(std::abs(a[2]), std::abs(b[2]))};
 }
 
-/// Two coordinates that are zero along the ray, and the depth, of a model's point.
+/// Takes a model's point to two coordinates that are zero along the ray, and to its depth.
 class seen_along_ray {
 public:
     seen_along_ray(const l3d_polygon_model& model, const l3d_polygon_view& view, double x, double y)
@@ -57,7 +57,7 @@ private:
     double x_, y_, reach_ = 0, error_ = 0;
 };
 
-/// Where the ray meets a triangle: three areas that the corners' weights are in proportion to.
+/// The ray's crossing with a triangle: three areas, in proportion to the corners' weights.
 struct crossing {
     std::array<double, 3> weights{};
     double error = 0, depth = 0;

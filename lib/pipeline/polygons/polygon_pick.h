@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_pick: what is seen at a place of the picture of a polygon model.
+// l3d_polygon_pick: the face at a place of a polygon model's picture.
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_PICK_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_PICK_H
 
@@ -31,7 +31,7 @@ struct L3D_PUBLIC l3d_polygon_pick {
     l3d_camera::vector normal{0.0, 0.0, 0.0};
     double normal_error = 0; ///< the length of the difference
 
-    /// All of it, a line each: name, value and error. Faces and vertices count from 0.
+    /// All values, a line each: name, value and error. Faces and vertices count from 0.
     std::string text() const;
 
     /// Face and point in one line.

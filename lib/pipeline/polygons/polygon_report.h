@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_report: what a frame of polygons cost, and what it left out.
+// l3d_polygon_report: a frame's cost and skipped work, for polygons.
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_REPORT_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_REPORT_H
 
@@ -23,7 +23,7 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 
 /// Counts of the work that a frame's order took.
 struct L3D_PUBLIC l3d_painter_order_counts {
-    std::int64_t triangles = 0; ///< handed in
+    std::int64_t triangles = 0; ///< triangles to be ordered
     std::int64_t pairs = 0;     ///< pairs of triangles compared as they may share pixels
     std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
     std::int64_t knotted = 0;   ///< triangles in the knots
@@ -38,12 +38,11 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 
 /// The report of one frame of polygons.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
-    l3d_polygon_times time_ms;   ///< times of the stages, in milliseconds
-    std::int64_t faces = 0;      ///< faces of the model
-    std::int64_t triangles = 0;  ///< that its faces are
-    l3d_polygon_counts polygons; ///< triangles drawn, and left out, by reason
-    l3d_painter_order_counts
-        order; ///< the work of finding what is in front; zeros with a depth buffer
+    l3d_polygon_times time_ms;      ///< times of the stages, in milliseconds
+    std::int64_t faces = 0;         ///< faces of the model
+    std::int64_t triangles = 0;     ///< triangles of its faces
+    l3d_polygon_counts polygons;    ///< triangles drawn, and left out, by reason
+    l3d_painter_order_counts order; ///< the work of ordering; zeros with a depth buffer
 
     /// One line of JSON, without the line's end.
     std::string json() const;

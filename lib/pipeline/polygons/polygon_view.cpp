@@ -71,10 +71,10 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
     forward_ = turned_back(placement, camera.axes().forward);
 }
 
-/// With n and q for what a normal and a point differ by, N . (eye - p) = axis . (eye - middle) +
-/// n . (eye - middle) - N . q. The last two are at most spread |eye - middle| + reach. Rounding
-/// adds less than 2^-50 of these lengths, and as float a unit vector may be 2^-22 too long; what is
-/// added here is many times as much.
+/// Let n and q be a normal's and a point's differences from `axis` and `middle`. Then N . (eye - p)
+/// = axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are at most spread |eye
+/// - middle| + reach. Rounding adds less than 2^-50 of these lengths, and a unit vector in floats
+///   may be 2^-22 too long; the margin here is many times as much.
 bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector& middle,
                                 double reach, bool front) const {
     constexpr double added = 1e-6;

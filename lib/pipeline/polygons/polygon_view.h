@@ -9,7 +9,7 @@
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
-/// How depth changes what is seen.
+/// The kind of projection.
 enum class L3D_PUBLIC l3d_projection {
     perspective, ///< things twice as far are half as large
     parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
@@ -24,22 +24,22 @@ L3D_PUBLIC l3d_matrix<double>
 l3d_euler_rotation(const l3d_vector<double, 3>& degrees, const l3d_vector<double, 3>& centre,
                    l3d_rotation_order order = l3d_rotation_order::xyz);
 
-/// How the picture of a camera lies on the pixels.
+/// The fit of a camera's picture to the pixels.
 struct L3D_PUBLIC l3d_picture_fit {
-    /// Widths of the picture are so many times what they are in heights. Expects: > 0.
+    /// Factor by which widths of the picture are stretched against heights.
+    /// Expects: > 0.
     double stretch = 1;
     /// The picture is moved so far to the right and down. Units: pixels.
     double shift = 0;
 };
 
-/// The one matrix of a frame, from the model to the picture, and what else depends on the view.
+/// The one matrix of a frame, from the model to the picture, and all else that depends on the view.
 ///
 /// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The pixel is the picture's centre
 ///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
 ///          else 1.
-/// Expects: a valid camera; a placement that turns, moves and perhaps mirrors, and leaves lengths
-/// as
-///          they are.
+/// Expects: a valid camera; a placement that turns, moves and perhaps mirrors, and keeps
+///          lengths.
 class L3D_PUBLIC l3d_polygon_view {
 public:
     /// A place or a direction.
@@ -49,11 +49,11 @@ public:
     l3d_polygon_view(const l3d_camera& camera, l3d_size size, l3d_projection projection,
                      const l3d_matrix<double>& placement, const l3d_picture_fit& fit = {});
 
-    /// From the model to the picture, as said above.
+    /// From the model to the picture: (x, y, d, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
     /// From the model to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
-    /// Where the eye is.
+    /// The camera of the view.
     const l3d_camera& camera() const { return camera_; }
     /// The picture's width and height, in pixels.
     l3d_size size() const { return size_; }
@@ -66,17 +66,15 @@ public:
         return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
     }
 
-    /// Whether the fronts of all planes are seen whose normals are at most `spread` away from
-    /// `axis`, and points at most `reach` from `middle`. If `front` is false, whether all are seen
-    /// from behind. May say no where it is hard to tell.
+    /// Whether all planes with normals within `spread` of `axis` and points within `reach` of
+    /// `middle` show their fronts or, if `front` is false, their backs. May say no in doubt.
     /// Expects: normals of length 1 or 0.
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;
 
-    /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
-    /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
-    /// a face at an outline point away from the eye in some of its pixels, and are right as they
-    /// are.
+    /// The shading for the rasterizers, with the light in world space. The rays are zero, so that
+    /// no pixel's normal is turned round: the plane of a face says which side is seen. Smooth
+    /// normals at an outline may point away from the eye, and are right.
     l3d_shading shading(l3d_shade mode, const vector& light,
                         const l3d_lighting& lighting = {}) const;
 

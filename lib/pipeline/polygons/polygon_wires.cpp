@@ -10,7 +10,7 @@
 
 namespace {
 
-/// A point that is drawn is on the inner side of all six: n . (x, y, w) >= d.
+/// Drawn points lie on the inner side of all six planes: n . (x, y, w) >= d.
 struct clip_plane {
     double x, y, w, d;
 };

@@ -19,8 +19,8 @@
 class l3d_polygon_wires {
 public:
     /// One line for each side of a face that is not culled. It is cut where it reaches behind the
-    /// near plane, beyond the far one, or out of the guard band. A side that two faces share is
-    /// there once: twice as much of a smooth line would look thicker.
+    /// near plane, beyond the far one, or out of the guard band. A side that two faces share comes
+    /// once: a smooth line drawn twice would look thicker.
     /// Lives:   the lines until the next call.
     std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
                                            const l3d_polygon_view& view, bool cull);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_polygons: what its camera shows, and where.
+// l3d_pipeline_polygons: framing, picks, and the reasons for an empty picture.
 #include "pipeline/polygons/pipeline_polygons.h"
 
 #include "pipeline/empty_picture_p.h"

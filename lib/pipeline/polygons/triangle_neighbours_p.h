@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// triangle_neighbours: which triangles of a model share a side, and whether they close a body.
+// triangle_neighbours: finds triangles that share a side, and whether they close a body.
 #ifndef L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
 #define L3D_PIPELINE_POLYGONS_TRIANGLE_NEIGHBOURS_P_H
 
@@ -24,7 +24,7 @@ public:
     /// meet, the first two may be neighbours, and further ones have none.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// Finds those of a model, unless it is that of the last call.
+    /// Finds the neighbours of a model, unless it is the last call's.
     void make(const l3d_polygon_model& model);
 
     /// The triangle across the side from corner `side` to the next one; or none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vertex_lanes: vertices side by side, and which triangles may be seen.
+// vertex_lanes: places vertices side by side, and chooses triangles that may be seen.
 #include "pipeline/polygons/vertex_lanes_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -51,7 +51,7 @@ HWY_INLINE hn::Vec<some_integers> rounded_lanes(number x) {
     return hn::DemoteTo(some_integers(), hn::Add(x.v, hn::CopySign(half, x.v)));
 }
 
-/// A vector of vertices after the other.
+/// Places one vector of vertices after the other.
 class vertex_placer {
 public:
     HWY_INLINE explicit vertex_placer(const vertex_placing& how)
@@ -105,7 +105,7 @@ private:
     const vertex_placing& how_;
 };
 
-/// The last few are copied to where a whole vector can be read and written.
+/// Places vertices by vectors; the last few are copied to where a whole vector fits.
 void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model::vector> vertices,
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to) {
@@ -134,7 +134,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
     std::copy_n(turned_normals.begin(), rest, to.normals.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// Where the box of a triangle is, seen from the window.
+/// The place of a triangle's box against the window.
 enum class box_place { outside, subpixel, seen, clipped };
 
 #if HWY_TARGET == HWY_SCALAR
@@ -210,7 +210,7 @@ private:
 
 #endif
 
-/// Which side of some triangles is seen.
+/// The visible side of some triangles.
 enum class seen_side { front, back, either };
 
 HWY_INLINE seen_side side_of(const l3d_facing_block& block, const l3d_polygon_view& view) {

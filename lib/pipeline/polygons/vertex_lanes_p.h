@@ -27,10 +27,10 @@ struct placed_vertices {
     using normal = std::array<float, 4>;
 
     std::vector<place> places;
-    std::vector<normal> normals; ///< as many, or none that mean anything
+    std::vector<normal> normals; ///< as many, or none in use
 };
 
-/// How places of the model become places of the picture.
+/// The way from places of the model to places of the picture.
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
@@ -44,7 +44,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to);
 
-/// The triangles of a model that are asked for.
+/// The wanted triangles of a model.
 struct triangle_choice {
     const l3d_polygon_model& model;
     const l3d_polygon_view& view;
@@ -55,7 +55,7 @@ struct triangle_choice {
 
 /// Some triangles that may be seen, in the model's order.
 struct chosen_triangles {
-    static constexpr std::size_t room = 256; ///< 2 KB: beside what they name in the nearest cache
+    static constexpr std::size_t room = 256; ///< 2 KB: the nearest cache holds more
     /// The sign bit of a float.
     static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;
 

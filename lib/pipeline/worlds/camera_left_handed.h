@@ -29,15 +29,15 @@ public:
     /// The least and the largest distance that is drawn, in world units.
     double near_z = 5.5, far_z = 500;
 
-    /// The picture has another shape: what is square on it stays so.
+    /// Follows the picture's new shape: squares stay squares.
     void change_size(l3d_size from, l3d_size to);
 
-    /// Turns as if a hand moved the world: what is in the middle of a picture of this size goes so
+    /// Turns as if a hand moved the world: things in the middle of a picture of this size move so
     /// many pixels to the right and down.
     void drag(double right, double down, l3d_size size);
 
-    /// Where a point in the camera's coordinates appears: the picture's centre is (width / 2,
-    /// height / 2), y is down. Expects: p[2] > 0.
+    /// A point's place in the picture, whose centre is (width / 2, height / 2); y is down. Expects:
+    /// p[2] > 0.
     struct pixel {
         /// From the picture's left and top, in pixels.
         double x, y;

@@ -13,7 +13,8 @@ namespace {
 /// 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
 constexpr double farthest_pixel = 0x1p15;
 
-/// Falls as depth rises: positive floats are in the order of their bits. Expects: depth > 0.
+/// A key that falls as depth rises: positive floats are ordered like their bits. Expects: depth >
+/// 0.
 std::uint32_t key_of(l3d_real depth) {
     return ~std::bit_cast<std::uint32_t>(static_cast<float>(l3d_to_double(depth)));
 }
@@ -43,7 +44,7 @@ std::size_t l3d_facet_list::add(const l3d_object& object) {
     return vertices.size();
 }
 
-/// The rest is in `clipped_`; false if there is none.
+/// Clips a face: the rest is in `clipped_`; false if there is none.
 bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
     const real far = l3d_from_double<real>(camera_.far_z);
     if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||

@@ -13,14 +13,14 @@
 #include <cstdint>
 #include <vector>
 
-/// In which order polygons are drawn.
+/// The order in which polygons are drawn.
 enum class L3D_PUBLIC l3d_draw_order {
     as_added,  ///< later ones cover earlier ones
     far_first, ///< the painter's: by the mean distance of the corners, equal ones as added
     by_depth,  ///< each pixel shows the polygon that is nearest there
 };
 
-/// Transforms, clips and projects polygons, and holds those that are left for one frame.
+/// Transforms, clips and projects polygons, and holds the result for one frame.
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
 /// at near_z, and far outside the picture; what is wholly beyond far_z is left out. New vertices
@@ -36,13 +36,13 @@ public:
     /// Forgets the last frame. Expects: 0 < near_z <= far_z, fovx and fovy > 0.
     void begin(const l3d_camera_left_handed<real>& camera, l3d_size size);
 
-    /// Adds what may be seen of an object. Returns how many vertices were transformed.
+    /// Adds the polygons of an object that may be seen. Returns the number of vertices transformed.
     std::size_t add(const l3d_object& object);
 
     /// Polygons added and neither behind the eye nor outside the picture.
     std::size_t polygons() const { return polygons_.size(); }
 
-    /// Draws what was added since begin(), each polygon in its own colour; `by_depth` is far_first.
+    /// Draws the polygons added since begin(), each in its own colour; `by_depth` is far_first.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order);
 
     /// The corners of a polygon, in the order of addition. Units: pixels.

@@ -21,8 +21,8 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Slower is at rest: what is left to go is below 0.01 / 60 * 19 = 0.0032 units, or
-/// 0.05 / 60 * 5.7 = 0.0048 degrees.
+/// Slower counts as rest: the remaining way is below 0.01 / 60 * 19 = 0.0032 units, or 0.05 / 60 *
+/// 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
@@ -35,9 +35,9 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time in which a body that starts with a speed and is damped would cover, without damping,
-/// what it covers in `seconds`. Each update keeps k of the velocity, then moves: n updates move it
-/// by v (k + k^2 + ... + k^n) = v k (1 - k^n) / (1 - k).
+/// The time that an undamped body would need for the way that a damped one makes in `seconds`. Each
+/// update keeps k of the velocity, then moves: n updates move it by v (k + k^2 + ... + k^n) = v k
+/// (1 - k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
     return kept * (1 - std::pow(kept, seconds * l3d_book_rate)) / (1 - kept) / l3d_book_rate;
 }
@@ -110,7 +110,8 @@ template <class T> bool l3d_moveable<T>::transform(const l3d_matrix<T>& m) {
     return true;
 }
 
-/// Two cross products and two divisions: forward and up say all, right follows.
+/// Makes the axes perpendicular by two cross products and two divisions: right follows from forward
+/// and up.
 template <class T> void l3d_moveable<T>::straighten() {
     forward_ = l3d_normalized(forward_);
     right_ = l3d_normalized(l3d_cross(up_, forward_));

@@ -10,7 +10,7 @@
 /// Units: updates a second.
 inline constexpr double l3d_book_rate = 60;
 
-/// A place and three axes of its own, of which each push and turn is along or about one.
+/// A place with three axes of its own; each push is along one of them, and each turn about one.
 ///
 /// Motion is damped, and given per second: after a push the speed falls off exponentially, and the
 /// way made good in any time is its exact integral. So flights end in the same place at any frame

@@ -19,7 +19,7 @@
 
 class l3d_object;
 
-/// The behaviour of an object from frame to frame, when it comes from outside its class: a plug-in.
+/// The behaviour of an object from frame to frame that comes from outside its class: a plug-in.
 class L3D_PUBLIC l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;
@@ -45,7 +45,7 @@ private:
 ///
 /// The geometry is never transformed in place: every frame starts from it, so nothing is deformed
 /// by rounding. The placement is a list of matrices, the first one applied first; their product is
-/// brought up to date by itself. The behaviour is that of a subclass, or one that is plugged in.
+/// updated automatically. The behaviour comes from a subclass, or from a plug-in.
 /// Shape:   faces are as of l3d_polygon_mesh; a world's axes are left-handed.
 class L3D_PUBLIC l3d_object {
 public:
@@ -56,7 +56,7 @@ public:
     /// An object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
-    /// Leaves its children where they are among their own matrices, without a parent.
+    /// Leaves its children without a parent, placed by their own matrices.
     virtual ~l3d_object();
 
     std::string name; ///< for messages; need not differ from others
@@ -73,12 +73,12 @@ public:
     /// The mesh's vertices in the numbers that pictures are computed in.
     std::span<const l3d_point<real>> vertices() const { return vertices_; }
 
-    /// Sets one of the matrices; those before it that were never set leave everything as it is.
+    /// Sets one of the matrices; earlier ones that were never set are the identity.
     void set_transform(std::size_t index, const l3d_matrix<real>& m);
     /// The matrices of the placement, the first one applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
 
-    /// All of them, multiplied: from the object's own coordinates to its parent's, or to the
+    /// The product of the matrices: from the object's own coordinates to its parent's, or to the
     /// world's if it has none.
     const l3d_matrix<real>& modeling_transform() const;
 
@@ -93,7 +93,7 @@ public:
     /// Cost:    a product for each parent.
     l3d_matrix<real> world_transform() const;
 
-    /// Gives it this behaviour instead of the one that it had; null for none.
+    /// Replaces the object's behaviour; null for none.
     void plug(std::unique_ptr<l3d_object_behaviour> behaviour) {
         behaviour_ = std::move(behaviour);
     }

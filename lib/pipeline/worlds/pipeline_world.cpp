@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_world: what each key does to the camera, and the status lines.
+// l3d_pipeline_world: the effect of keys on the camera, and the status lines.
 #include "pipeline/worlds/pipeline_world.h"
 
 #include "raster/text/text.h"
@@ -9,15 +9,15 @@
 
 namespace {
 
-/// The thrust that a press of v adds, and where it starts again from the least. In units per update
-/// of the book, it goes through 0.2, 1.2, 2.2, 0.2.
+/// The thrust that a press of v adds, until it starts again from the least: 0.2, 1.2, 2.2, 0.2 in
+/// units per update of the book.
 constexpr double thrust_step = 1 * l3d_book_rate;
 constexpr double largest_thrust = 3 * l3d_book_rate;
 
 constexpr double fov_step = 0.1;
 constexpr double least_fov = 0.05; // 169 degrees
 
-/// How many frames each figure of the frame rate is the mean of.
+/// The number of frames over which the frame rate is a mean.
 constexpr int frames_of_mean = 64;
 
 l3d_draw_order after(l3d_draw_order order) {
@@ -81,7 +81,7 @@ void l3d_pipeline_world::make_world() {
     if (world_->order == l3d_draw_order::far_first)
         world_->order = l3d_draw_order::by_depth;
     world_->surfaces.shade = l3d_shade::flat;
-    world_->surfaces.lighting.ambient = {0.35F, 0.35F, 0.35F}; // colours are told in the shade, too
+    world_->surfaces.lighting.ambient = {0.35F, 0.35F, 0.35F}; // colours show in the shade, too
     world_->surfaces.light = {-0.48, 0.6, -0.64}; // from above, from the left and from the viewer
     world_->surfaces.background = ground();
     world_->surfaces.antialias = true;

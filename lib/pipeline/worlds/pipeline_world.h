@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_world: a world one can fly through: the keys of the book's programs.
+// l3d_pipeline_world: a world to fly through by the keys of the book's programs.
 #ifndef L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 #define L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 
@@ -35,20 +35,20 @@ public:
     /// Shows a world that `make` makes, now and whenever the user starts again. If the canvas is
     /// not classic, a world that paints far polygons first is drawn by depth instead, with smooth
     /// edges, on the dark ground of lessons.
-    /// Errors:  as l3d_pipeline_2d; what `make` throws.
+    /// Errors: as l3d_pipeline_2d; exceptions of `make`.
     l3d_pipeline_world(l3d_canvas canvas, maker make);
 
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     bool skip_event() override { return true; }
-    /// Whether the world is stopped and the camera stands still. A subclass in which more moves
+    /// Whether the world is stopped and the camera stands still. A subclass with further motion
     /// overrides it.
     bool is_at_rest() const override { return world_->frozen && !world_->camera.moves(); }
     std::string message() const override;
 
 protected:
-    /// Draws what lies over the picture of the world, such as instruments. The status lines come
-    /// after it. A subclass that overrides it need not call this one.
+    /// Draws on top of the world's picture, such as instruments. The status lines come after it. A
+    /// subclass that overrides it need not call this one.
     virtual void draw_overlay(l3d_rasterizer_2d& /*rasterizer*/) {}
 
 private:
@@ -68,7 +68,7 @@ private:
     std::vector<std::string> status() const;
 
     maker make_;                     ///< none for a world that is borrowed
-    std::unique_ptr<l3d_world> own_; ///< that it made
+    std::unique_ptr<l3d_world> own_; ///< the world that make_ made
     l3d_world* world_;
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers_;
     std::unique_ptr<l3d_workers> workers_;
@@ -76,7 +76,7 @@ private:
     l3d_size seen_size_;
     bool status_shown_ = false;
     std::size_t drawn_ = 0; ///< polygons in the last picture
-    int frames_ = 0;        ///< since the frame rate was last computed
+    int frames_ = 0;        ///< frames since the frame rate was last computed
     double seconds_ = 0;
     double frame_rate_ = 0;
 };

@@ -15,7 +15,7 @@
 /// A fixed part, whose size is given once, and a varying part behind it.
 ///
 /// Clipping makes vertices that last for a frame. Drawing finds them by an index like any other.
-/// Several polygons may share a list: it is emptied of them once per frame, not per polygon.
+/// Several polygons may share a list: the varying part is emptied once per frame, not per polygon.
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
 /// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
 /// Cost:    no allocation once the largest frame has been seen.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_world: what happens to all its objects.
+// l3d_world: updates, draws and removes its objects.
 #include "pipeline/worlds/world.h"
 
 #include "pipeline/worlds/world_surfaces.h"
@@ -8,7 +8,7 @@
 #include <cassert>
 #include <utility>
 
-/// While one lives, objects that are removed are kept, also when an object throws.
+/// Keeps removed objects alive while it lives, also when an object throws.
 class l3d_world::update_scope {
 public:
     explicit update_scope(l3d_world& world) : world_(world) { ++world_.updates_; }

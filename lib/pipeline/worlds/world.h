@@ -14,7 +14,7 @@
 
 class l3d_world_surfaces;
 
-/// Where a world is drawn: a picture, and what draws into it.
+/// The target of a world's drawing: a picture, and the rasterizers for it.
 ///
 /// A part of a picture will do: its first word and its size in `pixels`, with the whole one's
 /// stride. So a mirror or a window onto another place is drawn by a second call of draw_all.
@@ -25,7 +25,7 @@ struct L3D_PUBLIC l3d_world_target {
     l3d_pixels pixels;             ///< the picture
     /// Fills surfaces by depth. Null: the order `by_depth` is painted as `far_first`.
     l3d_surface_rasterizer* surfaces = nullptr;
-    /// The threads that `surfaces` was made with. Null if that is.
+    /// The threads that `surfaces` was made with; null without `surfaces`.
     l3d_workers* workers = nullptr;
 };
 
@@ -43,11 +43,11 @@ public:
     l3d_world& operator=(const l3d_world&) = delete;
     virtual ~l3d_world();
 
-    /// Where the world is seen from.
+    /// The camera that looks at the world.
     camera_type& camera;
-    /// In which order polygons are drawn.
+    /// The order in which polygons are drawn.
     l3d_draw_order order = l3d_draw_order::by_depth;
-    /// How surfaces look that are drawn by depth: style, shade, lights, material, background, fog,
+    /// The look of surfaces drawn by depth: style, shade, lights, material, background, fog,
     /// anti-aliasing and culling count. Lights are given in the left-handed world. At first they
     /// are as in the book: one grey for each face, hard edges, on black, by one thread.
     l3d_polygon_settings surfaces{
@@ -55,8 +55,8 @@ public:
     /// Only the camera moves.
     bool frozen = false;
 
-    /// Puts an object into the world, behind those that are there. Allowed at any time: one that
-    /// comes while objects are updated is updated from the next time on. Expects: not null.
+    /// Puts an object into the world, after the others. Allowed at any time: an object added during
+    /// an update is updated from the next time on. Expects: not null.
     /// Returns: the object.
     l3d_object& add(std::unique_ptr<l3d_object> object);
 
@@ -73,8 +73,8 @@ public:
     /// Lets time pass for every object, then for the camera. Units: seconds.
     virtual void update_all(double seconds);
 
-    /// Draws all that the camera sees. By depth, the picture shows the background of `surfaces`
-    /// first; else it keeps what is there.
+    /// Draws all that the camera sees. By depth, the background of `surfaces` comes first; else the
+    /// old picture stays below.
     /// Returns: the number of polygons drawn; by depth, of the triangles that they are made of.
     virtual std::size_t draw_all(const l3d_world_target& target);
 

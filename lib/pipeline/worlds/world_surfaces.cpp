@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_world_surfaces: place what may be seen, fill it in one call.
+// l3d_world_surfaces: places objects that may be seen, and fills them in one call.
 #include "pipeline/worlds/world_surfaces.h"
 
 #include "pipeline/wire_p.h"
@@ -163,7 +163,7 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
     const l3d_matrix<double> ours = mirror * rest;
     const vector c = to.model().centre();
     const auto centre = ours * l3d_vector<double, 4>(c, 1.0);
-    // Far beyond what rounding of the centre and of the planes can do.
+    // The margin is far beyond the rounding of the centre and of the planes.
     const double radius = to.model().radius() * (1 + 1e-6) + 1e-9 * l3d_length(in.camera.eye);
     if (!in.may_show(vector(centre[0], centre[1], centre[2]), radius))
         return false;
@@ -171,7 +171,7 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
     return true;
 }
 
-/// Those of all models one after the other. An object without any gets a white one, unless no
+/// Gathers the materials of all models. An object without materials gets a white one, unless no
 /// object has any.
 void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) {
     materials_.clear();

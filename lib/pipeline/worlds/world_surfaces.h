@@ -34,7 +34,7 @@ private:
     struct placed {
         std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
-        l3d_matrix<double> shape = l3d_identity<double>(); ///< that scaled and sheared it
+        l3d_matrix<double> shape = l3d_identity<double>(); ///< the matrix that made `shaped`
         std::optional<l3d_polygon_view> view;
         l3d_polygon_frame frame;
         l3d_polygon_wires wires;

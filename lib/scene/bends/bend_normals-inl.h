@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds of a unit normal's derivatives over parts of a patch, and of what bends along it.
+// Bounds of a unit normal's derivatives over parts of a patch, and of bends along the normal.
 #if defined(L3D_SCENE_BENDS_BEND_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
 #undef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
@@ -51,11 +51,11 @@ constexpr double no_length = 0x1p-32;
 /// them.
 constexpr double point_noise = 0x1p-44;
 
-/// More than the relative rounding of sums of positive numbers here.
+/// A factor above the relative rounding of sums of positive numbers here.
 constexpr double relative = 1 + 0x1p-40;
 
-// Functions that are not to be inlined have series of their own, 3 KB each with the longest lanes.
-// A stack holds them while they are needed, and not those of all others beside them.
+// Functions with series of their own, 3 KB each with the longest lanes, are not inlined: so the
+// stack holds only the series in use.
 
 /// The unit normals of parts: Taylor's coefficients about the middle up to series_order, and bounds
 /// of derivatives over all of the part.
@@ -73,18 +73,18 @@ public:
     HWY_ATTR HWY_INLINE const vector& at(std::size_t k, std::size_t l) const { return n_[k][l]; }
     HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
 
-    /// How far N may be from its value in the middle.
+    /// Bound of N's difference from its value in the middle.
     HWY_ATTR HWY_INLINE number change() const { return most_[0][0] - same(1) + noise_; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 
-    /// Whether all this holds; false where there is no normal.
+    /// Whether the bounds hold; false where there is no normal.
     HWY_ATTR HWY_INLINE auto known() const { return known_; }
 
     HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
         return sizes_[k][l] * same(as_derivative(k, l));
     }
 
-    /// The first two terms are exact, the others are sums of sizes.
+    /// The bound of a derivative: the first two terms are exact, the others are sums of sizes.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
         const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
         const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);
@@ -130,7 +130,7 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
 }
 
 /// The value of a product of sums of sizes and its derivatives in the corner, and the part of them
-/// that comes from coefficients beyond the order. That part is all of it less the first
+/// that comes from coefficients beyond the order. That part is the value less the first
 /// coefficients.
 struct product_in_corner {
     series all, beyond;
@@ -153,9 +153,9 @@ struct product_in_corner {
     }
 };
 
-/// With a the normal in the middle, p m = f + z a + x, where f is exact, z and x are what is beyond
-/// the order along a and across it. Over 1 + z, which changes no direction, that is
-/// f + (x - z (f - a)) / (1 + z): in a plane there is nothing beyond, and elsewhere less.
+/// With a the normal in the middle, p m = f + z a + x: f is exact, and z and x are the rest beyond
+/// the order, along a and across it. Over 1 + z, which changes no direction, that is f + (x - z (f
+/// - a)) / (1 + z): in a plane there is nothing beyond, and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];
     number sizes_along[6][6], sizes_across[6][6];
@@ -270,7 +270,7 @@ private:
     number noise_, heights_[4][4], sizes_[4][4];
 };
 
-/// Into lanes i on of the result.
+/// Puts the bounds into the result's lanes from i on.
 HWY_ATTR void take_bounds(const taylor_net<5>& normals, const taylor_net<3>& points, double size,
                           group_bounds& result, std::size_t i) {
     constexpr struct {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Power series in two variables, cut off at a total order, and bounds of what is cut off.
+// Power series in two variables, cut off at a total order, with bounds of the rest.
 #if defined(L3D_SCENE_BENDS_BEND_SERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_SCENE_BENDS_BEND_SERIES_INL_H
 #undef L3D_SCENE_BENDS_BEND_SERIES_INL_H
@@ -19,9 +19,9 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Normals are exact up to this order, exclusive. On the teapot, without quartering, we take the
-/// median of bound / exact of the mixed third derivatives. It is 3.2 for order 6, 1.9 for 7 and 1.5
-/// for 8, which takes a quarter more time than 7.
+/// Normals are exact up to this order, exclusive. On the teapot, without quartering, the median of
+/// bound / exact for mixed third derivatives is 3.2 with order 6, 1.9 with 7 and 1.5 with 8. Order
+/// 8 takes a quarter more time than 7.
 constexpr std::size_t series_order = 7;
 
 /// Bounds are wanted of derivatives up to this order, inclusive.
@@ -49,8 +49,8 @@ HWY_ATTR HWY_INLINE void multiply(const series& a, const series& b, std::size_t 
     });
 }
 
-/// 1 / sqrt(x), up to an order. With E the derivative by both variables, each times itself, which
-/// multiplies a coefficient by its order: x E g = - g E x / 2 for g = x^(-1/2).
+/// 1 / sqrt(x), up to an order. E is the sum of the derivatives by both variables, each times its
+/// variable: it multiplies a coefficient by its order. Then x E g = - g E x / 2 for g = x^(-1/2).
 HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series& g) {
     const number inverse = same(1) / x[0][0];
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
@@ -80,7 +80,8 @@ HWY_ATTR HWY_INLINE void invert(const series& x, std::size_t most, series& g) {
     });
 }
 
-/// About (1, 1) instead of (0, 0), up to wanted_order: Horner's scheme, for a net of any shape.
+/// Moves the centre from (0, 0) to (1, 1), up to wanted_order: Horner's scheme, for a net of any
+/// shape.
 template <std::size_t N, class Size>
 HWY_ATTR HWY_INLINE void move_to_corner(number (&a)[N][N], const Size& columns_of_row) {
     for (std::size_t l = 0; l < N; ++l)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bends_of_blocks: which parts are quartered, and the largest of all.
+// bends_of_blocks: quarters loose parts, and takes the largest bounds.
 #include "scene/bends/bends_of_blocks.h"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 namespace l3d_detail {
 namespace {
 
-/// The numbers of one kind and order. A bound is good enough if it is at most `good_enough` times
-/// the true number. It also is if the number is at most an eighth of the largest of its kind, or
-/// too small to matter. A thousandth of a radian is too small. So is a bend of 2^-14 of the patch's
-/// size: that is a 16th of a pixel where the patch is a thousand pixels long.
+/// Limits of good bounds. A bound is good enough at `good_enough` times the true number, at an
+/// eighth of the largest of its kind and order, or if it is too small to matter. A thousandth of a
+/// radian is too small, and so is a bend of 2^-14 of the patch's size: a 16th of a pixel on a
+/// thousand pixels.
 constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
 constexpr struct {
     std::size_t first, end;
@@ -22,11 +22,11 @@ constexpr struct {
           {bend_uu, bend_uuu, 1.2},
           {bend_uuu, bend_uuvv, 1.5}};
 
-/// How often a block's sides are halved at most, and where nothing is known, as about a corner that
-/// has no normal.
+/// The most halvings of a block's sides, and the most where nothing is known, as about a corner
+/// without a normal.
 constexpr int most_halvings = 4, most_halvings_of_unknown = 3;
 
-/// By the block's parameters instead of the part's.
+/// A derivative by the block's parameters from one by the part's.
 double of_block(double x, std::size_t number, int halvings) {
     return x * static_cast<double>(1 << (bend_orders[number] * halvings));
 }
@@ -107,8 +107,8 @@ void bends_of_blocks::judge() {
         }
 }
 
-/// How many times larger than good enough the part's worst bound may be. Where nothing is known,
-/// the most, if there is hope: if something is known of the block.
+/// The factor by which the part's worst bound may exceed a good one. It is the largest for a part
+/// without bounds if something else is known of its block.
 double bends_of_blocks::looseness(const part& p) const {
     if (p.halvings == most_halvings)
         return 0;

@@ -13,14 +13,14 @@ namespace l3d_detail {
 
 /// The numbers of a patch's blocks: the largest of the bounds of their parts.
 ///
-/// At first a block has four parts. The number in a part's middle is less than the block's true
-/// number. So it is known how loose a bound can be at most. The loosest parts are quartered, as
-/// long as there is room.
+/// At first a block has four parts. The number in a part's middle is at most the block's true
+/// number, which limits how loose a bound can be. The loosest parts are quartered, as long as there
+/// is room.
 class bends_of_blocks {
 public:
     bends_of_blocks(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// By the parameters of the block.
+    /// A number's bound in a block, by the parameters of the block.
     double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
 
 private:

@@ -14,16 +14,16 @@ namespace {
 
 constexpr float no_bound = std::numeric_limits<float>::infinity();
 
-/// A float that is no less. Rounding to nearest changes a float by 2^-24 of it, or by 2^-150 if it
-/// is smaller than the smallest normal one, 2^-126. Nothing of a NaN.
+/// A float that is not below x. Rounding to nearest changes a float by 2^-24 of it, or by 2^-150 if
+/// it is smaller than the smallest normal one, 2^-126. Nothing of a NaN.
 float rounded_up(double x) {
     constexpr double most = 0x1p127;
     return x < most ? static_cast<float>(x * (1 + 0x1p-23)) + (x > 0 ? 0x1p-126F : 0.0F) : no_bound;
 }
 
-/// The largest eigenvalue of M^T M and the least one, M a map's upper left three by three, not less
-/// and not more than they are. Jacobi's rotations, then Gershgorin's circles: every eigenvalue is
-/// within the sum of its row's other entries of a diagonal entry. Three rounds leave entries at the
+/// An upper bound of the largest eigenvalue of M^T M and a lower one of the least, M a map's upper
+/// left three by three. Jacobi's rotations, then Gershgorin's circles: every eigenvalue is within
+/// the sum of its row's other entries of a diagonal entry. Three rounds leave entries at the
 /// rounding of some 100 operations of 2^-53, relative to the largest; the slack is 2^-43 of that.
 struct squared_scales {
     double least, most;
@@ -122,7 +122,7 @@ double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double 
 void l3d_surface_bends::set_steps() {
     for (std::size_t i = 0; i < blocks; ++i) {
         const l3d_bend_numbers<double> of = bends_of_block(of_blocks_, i);
-        // Half of the third derivative's root where hardly anything turns.
+        // Where normals hardly turn, half of the third derivative's root decides.
         const double u = std::max(of.turn_u, std::cbrt(of.n_uuu) / 2);
         const double v = std::max(of.turn_v, std::cbrt(of.n_vvv) / 2);
         const double both = u > 0 && v > 0 ? std::cbrt(l3d_levels_off(of, 1 / u, 1 / v)) : 0;

@@ -30,7 +30,7 @@ inline constexpr float l3d_level_of_cosine = 229.5F;
 /// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
 inline constexpr double l3d_of_thirds = 0.0080187537387448;
 
-/// How far the drawn level of a quad with sides h_u, h_v can be from the exact one at the same
+/// Error of the drawn level of a quad with sides h_u, h_v against the exact one at the same
 /// parameters. Levels are drawn as a parabola through those of the corners and of the middles of
 /// the sides. Only the mean of the bends of opposite sides is drawn. Units: levels. NUMERICS,
 /// section 14.
@@ -38,8 +38,8 @@ double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double 
 
 /// Bounds of a patch, and of each of its 4 x 4 blocks, over all of it, its edges included.
 ///
-/// They hold whatever is rounded; what that adds is stated in docs/NUMERICS.md, section 11. They
-/// are infinite, but for uuvv, where the normal vanishes or cannot be proven not to.
+/// They include all rounding (docs/NUMERICS.md, section 11). They are infinite, but for uuvv, where
+/// the normal vanishes or is not proven to exist.
 /// Shape: block 4 * row + column, columns along u, as l3d_facing_cones has it. Each number of the
 ///        blocks begins with a line of the cache.
 /// Cost:  1280 bytes.
@@ -54,9 +54,9 @@ public:
 
     const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
 
-    /// Steps of each block with which levels are off by one at most (l3d_levels_off). Those along u
-    /// and v are as many as it takes to turn by the same angle. They go with the power -1/3 of the
-    /// levels. 1 where nothing can be said.
+    /// Steps of each block with which levels are off by one at most (l3d_levels_off). Steps along u
+    /// and v turn the normal by the same angle. Their number goes with the power -1/3 of the
+    /// levels; it is 1 where nothing is known.
     const lanes& steps_u() const { return steps_u_; }
     const lanes& steps_v() const { return steps_v_; }
 
@@ -65,7 +65,7 @@ public:
 
     /// Bounds of the patch that was moved by an affine map, of which the upper left three by three
     /// count. A similarity, mirrored or not, multiplies numbers that have a length by its scale and
-    /// leaves the rest. Any other map adds to them, the more so the less it is like a similarity.
+    /// leaves the rest. Any other map makes them larger, the more the less it is like a similarity.
     /// Errors: infinite, but for uuvv, if the map cannot be inverted.
     /// Cost:   some 2000 operations.
     l3d_surface_bends under(const l3d_matrix<double>& placement) const;

@@ -35,7 +35,7 @@ public:
                     }
     }
 
-    /// Those by v, of the parts of a row of them.
+    /// Puts the coefficients by v for a row of parts.
     HWY_ATTR void put(std::size_t part,
                       double (&out)[Degree + 1][Degree + 1][3][part_lanes]) const {
         for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())

@@ -13,7 +13,7 @@ namespace l3d_detail {
 /// Parts along each side of a patch, two of a block.
 inline constexpr std::size_t bend_parts = 8;
 
-/// The numbers of l3d_bend_numbers in their order, and how often each is a derivative.
+/// The numbers of l3d_bend_numbers in their order, and the order of derivative of each.
 enum bend_number : std::size_t {
     bend_uu,
     bend_uv,
@@ -37,7 +37,7 @@ enum bend_number : std::size_t {
 inline constexpr std::array<int, bend_numbers> bend_orders{2, 2, 2, 3, 3, 3, 3, 4, 1,
                                                            1, 2, 2, 2, 3, 3, 3, 3};
 
-/// How often by u, and by v.
+/// The order by u, and by v.
 inline constexpr std::array<std::array<int, 2>, bend_numbers> bend_powers{{{2, 0},
                                                                            {1, 1},
                                                                            {0, 2},
@@ -56,7 +56,7 @@ inline constexpr std::array<std::array<int, 2>, bend_numbers> bend_powers{{{2, 0
                                                                            {1, 2},
                                                                            {0, 3}}};
 
-/// The same number, by its place.
+/// The members of l3d_bend_numbers, by their place.
 template <class T>
 inline constexpr std::array<T l3d_bend_numbers<T>::*, bend_numbers> bend_members{
     &l3d_bend_numbers<T>::uu,     &l3d_bend_numbers<T>::uv,    &l3d_bend_numbers<T>::vv,
@@ -77,8 +77,8 @@ bends_of_block(const l3d_bend_numbers<l3d_surface_bends::lanes>& bends, std::siz
     return result;
 }
 
-/// Nets by component: [component][row][column]. Points from the first one, and the largest number
-/// of theirs.
+/// Nets by component: [component][row][column]. Points count from the first one; `size` is their
+/// largest coordinate.
 struct bend_nets {
     double normals[3][6][6], points[3][4][4];
     double size;
@@ -92,8 +92,8 @@ struct part_group {
     alignas(64) double points[4][4][3][part_lanes];
 };
 
-/// Bounds by parts' own parameters from 0 to 1, and values in their middles; infinite and anything
-/// where there is no bound. [number][lane]
+/// Bounds by parts' own parameters from 0 to 1, and values in their middles. Without a bound, they
+/// are infinite and meaningless. [number][lane]
 struct group_bounds {
     alignas(64) double most[bend_numbers][part_lanes];
     alignas(64) double middle[bend_numbers][part_lanes];
@@ -102,11 +102,11 @@ struct group_bounds {
 /// The parts of a patch, a row of them a group.
 void make_parts(const bend_nets& nets, part_group* rows);
 
-/// Lane i gets quarter i % 4 of its parameters. Quarters 1 and 3 are the upper halves of u, 2 and 3
-/// those of v.
+/// Lane i gets quarter i % 4 of its part. Quarters 1 and 3 are the upper halves of u, 2 and 3 those
+/// of v.
 void quarter_parts(part_group& parts);
 
-/// Size: the largest number of the points.
+/// Bounds the parts; `size` is the largest coordinate of the points.
 void bound_parts(const part_group& parts, double size, group_bounds& result);
 
 } // namespace l3d_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_interval: numbers of which only bounds are known.
+// l3d_interval: a number that is known by bounds alone.
 #ifndef L3D_SCENE_PICKS_INTERVAL_H
 #define L3D_SCENE_PICKS_INTERVAL_H
 
@@ -17,7 +17,7 @@ struct l3d_interval {
     }
 
     double middle() const { return low / 2 + high / 2; }
-    /// From the middle, as it is rounded, to the farther end.
+    /// The distance from the rounded middle to the farther end.
     double radius() const {
         return std::nextafter(std::max(high - middle(), middle() - low), infinite);
     }
@@ -41,7 +41,7 @@ struct l3d_interval {
         return outwards(least, most);
     }
 
-    /// Tighter than the product with itself.
+    /// The square, tighter than the product with itself.
     l3d_interval squared() const {
         const double a = std::abs(low), b = std::abs(high);
         const l3d_interval result =

@@ -16,10 +16,11 @@ constexpr double margin = 0.125;
 /// The operator contracts at least so much where a hit is proven. Then the image of a part that
 /// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
-/// Parts whose points are all so many errors near to the ray are not split: nobody knows which of
-/// them is met.
+/// Parts whose points are all within so many errors of the ray are not split: no half can be told
+/// to hold the hit.
 constexpr double blurred_errors = 16;
-/// Far more than any ray needs that does not run along a surface. From then on no part is split.
+/// Limit of steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
+/// split.
 constexpr long most_steps = 1 << 16;
 /// Parts that are looked at to join hits that are not proven: 50 halvings of a few at a time.
 constexpr int most_joined = 1 << 10;
@@ -87,7 +88,7 @@ range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     return {3 * result.low, 3 * result.high};
 }
 
-/// Newton's step with one matrix for all of a part, and how much it contracts there.
+/// Newton's step with one matrix for all of a part, and its contraction there.
 struct operator_of {
     double inverse[2][2];
     double contraction; ///< in the maximum norm
@@ -102,7 +103,7 @@ struct operator_of {
         const double a = j[0][0].middle(), b = j[0][1].middle();
         const double c = j[1][0].middle(), d = j[1][1].middle();
         const double determinant = a * d - b * c;
-        // Beside its rounding nothing is known of it.
+        // The determinant is not larger than its rounding.
         if (!(std::abs(determinant) > 0x1p-40 * (std::abs(a * d) + std::abs(b * c))))
             return;
         exists = true;
@@ -116,7 +117,7 @@ struct operator_of {
                        std::abs(row[1]) * j[1][along].width() / 2;
             contraction = std::max(contraction, sum);
         }
-        // The inverse is off by 2^-53 / 2^-40 at most, relatively, and by some roundings.
+        // The inverse has a relative error of 2^-53 / 2^-40 at most, and some roundings.
         contraction += 0x1p-12;
     }
 
@@ -187,7 +188,7 @@ void l3d_ray_search::look_into(const part& one) {
         split(one);
 }
 
-/// Across the direction in which the part is larger, as the ray sees it.
+/// Splits a part across the direction in which it is larger, as the ray sees it.
 void l3d_ray_search::split(const part& one) {
     double along_u = 0, along_v = 0;
     for (int i = 0; i < 4; ++i)
@@ -211,7 +212,7 @@ void l3d_ray_search::split(const part& one) {
     }
 }
 
-/// True if all is known of the part: there is no hit, or the one that is now in the heap.
+/// True if a part is settled: it has no hit, or its one hit is now in the heap.
 bool l3d_ray_search::settle(const part& one) {
     const root& whole = roots_[one.root];
     const l3d_ray_net larger = inflated(one.net);
@@ -243,7 +244,7 @@ bool l3d_ray_search::settle(const part& one) {
                     .u = one.u + (at[0] - edge) * du,
                     .v = one.v + (at[1] - edge) * dv,
                     .is_proven = true};
-    // Once more, from the whole net: its rounding is what `error` tells.
+    // A last step from the whole net, whose rounding `error` bounds.
     const auto rest = newton.step(whole.net.evaluate(hit.u, hit.v));
     const double off =
         (std::max(std::abs(rest[0]), std::abs(rest[1])) + blur) / (1 - newton.contraction);
@@ -277,7 +278,7 @@ void l3d_ray_search::keep_unproven(const part& one) {
                       .depth_width = depth.width()}});
 }
 
-/// The hits that are not proven lie side by side along an outline: any of them may be it.
+/// Joins unproven hits, which lie side by side along an outline: any of them may be the nearest.
 l3d_ray_hit l3d_ray_search::joined(l3d_ray_hit first) {
     const double front = first.depth - first.depth_width / 2;
     double back = front + first.depth_width;

@@ -14,18 +14,18 @@
 /// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, 2 is the depth.
 using l3d_ray_net = l3d_bezier_patch<double, 3>;
 
-/// Where the ray meets a patch.
+/// A place where the ray meets a patch.
 struct l3d_ray_hit {
     std::size_t patch = 0; ///< the number that it was added with
     double u = 0, v = 0;   ///< from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
     bool is_proven = false; ///< by Krawczyk's operator
-    /// For a hit that is not proven: how far the ray and the surface stay together.
+    /// For an unproven hit: the extent along which ray and surface cannot be told apart.
     double width = 0, depth_width = 0;
 };
 
-/// Takes patches one after another, then finds the nearest hit of all.
+/// Takes patches one after another, then finds the nearest hit among all.
 class l3d_ray_search {
 public:
     /// Hits before `near` or beyond `far` do not count. `is_seen` is asked of each proven hit.
@@ -48,7 +48,7 @@ private:
     struct part {
         double least_depth;
         std::size_t root;
-        double u, v, du, dv; ///< where it begins, and its size
+        double u, v, du, dv; ///< its beginning, and its size
         l3d_ray_net net;
         std::optional<l3d_ray_hit> hit;
     };

@@ -37,7 +37,7 @@ public:
         return factor_ * result;
     }
 
-    /// How much control points that are off by one may change it.
+    /// The change by control points with an error of one.
     double terms() const { return terms_; }
 
     patch_3::point value(double u, double v) {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// 3, 6, 6: what differences of a cubic are multiplied by.
+    /// 3, 6, 6: the factors of a cubic's differences.
     static double scale(int times) { return times == 0 ? 1 : times == 1 ? 3 : 6; }
 
     static patch_3::point reduced(std::array<patch_3::point, 4>& p, int count, double t) {

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-/// Bounds of what a patch has at all parameters within an error of (u, v).
+/// Bounds of point, normal and curvature at all parameters within an error of (u, v).
 ///
 /// Source: do Carmo, "Differential Geometry of Curves and Surfaces": K = (e g - f^2) / (E G - F^2)
 /// and H = (e G - 2 f F + g E) / (2 (E G - F^2)).
@@ -17,7 +17,7 @@ struct l3d_surface_jet {
     using vector = std::array<l3d_interval, 3>;
 
     vector point;
-    std::optional<vector> normal; ///< unit, of dS/du x dS/dv; nothing where it may be none
+    std::optional<vector> normal; ///< unit, along dS/du x dS/dv; nothing where it may vanish
     l3d_interval gaussian, mean;  ///< meaningful if there is a normal
 
     /// `rounding` bounds the errors of the control points' coordinates.

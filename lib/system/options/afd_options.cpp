@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_afd_options: declarations and what the values must be.
+// l3d_afd_options: declarations and checks of the values.
 #include "system/options/afd_options.h"
 
 #include "base/counted_p.h"
@@ -37,8 +37,8 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-/// Reads the numbers that a list begins with. The rest, behind a comma, is left to be read as a
-/// colour; it is empty without one.
+/// Reads the numbers that a list begins with. The rest, behind a comma, may be a colour; without a
+/// comma it is empty.
 /// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
 template <std::size_t N>
 std::optional<std::string_view> read_before_color(std::string_view text,
@@ -51,7 +51,7 @@ std::optional<std::string_view> read_before_color(std::string_view text,
     return end == text.npos ? "" : text.substr(end + 1);
 }
 
-/// Parts of white.
+/// Reads a light's colour, as parts of white.
 /// Errors:  l3d_error(usage) that names the option and its value.
 l3d_light_color light_color(const char* option, std::string_view text) {
     constexpr double white = 255;
@@ -349,7 +349,7 @@ void l3d_afd_options::check_pick(l3d_size size) const {
                                              std::to_string(size.height));
 }
 
-/// The first one replaces the usual light.
+/// Adds a light; the first one replaces the usual light.
 void l3d_afd_options::add_light(const std::string& text) {
     std::array<double, 3> direction{};
     const auto rest = read_before_color(text, direction);

@@ -66,7 +66,7 @@ public:
         return eye_.has_value() || target_.has_value() || !file_camera_.empty();
     }
 
-    /// Whether --light says anything else than its default.
+    /// Whether --light differs from its default.
     bool places_light() const { return settings_.light != l3d_usual_light; }
 
     /// Whether --tolerance was given.
@@ -74,7 +74,7 @@ public:
 
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
-    /// How much more keys and the mouse turn than usual: --turn-speed.
+    /// Factor by which keys and the mouse turn more than usual: --turn-speed.
     double turn_speed() const { return turn_speed_; }
     /// The file that the last frame's distances go to; empty for none.
     const std::string& depth_output() const { return depth_output_; }

@@ -21,7 +21,7 @@ inline constexpr const char* color_forms =
 /// Errors:  nothing for any other text.
 std::optional<std::array<double, 3>> read_color(std::string_view text);
 
-/// The same as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
+/// Reads a colour as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
 
 /// "; did you mean 'red'?" for a name that is almost one, else nothing.

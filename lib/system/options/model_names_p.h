@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// model_names: models that a user has by name, as they lie in l3d's data folder.
+// model_names: the models of l3d's data folder, by name.
 #ifndef L3D_SYSTEM_OPTIONS_MODEL_NAMES_P_H
 #define L3D_SYSTEM_OPTIONS_MODEL_NAMES_P_H
 
@@ -13,8 +13,8 @@ namespace l3d_detail {
 /// The names of l3d's own models: those of their files without the ending, in order.
 std::vector<std::string> model_names();
 
-/// Reads what a user means by the name of a model, as l3d_data_file finds it.
-/// Errors:  as l3d_load_model; a plain name that is none says where it was looked for.
+/// Reads the model that a user means by its name, as l3d_data_file finds it. Errors: as
+/// l3d_load_model; for an unknown plain name, the folders that were searched.
 l3d_model_file load_named_model(const std::string& name);
 
 } // namespace l3d_detail

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 /// Reads a number that is the whole text.
-/// Errors:  false for anything else, for NaN and infinity, and for what T cannot hold.
+/// Errors: false for anything else, for NaN and infinity, and for numbers that T cannot hold.
 template <class T> bool l3d_read_number(std::string_view text, T& number) {
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, number);

@@ -69,8 +69,8 @@ std::string wrapped(const std::string& text, std::size_t width) {
     return result + line;
 }
 
-/// Help in lines that a terminal has room for, and without a section for what needs no option:
-/// there it is listed a second time.
+/// Formats help in lines that fit a terminal. It has no section of positional arguments, which
+/// would list options a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
     /// With one blank line between two groups, not two.
@@ -117,7 +117,7 @@ void refuse_empty_value(const std::string& argument) {
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
 }
 
-/// Refuses the first argument that no option took; all after "--" are none.
+/// Refuses the first argument that no option took; arguments after "--" are no options.
 void refuse_what_is_left(const CLI::App& app) {
     const std::vector<std::string> left = app.remaining();
     const bool are_options = left.empty() || left.front() != "--";
@@ -226,7 +226,7 @@ std::string l3d_options::end_of_help() const {
     return text;
 }
 
-/// Frames that one of many processes makes of a sequence, perhaps for the second time.
+/// Adds the options of a process that makes some frames of a sequence, perhaps for the second time.
 void l3d_options::add_batch() {
     const auto read = [this](const std::string& text) {
         std::array<int, 2> range{};
@@ -401,7 +401,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     refuse_what_is_left(parser_->app);
     refuse_one_file_for_two();
-    // It complains now rather than after a question.
+    // The writer complains now rather than after a question.
     const l3d_frame_writer frames(common_.output, common_.alpha);
     for (const named_file& file : files_)
         if (file.value != &common_.output && frames.has_frame_in(*file.value))

@@ -26,22 +26,22 @@
 
 /// The values of the options that every program has.
 struct L3D_PUBLIC l3d_common_options {
-    std::string backend;         ///< a back-end's name, "ask" or "auto"; empty: not given
-    std::string usual_backend{}; ///< taken if the user names none; empty: chosen by what serves
-    bool no_input = false;       ///< never ask anything
-    bool list_backends = false;  ///< list the back-ends and end
-    bool diagnose = false;       ///< tell what the choice of a back-end depends on, and end
-    bool verbose = false;        ///< tell what was chosen
-    l3d_size size{};             ///< size of the picture, in pixels
-    int scale = 0;               ///< 0: not given
-    std::string title{};         ///< title of the window; empty: the program's choice
-    l3d_remote remote{};         ///< whether pictures travel sparingly
-    int first_frame = 0;         ///< number of the first one that is drawn
-    int frames = 0;              ///< number of frames, the end of a range; 0: go on
-    bool resume = false;         ///< leave out frames whose file is there
-    std::optional<double> fps;   ///< frames per second, 0: no limit; nothing: not given
-    std::uint64_t seed = 1;      ///< where random numbers start
-    l3d_alpha alpha = l3d_alpha::none; ///< whether files hold what is transparent
+    std::string backend;               ///< a back-end's name, "ask" or "auto"; empty: not given
+    std::string usual_backend{};       ///< taken if the user names none; empty: any that serves
+    bool no_input = false;             ///< never ask anything
+    bool list_backends = false;        ///< list the back-ends and end
+    bool diagnose = false;             ///< tell what the choice of a back-end depends on, and end
+    bool verbose = false;              ///< tell what was chosen
+    l3d_size size{};                   ///< size of the picture, in pixels
+    int scale = 0;                     ///< 0: not given
+    std::string title{};               ///< title of the window; empty: the program's choice
+    l3d_remote remote{};               ///< whether pictures travel sparingly
+    int first_frame = 0;               ///< number of the first one that is drawn
+    int frames = 0;                    ///< number of frames, the end of a range; 0: go on
+    bool resume = false;               ///< leave out frames whose file is there
+    std::optional<double> fps;         ///< frames per second, 0: no limit; nothing: not given
+    std::uint64_t seed = 1;            ///< where random numbers start
+    l3d_alpha alpha = l3d_alpha::none; ///< whether files hold transparency
     std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
 };
 
@@ -61,10 +61,10 @@ public:
     /// Has --help list the options that are added next under a heading.
     void begin_group(const std::string& heading);
 
-    /// Has --help end with a paragraph, such as what may stand for a word in capitals.
+    /// Has --help end with a paragraph, such as the meaning of a word in capitals.
     void add_note(const std::string& text);
 
-    /// Has --help end with an example: arguments of the program, and what they are for.
+    /// Has --help end with an example: arguments of the program, and their purpose.
     void add_example(const std::string& arguments, const std::string& purpose);
 
     /// A number from `least` to `most`; NaN and trailing text are refused.
@@ -73,16 +73,16 @@ public:
     /// A whole number from `least` to `most`.
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
-    /// The same where the default is found out later, if at all.
+    /// A whole number whose default is found out later, if at all.
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
-    /// The same where it matters whether it was given; --help prints `preset`.
+    /// A number that may be absent; --help prints `preset`.
     void add(const std::string& name, std::optional<double>& value, double preset,
              const std::string& help, double least, double most);
 
-    /// Any text but the empty one; `kind` (FILE, say) is what --help calls it. A name that begins
-    /// with "FILE," lets the user leave out the option before one such text.
+    /// Any text but the empty one; --help calls it `kind`, such as FILE. A name that begins with
+    /// "FILE," lets the user leave out the option before one such text.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);
 
@@ -97,12 +97,12 @@ public:
                   const std::string& preset, std::function<void(const std::string&)> take);
 
     /// A background: "gradient", "none", or a colour: R,G,B of whole numbers from 0 to 255, #RGB,
-    /// #RRGGBB or a name of CSS. It is empty unless given; `help` says what that means. With
-    /// "none", files that are written have alpha.
+    /// #RRGGBB or a name of CSS. The value is empty unless given; `help` tells the meaning of that.
+    /// With "none", written files have alpha.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
-    /// The same where the default is found out later.
+    /// Three numbers whose default is found out later.
     void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
              const std::string& help);
 
@@ -119,21 +119,21 @@ public:
     void add_choice(const std::string& name, T& value, const std::string& help,
                     const std::vector<std::pair<std::string, T>>& choices);
 
-    /// Reads the command line. False: it asked for --help or --version, which `out` has got, and
-    /// the program ends well. A standard stream that was closed is opened on /dev/null first: the
-    /// next socket would get its number, and with it all that is printed.
+    /// Reads the command line. False: --help or --version was printed, and the program ends well.
+    /// Standard streams that were closed are opened on /dev/null first: else a socket would get
+    /// their number, and all that is printed.
     ///
     /// Errors: l3d_error(usage) that names the option and the value; also if two options name one
     ///         file, or the standard output.
     bool parse(int argc, const char* const* argv);
-    /// The same with the stream named that --help and --version are printed on.
+    /// As above; prints --help and --version on `out`.
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
     /// Says that an option has a result of its own beside pictures, such as a report.
     /// Expects: it was added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
 
-    /// The same for a result that is printed on the standard output, where no file may go then.
+    /// As has_result(), for a result on the standard output, where no file may go then.
     /// Expects: it was added.
     void prints_result(const std::string& name) {
         has_result(name);
@@ -146,7 +146,7 @@ public:
     /// The name that titles and files get.
     const std::string& program() const { return program_; }
 
-    /// The name that the user called it by, without its folder: --help and messages say that.
+    /// The command that the user typed, without its folder, for --help and messages.
     const std::string& command() const { return command_; }
     /// The values of the options that all programs have. Expects: parse() is done.
     const l3d_common_options& common() const { return common_; }
@@ -154,7 +154,7 @@ public:
     /// Replaces --output, for a program (or factory manager) that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
 
-    /// The back-end that is taken unless the user names one, for a program that is about it.
+    /// Sets the back-end that is taken unless the user names one.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
     /// The request for a screen. Unless the user gives a title, it is the program's name.
@@ -197,7 +197,7 @@ private:
 /// l3d_error, or l3d_exit::failure.
 L3D_PUBLIC int l3d_report(std::string_view program, const std::exception& error);
 
-/// The same for what l3d_dispatcher::start returned; says nothing if all went well.
+/// Reports the code that l3d_dispatcher::start returned; says nothing if all went well.
 L3D_PUBLIC int l3d_report(std::string_view program, l3d_exit code);
 
 template <class T>

@@ -42,7 +42,7 @@ public:
     /// Errors: l3d_error(usage) that names the option, for a name that is no part; it lists the
     ///         parts.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// The same of polygons. Errors: as the other; if --opacity is given, too.
+    /// The polygons as these options have them. Errors: as the other; if --opacity is given, too.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:

@@ -139,7 +139,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.lighting = shared.lighting;
     settings.headlight = shared.headlight;
     if (!shared_.places_camera() && !shared_.places_light()) {
-        // The teapot's, from where this model is looked at.
+        // The teapot's light, turned to this model's view.
         settings.light =
             l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }

@@ -33,13 +33,13 @@ public:
     /// The pipeline that --pipeline names.
     l3d_pipeline_kind pipeline() const { return pipeline_; }
 
-    /// The polygons of the model asked for, its patches as triangles; the teapot if none was. Parts
-    /// of a file that nobody reads are reported on stderr.
+    /// The polygons of the model asked for, its patches as triangles; the teapot if none was.
+    /// Skipped parts of a file are reported on stderr.
     /// Errors: l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
     /// The settings that the options ask for.
-    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for what only patches have, such as
+    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for options of patches alone, such as
     ///         --depth-output and --net.
     l3d_polygon_settings settings() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_context: trying one way after the other, and what a context must be able to do.
+// mesa_context: tries one way after the other, and checks what a context can do.
 #include "tool_2d/mesa/mesa_context_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_context: GL on the CPU, without a window, by whichever library is there.
+// mesa_context: GL on the CPU, without a window, by any installed library.
 #ifndef L3D_TOOL_2D_MESA_MESA_CONTEXT_P_H
 #define L3D_TOOL_2D_MESA_MESA_CONTEXT_P_H
 
@@ -14,15 +14,16 @@
 
 namespace l3d_detail {
 
-/// The ways to a context, in the order in which they are tried: EGL is what has a future.
+/// The ways to a context, in the order in which they are tried: EGL first, as Mesa has no OSMesa
+/// from 25.1 on.
 enum class mesa_way { egl_surfaceless, egl_device, osmesa };
 inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_device,
                                       mesa_way::osmesa};
 
 const char* name_of(mesa_way way);
 
-/// Whether a wish lets a way be tried. It is auto, egl or osmesa; an empty one is that of L3D_MESA,
-/// where unset and empty are auto.
+/// Whether a wish lets a way be tried. A wish is auto, egl or osmesa; an empty one stands for
+/// L3D_MESA, where unset and empty are auto.
 bool may_try(mesa_way way, const std::string& wish);
 
 /// Whether a GL_RENDERER draws on the CPU.
@@ -37,7 +38,7 @@ const char* packages_of(mesa_way way);
 /// until it ends.
 class mesa_context {
 public:
-    /// The first way that serves, of those that the wish allows; it is as of may_try.
+    /// Opens a context by the first way that serves and that the wish of may_try allows.
     /// Errors:  null, with one line in `why` that has all reasons and the packages, or says that
     ///          the wish, or L3D_MESA, has an unknown value.
     /// Cost:    10 to 60 ms.

@@ -61,7 +61,7 @@ bool lists(const char* list, std::string_view word) {
     return false;
 }
 
-/// While it lives, Mesa looks for no graphics card, unless the user had his own say about that.
+/// While it lives, Mesa looks for no graphics card, unless the user has set the variable.
 class software_only {
 public:
     software_only() : ours_(!std::getenv(variable)) {
@@ -80,8 +80,8 @@ private:
     bool ours_;
 };
 
-/// The display is not terminated: it is the same for everybody in this process, the program's own
-/// use of EGL included, and theirs would end with ours.
+/// The display is not terminated: all users of EGL in this process share it, and theirs would end
+/// with ours.
 class egl_platform final : public mesa_platform {
 public:
     egl_platform(const egl_calls& calls, egl::display display, egl::context context)

@@ -14,7 +14,7 @@ namespace l3d_detail {
 ///          which must not lose their code.
 class mesa_library {
 public:
-    /// Loads the first of the names that can be loaded; its symbols are nobody else's.
+    /// Loads the first of the names that can be loaded; its symbols stay local.
     explicit mesa_library(std::initializer_list<const char*> names);
 
     /// Why none was loaded, in one line; empty if one was.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_platform: what GL needs from the system around it, by EGL or by OSMesa.
+// mesa_platform: GL's connection to the system, by EGL or by OSMesa.
 #ifndef L3D_TOOL_2D_MESA_MESA_PLATFORM_P_H
 #define L3D_TOOL_2D_MESA_MESA_PLATFORM_P_H
 

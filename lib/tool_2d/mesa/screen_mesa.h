@@ -12,15 +12,16 @@
 
 /// Makes windows where a display can show them, else screens that nobody sees.
 ///
-/// GL draws off-screen and its picture is copied, so any screen serves; what this kind asks for is
-/// a software GL.
+/// GL draws off-screen and its picture is copied, so any screen serves; this kind needs a software
+/// GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 public:
-    /// Asks for the GL of this library: auto, egl or osmesa; empty: what L3D_MESA says.
+    /// Asks for the GL of this library: auto, egl or osmesa; empty: the value of L3D_MESA.
     explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
-    /// Errors:  not_here, with one line that has all reasons and what to install; display_lost.
+    /// Errors:  not_here, with one line of all reasons and of the packages to install;
+    ///          display_lost.
     /// Cost:    a GL context, closed again, and what windows cost.
     l3d_service do_service() const override;
 
@@ -31,7 +32,7 @@ private:
 
     void do_release() const override { windows_.release(); }
 
-    /// One probe for each way to GL, with the renderer. The display is for others to tell of.
+    /// One probe for each way to GL, with the renderer. Other back-ends tell of the display.
     void do_diagnose(l3d_probes& probes) const override;
 
     std::string library_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factories that pair a window with a way for its pictures.
+// The factories that pair a window with a way of sending its pictures.
 #include "tool_2d/x11/screen_x11.h"
 
 #include "tool_2d/x11/x11_diagnosis_p.h"

@@ -13,7 +13,7 @@ class x11_connection;
 }
 
 /// The base of the factories of windows. It keeps the connection on which service() asked, and
-/// create() goes on with it. To connect takes as long as all else together.
+/// create() goes on with it. Connecting takes as long as all else together.
 class l3d_screen_factory_x11 : public l3d_screen_factory {
 public:
     l3d_screen_factory_x11();
@@ -52,8 +52,8 @@ private:
 };
 
 /// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): a
-/// local display, the fast way. Where that does not work, or ceases to, the same window gets its
-/// pixels over the connection, and the screen has a remark.
+/// local display, the fast way. Where sharing fails, now or later, the same window gets its pixels
+/// over the connection, and the screen has a remark.
 class l3d_screen_factory_xshm final : public l3d_screen_factory_x11 {
 private:
     /// Errors:  partly if memory cannot be shared; else as l3d_screen_factory_ximage.

@@ -15,8 +15,8 @@ namespace {
 // Fewer bits than this show steps in every shaded surface.
 constexpr int undithered_bits = 5;
 
-// Levels asked for in a map that others use too, and the fewest that are better than a map of our
-// own. 6x6x6 leaves 40 of 256 cells to others.
+// Levels wanted in a shared map, and the fewest that are better than a map of our own. 6x6x6 leaves
+// 40 of 256 cells to others.
 constexpr int shared_cube = 6, fewest_in_cube = 4;
 constexpr int shared_ramp = 64, fewest_in_ramp = 16;
 
@@ -73,7 +73,8 @@ public:
         return has_room_for(shape) ? share(shape, true) : std::nullopt;
     }
 
-    /// Likewise; where the map has no room, in cells of others that are near.
+    /// The palette of a shape; where the map has no room, in other programs' cells of near colours.
+    /// Errors: likewise.
     std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
         return share(shape, false);
     }
@@ -88,7 +89,7 @@ private:
 
     const x11_connection& connection_;
     Colormap map_;
-    std::vector<XColor> found_; ///< how the map was, without cells that turned out to be private
+    std::vector<XColor> found_; ///< the map's colours, without cells that turned out to be private
     std::vector<unsigned long> allocated_;
 };
 
@@ -141,7 +142,8 @@ bool cell_sharer::allocate(XColor& color) {
     return true;
 }
 
-/// Asking for a cell's very colour gives that cell, unless its owner may change it.
+/// Asks for the exact colour of the nearest cell, which gives that cell unless its owner may change
+/// it.
 bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wanted,
                                    XColor& color) {
     while (!found_.empty()) {

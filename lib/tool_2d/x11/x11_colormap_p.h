@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_colormap: what makes the pixels of a window's visual show our colours.
+// x11_colormap: the map by which the pixels of a window's visual show our colours.
 #ifndef L3D_TOOL_2D_X11_X11_COLORMAP_P_H
 #define L3D_TOOL_2D_X11_X11_COLORMAP_P_H
 
@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// A colormap, the cells of it that are ours, and what pixels look like through it.
+/// A colormap, our cells in it, and the format of its pixels.
 ///
 /// - TrueColor: nothing need be written. Masks of fewer than five bits are dithered.
 /// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
@@ -22,10 +22,10 @@ namespace l3d_detail {
 ///   shared with programs that ask for the same colours: 6x6x6 of them, or 64 grays. If there is no
 ///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
 ///   once more, now with cells of other programs where no channel is off by more than half a step.
-/// - If not even that can be had, or the visual is another one: a map of our own with an exact
-///   palette. On a display with one map in its hardware, other windows show wrong colours while
-///   ours has the focus. So cells that are left over get the colours of the default map, which are
-///   those of menus and borders.
+/// - If that fails, too, or the visual is another one: a map of our own with an exact palette. On a
+///   display with one map in its hardware, other windows show wrong colours while ours has the
+///   focus. So cells that are left over get the colours of the default map, which are those of
+///   menus and borders.
 class x11_colormap {
 public:
     /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or

@@ -32,7 +32,7 @@ struct x11_handlers {
     XIOErrorHandler previous_io_error = nullptr;
     struct sigaction previous_pipe {};
 
-    /// A display that is not closed takes one more record until the end of the program.
+    /// Remembers a lost display, which is never closed, until the end of the program.
     void keep_lost(Display* display) {
         const std::lock_guard lock(mutex);
         lost.push_back(display);
@@ -59,23 +59,23 @@ struct x11_handlers {
 
     static int on_error(Display* display, XErrorEvent* error);
     static int on_io_error(Display* display);
-    static void on_pipe(int) {} // Writing then fails; and programs that we start do not inherit it.
+    static void on_pipe(int) {} // writing fails instead; child processes do not inherit it
     static void on_io_exit(Display* display, void* connection) {
         static_cast<x11_connection*>(connection)->lost_ = true;
-        make_x11_room(display); // for the request that found it out
+        make_x11_room(display); // for the request that met the broken connection
     }
 };
 
 namespace {
 
-/// Where to go on if the server dies while this thread connects to it; else null.
+/// The place to jump to if the server dies while this thread connects to it; else null.
 thread_local std::jmp_buf* way_out_of_opening = nullptr;
 
 // 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
 // otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
 // extension for larger ones). Before each piece it is asked whether there is room. So a large
-// buffer does not make pieces large. It lets many go before anybody waits: half of the size that
-// the system gave, 2 MiB where it allows 4.
+// buffer does not make pieces large. The buffer lets many pieces go before anybody waits: half of
+// the size that the system gave, 2 MiB where it allows 4.
 constexpr int wanted_buffer = 1 << 23;
 // The size of a request beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;
@@ -87,9 +87,9 @@ constexpr std::chrono::seconds longest_connect{3};
 // A server that is well closes its end at once; one that is stopped is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// XOpenDisplay, which ends the process if the server goes away in the middle: before it
-/// returns there is no display to set the exit handler of. The jump leaves Xlib's half-made
-/// display behind; that is the price, once, of going on.
+/// Opens a display and survives a server that dies meanwhile: XOpenDisplay would end the process,
+/// and has no display yet for an exit handler. The jump out of it leaks Xlib's half-made display,
+/// once.
 Display* open_display(const char* name, bool& lost) {
     if (!can_reach_x11_host(name, longest_connect))
         return nullptr;
@@ -168,7 +168,8 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
         connection.reset(new x11_connection(name));
     if (connection && (connection->display_ != nullptr || connection->lost_))
         return connection;
-    // Not before: some wires carry one connection only, and some servers end with their last.
+    // Asked only after a failure: some wires carry one connection only, and some servers end with
+    // their last.
     why = x11_refusal_of(name, longest_connect).why;
     return nullptr;
 }
@@ -188,8 +189,8 @@ x11_connection::x11_connection(const char* name) {
     widen();
 }
 
-/// Finds out how much fits into the socket; into a local one, as much as the system allows. (The
-/// buffers of others are the network's business.)
+/// Finds out how much fits into the socket, and widens the buffer of a local one as far as the
+/// system allows.
 void x11_connection::widen() {
     const int server = ConnectionNumber(display_);
     if (local_)
@@ -207,7 +208,7 @@ void x11_connection::widen() {
 
 x11_connection::~x11_connection() {
     if (display_ == nullptr) {
-        // There is nothing to end.
+        // There is no connection to end.
     } else if (lost_) {
         // Xlib's extensions may be half set up, and crash XCloseDisplay.
         close(ConnectionNumber(display_));
@@ -219,8 +220,8 @@ x11_connection::~x11_connection() {
     x11_handlers::instance().remove(*this);
 }
 
-/// Breaks the connection once the server has done all that it was asked, or does not get to it;
-/// what was ours there is freed then. XCloseDisplay would wait as long as it takes for a reply.
+/// Breaks the connection once the server has done all requests, or after longest_leave; the server
+/// then frees our resources. XCloseDisplay would wait for a reply without end.
 void x11_connection::leave() {
     const int server = ConnectionNumber(display_);
     const auto deadline = std::chrono::steady_clock::now() + longest_leave;
@@ -247,8 +248,8 @@ int x11_connection::error_of(unsigned long serial) const {
 }
 
 bool has_x11_manager(const x11_connection& connection) {
-    // Not XGetWindowAttributes, which asks for the geometry, too: on a slow display's way to its
-    // first picture each request counts.
+    // Not XGetWindowAttributes, which asks for the geometry, too: each request delays a slow
+    // display's first picture.
     auto* const xcb = XGetXCBConnection(connection.display());
     const auto question =
         xcb_get_window_attributes(xcb, static_cast<xcb_window_t>(connection.root()));
@@ -287,7 +288,7 @@ bool x11_connection::wait(short events, std::chrono::steady_clock::time_point de
         return false;
     const auto whole = duration_cast<seconds>(left);
     const timespec timeout{whole.count(), duration_cast<nanoseconds>(left - whole).count()};
-    // A file with the number -1 is none to poll.
+    // poll ignores a file with the number -1.
     std::array files{pollfd{ConnectionNumber(display_), events, 0}, pollfd{waker, POLLIN, 0}};
     return ppoll(files.data(), files.size(), &timeout, nullptr) > 0 && files[0].revents != 0;
 }

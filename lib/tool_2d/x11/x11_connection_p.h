@@ -13,10 +13,10 @@
 
 namespace l3d_detail {
 
-/// Why there is no screen, if the display was lost while it was asked.
+/// The reason for no screen if the display was lost during the question.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
-/// How memory gets to the server.
+/// The way in which the server gets our memory.
 struct x11_sharing {
     enum class way {
         unproven, ///< nobody knows
@@ -30,10 +30,10 @@ struct x11_sharing {
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
-/// connections of this class exist, our handlers stand in front. They keep what concerns these
-/// connections and hand everything else to the handlers found there. Those come back with the end
-/// of the last connection. So it is with SIGPIPE, unless the program handles or ignores it: Xlib's
-/// writing to a dead server raises it.
+/// connections of this class exist, our handlers stand in front. They keep errors of these
+/// connections and hand all others to the previous handlers, which come back with the end of the
+/// last connection. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
+/// unless the program handles or ignores it.
 class x11_connection {
 public:
     /// Connects to the display that the environment names.
@@ -49,13 +49,13 @@ public:
     int screen() const { return DefaultScreen(display_); }
     Window root() const { return RootWindow(display_, screen()); }
 
-    /// As DISPLAY named it.
+    /// The display's name, as DISPLAY has it.
     std::string name() const { return DisplayString(display_); }
 
     /// Whether the server is reached without a network, so that it can share memory with us.
     bool is_local() const { return local_; }
 
-    /// By what it has been proven that the server attaches our memory, and not others'.
+    /// The proven way by which the server attaches our memory, and not others'.
     const x11_sharing& sharing() const { return sharing_; }
     void set_sharing(const x11_sharing& sharing) { sharing_ = sharing; }
 
@@ -73,7 +73,7 @@ public:
     /// Errors:  likewise.
     bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
 
-    /// Sleeps until either is the case. Expects, Errors: likewise.
+    /// Sleeps until the connection is readable or writable. Expects, Errors: likewise.
     bool wait_ready(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
     std::size_t writable_size() const { return writable_size_; }
@@ -132,7 +132,7 @@ public:
     /// Cost:    one round trip.
     int sync();
 
-    /// The same for the requests before the last one that waited for a reply.
+    /// The error code of the requests before the last one that waited for a reply.
     int error() const { return connection_.trapped_error_; }
 
 private:

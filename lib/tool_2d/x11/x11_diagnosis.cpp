@@ -82,7 +82,7 @@ l3d_probe probe_manager(const x11_connection& connection) {
 
 l3d_probe probe_extension(const x11_connection& connection) {
     int major = 0, minor = 0, pixmaps = 0;
-    // Asked for the version of what is not there, Xlib would print a line of its own.
+    // Asked for the version of a missing extension, Xlib would print a line of its own.
     if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) != 0 &&
         XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0)
         return {"MIT-SHM",
@@ -121,7 +121,7 @@ l3d_probe probe_sharing(x11_connection& connection) {
             sharing_remedy(connection)};
 }
 
-/// Null, and a probe that tells it, if there is no display.
+/// Opens a connection; if there is no display, null and a probe with the reason.
 ///
 /// A server that refuses is not asked by Xlib: the library below it would print a line each time.
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {

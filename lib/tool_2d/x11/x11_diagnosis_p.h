@@ -10,7 +10,7 @@ namespace l3d_detail {
 /// Adds the display, its visual and its window manager, unless they are there already.
 void diagnose_x11_display(l3d_probes& probes);
 
-/// Adds that, and whether memory can be shared with the display's server.
+/// Adds the same probes, and whether memory can be shared with the display's server.
 void diagnose_x11_shm(l3d_probes& probes);
 
 } // namespace l3d_detail

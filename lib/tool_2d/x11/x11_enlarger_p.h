@@ -11,11 +11,11 @@
 
 namespace l3d_detail {
 
-/// Enlarges parts of a picture in the server, by requests that every server has: those who are not
-/// trusted have no others.
+/// Enlarges parts of a picture in the server, by core requests alone: untrusted clients have no
+/// others.
 ///
 /// The columns of a small picture are moved apart, and the gaps are filled by copies of the whole,
-/// each shifted by twice as much as the one before. So it goes with rows.
+/// each shifted by twice as much as the one before. Rows are enlarged in the same way.
 /// Lives:   the window outlives it.
 /// Cost:    the server keeps not quite two pictures. A part of w x h cells takes w + h requests of
 ///          28 bytes beside its pixels.
@@ -33,10 +33,10 @@ public:
     x11_enlarger& operator=(const x11_enlarger&) = delete;
     ~x11_enlarger();
 
-    /// Where small pictures are put.
+    /// The pixmap that small pictures are put into.
     Pixmap small() const { return small_; }
 
-    /// Adds what enlarges these cells of small().
+    /// Adds the steps that enlarge these cells of small().
     /// Lives:   the steps borrow this.
     void add_steps(const l3d_pixel_box& cells, int factor, std::vector<step>& steps) const;
 

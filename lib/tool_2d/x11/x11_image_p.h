@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image: the way a window's pictures take to the server.
+// x11_image: the way of a window's pictures to the server.
 #ifndef L3D_TOOL_2D_X11_X11_IMAGE_P_H
 #define L3D_TOOL_2D_X11_X11_IMAGE_P_H
 
@@ -23,8 +23,8 @@ public:
     x11_image& operator=(const x11_image&) = delete;
     virtual ~x11_image() = default;
 
-    /// Whether a buffer is free: what the server still reads may not be written, and what it has
-    /// not read yet must not pile up.
+    /// Whether a buffer is free: the server still reads the others, and unread pictures must not
+    /// pile up.
     bool is_free() const { return do_is_free(); }
 
     /// Sends a part of the picture, and asks the server for an event once it has it. Requests that
@@ -33,29 +33,30 @@ public:
     ///          is the same as in the put before. The part is not empty, and is the whole picture
     ///          the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
-    ///          copies what is left.
+    ///          copies the rest.
     void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {
         do_put(picture, part, deadline);
     }
 
-    /// Where text stands from the next picture on; an image for a slow line sends it first, and
-    /// exactly. Expects: boxes of words, which do not overlap.
+    /// Tells where text stands from the next picture on; an image for a slow line sends it first,
+    /// and exactly. Expects: boxes of words, which do not overlap.
     void set_text(const std::vector<l3d_pixel_box>& boxes) { do_set_text(boxes); }
 
-    /// Goes on with what put could not do without blocking, makes coarse parts fine, and asks after
-    /// an answer that is overdue. To be called now and then before events are read.
+    /// Sends the rest that put could not send without blocking, makes coarse parts fine, and asks
+    /// for overdue answers. To be called now and then before events are read.
     void look_after() { do_look_after(); }
 
-    /// When look_after has something to do although the server sends nothing. Expects: is_idle().
+    /// The time at which look_after has something to do even if the server sends nothing. Expects:
+    /// is_idle().
     time_point next_look() const { return do_next_look(); }
 
     /// Whether part of a picture is still to be sent, as soon as the connection takes it.
     bool is_sending() const { return do_is_sending(); }
 
-    /// Whether the server has answered to all that was put.
+    /// Whether the server has answered all puts.
     bool is_idle() const { return do_is_idle(); }
 
-    /// The window may no longer show what was put: the next picture has to be whole.
+    /// Notes that the window may have lost its picture: the next one has to be whole.
     void forget_shown() { do_forget_shown(); }
 
     /// Takes the event if it is an answer to put; false if it is not.
@@ -66,7 +67,7 @@ public:
     /// Errors:  true, with one line in `why`.
     bool has_failed(std::string& why) const { return do_has_failed(why); }
 
-    /// One phrase for describe(): how words become what travels.
+    /// One phrase for describe(): the conversion of words on their way.
     std::string describe() const { return do_describe(); }
 
 private:
@@ -84,20 +85,20 @@ private:
     virtual std::string do_describe() const = 0;
 };
 
-/// The picture travels over the connection, in the display's own pixels.
+/// Makes an image whose pictures travel over the connection, in the display's own pixels.
 /// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
 
-/// The same for a slow line. Only what differs from what was sent before travels. If that is much,
-/// it travels with fewer pixels, which the server enlarges; once no picture comes for a while, it
-/// is made as fine as it is.
+/// Makes an image for a slow line. Only pixels that differ from those sent before travel. If they
+/// are many, fewer and coarser ones travel, which the server enlarges; once no picture comes for a
+/// while, the fine ones follow.
 /// Errors:  as make_x11_image_put.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size);
 
-/// The picture is in memory that the server shares.
+/// Makes an image in memory that the server shares.
 /// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.
 /// Cost:    as x11_shm_segment::make.
 std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size size,

@@ -57,7 +57,7 @@ private:
         return std::min(box_.bottom, next_row_ + std::max(1, most));
     }
 
-    /// Each piece, and the question at the end, goes when there is room for it. Even a small
+    /// Sends each piece, and the question at the end, when there is room for it. Even a small
     /// request would block right after a large one.
     void send(time_point deadline) {
         while (is_sending()) {
@@ -83,7 +83,7 @@ private:
         is_sending_ = false;
     }
 
-    /// The pixels that are not sent yet become ours.
+    /// Copies the pixels that are not sent yet.
     void keep_rest() {
         if (!is_sending())
             return;
@@ -107,7 +107,7 @@ private:
     std::vector<std::uint8_t> bytes_; ///< bytes to send, unless the words themselves are sent
     l3d_pixel_box box_;               ///< the part of the display's own pixels that is sent
     int next_row_ = 0;                ///< the rows above this one are sent
-    bool is_sending_ = false;         ///< pieces, or the question at the end
+    bool is_sending_ = false;         ///< pieces, or the question at the end, are still to be sent
     x11_echo echo_;
 };
 

@@ -17,12 +17,12 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// While one is copied to the screen, the next is written; more would only add to the delay.
+// While one buffer is copied to the screen, the next is written; more would only add to the delay.
 constexpr std::size_t buffer_count = 2;
 // X counts the pixels of a window in 16 bits, with a sign.
 constexpr int longest_side = 32767;
-// A server that works needs milliseconds for a picture. One that takes longer is asked whether it
-// has forgotten to tell.
+// A server that works needs milliseconds for a picture. After this time it is asked for its answer
+// once more.
 constexpr std::chrono::seconds usual_patience{1};
 
 /// A part of the segment, and whether we or the server may touch it.
@@ -80,7 +80,7 @@ private:
         return true;
     }
 
-    /// False if it is about an image that this one has replaced.
+    /// Takes the server's answer; false if it is about an image that this one has replaced.
     bool take_completion(const XShmCompletionEvent& event) {
         if (event.shmseg != segment_->info().shmseg)
             return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image by XPutImage of what changed: text first, the rest coarse if that is much.
+// x11_image by XPutImage of changed pixels: text first, the rest coarse if there are many.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"
@@ -132,7 +132,7 @@ private:
         if (text == text_)
             return;
         text_ = std::move(text);
-        // Where text comes to stand and the picture is as before, cells may be shown.
+        // Cells may still be shown where text appears on an unchanged picture.
         for (const l3d_pixel_box& box : text_)
             for (x11_tiles* tiles : {&changed_, &coarse_}) {
                 for (const l3d_pixel_box& part : tiles->inside(box))
@@ -173,8 +173,8 @@ private:
         return pixels;
     }
 
-    /// A tile of a panel is mostly ground, which the server fills. A box of what differs from that
-    /// travels; what it shows never blinks.
+    /// A tile of a panel is mostly ground, which the server fills. The box of other pixels travels,
+    /// and never blinks.
     std::int64_t add_text(const l3d_pixel_box& box) {
         const auto* const ground = place_of(box.left, box.top);
         l3d_pixel_box letters;
@@ -215,7 +215,7 @@ private:
 
     std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
 
-    /// How many times as wide and high as a pixel a cell has to be.
+    /// The factor by which a cell has to be wider and higher than a pixel.
     int factor_for(std::int64_t pixels) const {
         int factor = 1;
         while (factor < x11_enlarger::largest_factor &&
@@ -224,7 +224,7 @@ private:
         return factor;
     }
 
-    /// Writes the display's own pixels of a part, and notes which of them are others than before.
+    /// Writes the display's own pixels of a part, and notes which of them have changed.
     void update(const l3d_pixels& picture, const l3d_pixel_box& part) {
         const l3d_pixel_box box = writer_.native_part(part, native_);
         for (int y = box.top; y < box.bottom; ++y) {
@@ -239,7 +239,7 @@ private:
         }
     }
 
-    /// Tile by tile: what changed may lie at both ends of a row.
+    /// Compares tile by tile: changes may lie at both ends of a row.
     void update_row(int left, int right, int y, std::uint8_t* kept) {
         const std::size_t pixel = bytes_of(1);
         const auto* found = row_.data();
@@ -260,13 +260,13 @@ private:
         }
     }
 
-    /// The pixels as they are.
+    /// Adds the pixels of boxes as they are.
     void add_fine(const std::vector<l3d_pixel_box>& boxes) {
         for (const l3d_pixel_box& box : boxes)
             add_pieces(box, *ximage_, window_.id());
     }
 
-    /// Cells, which the server enlarges. The boxes grow to hold whole ones, but for what is text.
+    /// Adds cells, which the server enlarges. The boxes grow to hold whole cells, except over text.
     void add_coarse(const l3d_pixels& picture, int factor, std::vector<l3d_pixel_box>& boxes) {
         if (!enlarger_)
             prepare_cells();
@@ -315,7 +315,7 @@ private:
         }
     }
 
-    /// As many rows at once as there may be room for.
+    /// Adds a box in pieces of as many rows as there may be room for.
     void add_pieces(const l3d_pixel_box& box, XImage& from, Drawable to) {
         const auto most = window_.connection().writable_size() / bytes_of(box.right - box.left);
         const int rows = std::max(1, static_cast<int>(most));
@@ -329,13 +329,13 @@ private:
         }
     }
 
-    /// At the end, if there is something that it can be the end of.
+    /// Adds the question at the end of the steps, if there are any.
     void add_question() {
         if (!steps_.empty())
             steps_.emplace_back([this] { echo_.ask(); });
     }
 
-    /// Each step goes when there is room for it. Even a small request would block right after a
+    /// Sends each step when there is room for it. Even a small request would block right after a
     /// large one.
     void send(time_point deadline) {
         while (do_is_sending() && window_.connection().wait_writable(deadline))
@@ -351,7 +351,7 @@ private:
         if (!do_is_idle() || steady_clock::now() < do_next_look())
             return;
         if (add_text() == 0) {
-            // Text may have kept what changed from being sent.
+            // Text may have kept changed pixels from being sent.
             for (const l3d_pixel_box& box : changed_.take())
                 coarse_.add(box);
             add_fine(coarse_.take(pixels_at_once()));
@@ -384,13 +384,13 @@ private:
     std::vector<l3d_pixel_box> text_; ///< boxes of the window's own pixels
     x11_tiles letters_;               ///< where the window shows other text than the latest picture
     x11_tiles changed_; ///< where the window shows neither pixels nor cells of the latest picture
-    x11_tiles coarse_;  ///< where it shows cells
+    x11_tiles coarse_;  ///< where the window shows cells
     std::unique_ptr<x11_enlarger> enlarger_;
     std::vector<x11_enlarger::step> steps_;
     std::size_t next_step_ = 0;
     time_point last_put_{};
     x11_echo echo_;
-    bool is_forgotten_ = true; ///< nothing is known of what the window shows
+    bool is_forgotten_ = true; ///< the window's contents are unknown
 };
 
 } // namespace

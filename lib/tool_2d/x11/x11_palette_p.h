@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// palette_shape: which colours a palette is to have, and which cells of a map come near them.
+// palette_shape: the colours of a palette, and the cells of a map that come near them.
 #ifndef L3D_TOOL_2D_X11_X11_PALETTE_P_H
 #define L3D_TOOL_2D_X11_X11_PALETTE_P_H
 
@@ -28,7 +28,7 @@ struct palette_shape {
     /// The colour of a place in the palette, as a pixel word.
     std::uint32_t color(int place) const;
 
-    /// How far apart two colours are in their worst channel, in 510ths of a step of that channel.
+    /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
     /// Whether no channel is off by more than half a step, so that a dither still mixes colours of
@@ -46,9 +46,9 @@ struct palette_shape {
 /// The largest difference of two words in a channel, 0..255.
 int channel_difference(std::uint32_t one, std::uint32_t other);
 
-/// The largest palette that can be had from a map as it is, each place the cell that is nearest.
-/// Errors:  nothing, if the map lacks cells near black and white. Nothing, too, if it lacks cells
-///          near the six colours at the other corners of the cube, unless it is to be a ramp.
+/// The largest palette that an unchangeable map allows; each place has the nearest cell.
+/// Errors: nothing, if the map lacks cells near black and white, or, but for a ramp, near the six
+///         other corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
 /// The palette whose pixels masks make: its dither hides how few bits they have.

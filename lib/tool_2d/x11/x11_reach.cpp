@@ -28,7 +28,7 @@ struct address_freer {
 };
 using address_list = std::unique_ptr<addrinfo, address_freer>;
 
-/// Behind the colon, without the screen; -1 if there is none.
+/// The display's number behind the colon, without the screen; -1 if there is none.
 int number_of(const std::string& display, std::size_t colon) {
     int number = -1;
     if (colon != std::string::npos)
@@ -71,7 +71,7 @@ x11_socket connected(const sockaddr* address, socklen_t size, steady_clock::time
     return error == 0 ? std::move(knocker) : x11_socket();
 }
 
-/// By the name that Linux keeps outside of any folder, and by the file.
+/// Connects by the abstract name that Linux keeps outside of any folder, else by the file.
 x11_socket connected_here(const std::string& path, steady_clock::time_point deadline) {
     int error = 0;
     for (const std::size_t hidden : {std::size_t{1}, std::size_t{0}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_reach: a connection to a display before Xlib makes one, and why there is none.
+// x11_reach: tries a connection to a display before Xlib makes one, and tells why it fails.
 #ifndef L3D_TOOL_2D_X11_X11_REACH_P_H
 #define L3D_TOOL_2D_X11_X11_REACH_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_refusal: the greeting of the protocol, and what its answers mean.
+// x11_refusal: the greeting of the protocol, and the meaning of its answers.
 #include "tool_2d/x11/x11_refusal_p.h"
 
 #include "tool_2d/x11/x11_reach_p.h"
@@ -77,7 +77,7 @@ private:
     }
 };
 
-/// Null if the user has none for this display.
+/// The user's cookie for this display; null if there is none.
 unique_cookie cookie_for(int file, const std::string& display) {
     const peer other(file);
     const auto colon = display.rfind(':') + 1;
@@ -108,7 +108,7 @@ std::string greeting(const Xauth* cookie) {
     return bytes;
 }
 
-/// Errors:  false if they do not all come in time.
+/// Receives all bytes. Errors: false if they do not come in time.
 bool receive(int file, std::span<char> bytes, steady_clock::time_point deadline) {
     while (!bytes.empty()) {
         const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_refusal: why a display does not let us in, and what helps.
+// x11_refusal: the reason why a display refuses us, and the remedy.
 #ifndef L3D_TOOL_2D_X11_X11_REFUSAL_P_H
 #define L3D_TOOL_2D_X11_X11_REFUSAL_P_H
 
@@ -8,7 +8,7 @@
 
 namespace l3d_detail {
 
-/// Why there is no connection.
+/// The reason for a refused connection.
 struct x11_refusal {
     std::string why;         ///< one line that gives the value of DISPLAY
     std::string remedy;      ///< one line: what to do about it
@@ -16,7 +16,7 @@ struct x11_refusal {
 };
 
 /// Finds out why Xlib cannot open a display: knocks at it, and hears what the server says. Xlib
-/// does not tell; the library below it prints the server's words and forgets them.
+/// does not tell the reason; the library below it prints the server's words and forgets them.
 ///
 /// Shape:   `display` is the value of DISPLAY; null: it is not set.
 /// Cost:    a connection; no more than `longest` for each of its two steps.

@@ -26,9 +26,9 @@ using std::chrono::steady_clock;
 constexpr auto longest_map = 2s;
 // Input must not wait longer than this for a slow connection.
 constexpr auto longest_put = 100ms;
-// While the server owes an answer, it is looked after so often.
+// Longest time between looks while the server owes an answer.
 constexpr auto longest_without_look = 1s;
-// Over a network more would fill the line, and input would wait behind pictures.
+// More pictures over a network would fill the line, and input would wait behind them.
 constexpr double local_fps = 60, network_fps = 15;
 // Keeps a deadline inside the clock's range.
 constexpr std::chrono::nanoseconds longest_wait = 24h;
@@ -115,7 +115,7 @@ private:
 
     std::unique_ptr<x11_window> window_;
     x11_pointer pointer_;
-    x11_events events_; // after the pointer, whose ways it tells
+    x11_events events_; // after the pointer, which it uses
     x11_wm_facts state_;
     x11_resolution resolution_;
     x11_scroll scroll_;
@@ -124,11 +124,11 @@ private:
     std::string no_shm_; ///< why memory is not shared; empty: it is
     bool is_sparing_;
     std::string remark_;
-    std::vector<l3d_pixel_box> text_; ///< where it stands in the picture; before what learns of it
+    std::vector<l3d_pixel_box> text_; ///< its boxes in the picture; declared before its readers
     std::unique_ptr<x11_image> image_;
     l3d_image picture_;
-    l3d_pixel_box due_;        ///< is to be put once there is a buffer for it
-    bool is_forgotten_ = true; ///< nobody knows what the window shows: all is to be put
+    l3d_pixel_box due_;        ///< the part that waits for a buffer
+    bool is_forgotten_ = true; ///< the window's contents are unknown: all is to be put
     bool ground_is_due_ =
         false;                 ///< a whole picture was put, to which the window's ground has to fit
     bool sync_is_due_ = false; ///< a picture was put, and perhaps waits to be sent
@@ -165,8 +165,8 @@ std::unique_ptr<x11_image> l3d_screen_x11::make_wired_image(l3d_size size) const
     return image;
 }
 
-/// To shared memory a picture is copied, from whatever stride; over the connection it may go as it
-/// lies, if that is as Xlib has it.
+/// Makes the memory of a picture. Shared memory gets copies, so any stride will do; over the
+/// connection the picture goes uncopied if it lies as Xlib wants it.
 l3d_image l3d_screen_x11::make_picture(l3d_size size) const {
     return {size, no_shm_.empty() ? l3d_padded_stride(size.width) : size.width};
 }
@@ -229,7 +229,7 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         events_.take_display_lost();
 }
 
-/// Most of it after the first picture, which so comes sooner.
+/// Asks the server for further facts, mostly after the first picture, which so comes sooner.
 void l3d_screen_x11::look_around() {
     if (image_->is_sending())
         return;
@@ -291,7 +291,7 @@ void l3d_screen_x11::take(XEvent& event) {
     fullscreen_.take(event);
     events_.take(event);
     if (!image_->is_sending())
-        events_.look_after(); // at once: nothing else may wake a program that rests
+        events_.look_after(); // at once: nothing else may wake a resting program
 }
 
 /// Sleeps until there is something to do, at the latest at the deadline. False at the deadline, at

@@ -55,7 +55,7 @@ std::string kernel_reason(const char* call) {
     return std::string(call) + ": " + std::generic_category().message(errno);
 }
 
-/// Whether there is no need to try.
+/// Whether sharing cannot work, so that there is no need to try.
 bool is_hopeless(const x11_connection& connection, std::string& why) {
     const char* const refusal = std::getenv("L3D_NO_SHM");
     if (refusal != nullptr && *refusal != '\0')
@@ -122,7 +122,7 @@ void hand_over(xcb_connection_t* xcb, int opcode, XID segment, int file) {
     request.shmReqType = X_ShmAttachFd;
     request.shmseg = static_cast<CARD32>(segment);
     request.readOnly = xTrue;
-    // The two in front are the library's.
+    // The first two parts are the library's.
     std::array<iovec, 3> parts{};
     parts[2] = {&request, sizeof request};
     const xcb_protocol_request_t kind{1, nullptr, static_cast<std::uint8_t>(opcode), 1};
@@ -200,7 +200,7 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_system_v(x11_connection& co
 bool x11_shm_segment::attach_file(std::size_t size, int opcode, std::string& why) {
     rlimit largest{};
     if (getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur < size) {
-        // The kernel would send a signal, which ends programs.
+        // Above the limit the kernel would send a signal, which ends programs.
         why = "the limit of file sizes (ulimit -f) is too small";
         return false;
     }
@@ -209,7 +209,7 @@ bool x11_shm_segment::attach_file(std::size_t size, int opcode, std::string& why
         why = kernel_reason("memfd_create");
         return false;
     }
-    // Sealed, it never ends where the server reads.
+    // A sealed file cannot shrink under the server's reads.
     void* address = MAP_FAILED;
     if (ftruncate(file, static_cast<off_t>(size)) == 0 &&
         fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK) == 0)
@@ -242,7 +242,7 @@ bool x11_shm_segment::attach(std::size_t size, std::string& why) {
         forget_name();
         return false;
     }
-    // At once, so that a process that is killed leaves nothing behind.
+    // The name goes at once, so that a killed process leaves nothing behind.
     if (attaches_nameless)
         forget_name();
     info_.shmaddr = static_cast<char*>(address);

@@ -26,13 +26,13 @@ namespace l3d_detail {
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment. The first one of a connection proves that it works. The server answers that
-    /// it has taken the file; or it sees in the segment of System V what we write there. A server
-    /// in another IPC namespace may find a stranger's memory under our number.
+    /// Makes a segment. The first one of a connection proves that it works. Proof is the server's
+    /// answer that it has taken the file, or that it reads our pixels in the segment of System V. A
+    /// server in another IPC namespace may find a stranger's memory under our number.
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
-    /// Errors:  null, with one line in `why` that gives the reasons of kernel or server;
-    ///          std::bad_alloc. If the server refuses a later one, this shows when it is used.
+    /// Errors: null, with one line in `why` that gives the reasons of kernel or server;
+    ///         std::bad_alloc. A later segment that the server refuses fails at its first use.
     /// Cost:    the first time five round trips for a file, and as many more if that fails.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,

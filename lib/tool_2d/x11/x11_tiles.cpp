@@ -16,7 +16,7 @@ l3d_pixel_box& x11_tiles::tile(int column, int row) {
                   static_cast<std::size_t>(column)];
 }
 
-/// Calls visit(kept, place) for each tile that a box touches, and counts anew what it leaves there.
+/// Calls visit(kept, place) for each tile that a box touches, and counts the tile's pixels anew.
 template <class Visit> void x11_tiles::visit_tiles(const l3d_pixel_box& box, Visit visit) {
     if (box.empty())
         return;
@@ -74,7 +74,7 @@ std::vector<l3d_pixel_box> x11_tiles::take(std::int64_t most) {
     std::int64_t taken = 0;
     for (int row = 0; row < rows_ && !empty() && (taken < most || taken == 0); ++row) {
         for (const l3d_pixel_box& box : take_row(row, most, taken)) {
-            // Below one of the same columns, which it lengthens.
+            // A box below one of the same columns lengthens it.
             const auto above = std::ranges::find_if(found, [&](const l3d_pixel_box& other) {
                 return other.bottom == box.top && other.left == box.left &&
                        other.right == box.right;

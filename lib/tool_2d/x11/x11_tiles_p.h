@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_tiles: which parts of a picture are to be sent.
+// x11_tiles: the parts of a picture that are to be sent.
 #ifndef L3D_TOOL_2D_X11_X11_TILES_P_H
 #define L3D_TOOL_2D_X11_X11_TILES_P_H
 
@@ -31,7 +31,7 @@ public:
     /// Adds all pixels of a box. Expects: it lies in the picture.
     void add(const l3d_pixel_box& box);
 
-    /// Removes what was added of each tile, where all of that lies in the box.
+    /// Removes the box of each tile that lies wholly in the given one.
     void remove(const l3d_pixel_box& box);
 
     /// The parts of the boxes that lie inside `box`; none overlap. Expects: `box` lies in the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_visual: lists, filters and ranks what the screen offers.
+// x11_visual: lists, filters and ranks the screen's visuals.
 #include "tool_2d/x11/x11_visual_p.h"
 
 #include <algorithm>

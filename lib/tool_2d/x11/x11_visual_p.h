@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_visual: which of the display's pixel formats a window is made with.
+// x11_visual: the choice of the display's pixel format for a window.
 #ifndef L3D_TOOL_2D_X11_X11_VISUAL_P_H
 #define L3D_TOOL_2D_X11_X11_VISUAL_P_H
 
@@ -21,7 +21,7 @@ struct x11_visual {
     int cells = 0; ///< entries of its colormap; if there are masks, of the largest channel
 };
 
-/// All that the screen offers, of whatever class.
+/// The formats that the screen offers, of all classes.
 std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 
 /// The visual that shows our colours best without disturbing others.
@@ -33,8 +33,8 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 /// one of our own would spoil the colours of other windows. The best has no alpha; then the most
 /// bits in its poorest channel, up to our eight; then no map that must be written; then the most
 /// bits.
-/// Errors:  nothing, with one line in `why` that gives class, depth and masks of the preferred
-///          one, and what would do.
+/// Errors: nothing, with one line in `why`: class, depth and masks of the preferred one, and the
+///         formats that would serve.
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
                                             const Visual* preferred, std::string& why);
 

@@ -138,7 +138,7 @@ void x11_window::set_names(const l3d_screen_request& request) {
     std::string instance = request.name, class_name = "L3d";
     XClassHint names{instance.data(), class_name.data()};
     XSetClassHint(display(), window_, &names);
-    // Managers put another machine's name into the title, if they know it by then.
+    // Managers put another machine's name into the title, if they know it in time.
     if (!connection_->is_local())
         set_machine();
 }

@@ -45,10 +45,11 @@ public:
     const l3d_screen_info& info() const { return colormap_->info(); }
     const x11_colormap& colormap() const { return *colormap_; }
 
-    /// Side of the square of the display's pixels that shows one of ours.
+    /// Display pixels along the side of one of ours.
     int scale() const { return scale_; }
 
-    /// How fine the display is now, as x11_fineness has it. True if letters change by that.
+    /// Takes the display's present fineness, as x11_fineness has it. True if letters change by
+    /// that.
     bool set_fineness(double fineness);
 
     /// See l3d_screen::text_scale.
@@ -69,7 +70,7 @@ public:
     /// word.
     void set_ground(std::uint32_t word);
 
-    /// Who may want to hear of the pointer at all times.
+    /// Those who may want to hear of the pointer at all times.
     enum class watcher : unsigned { fullscreen = 1, program = 2 };
 
     /// Hears of the pointer at all times, or for this one only while a button is held.
@@ -82,7 +83,7 @@ public:
     /// Expects: the window is on the screen.
     void take_focus();
 
-    /// Tells what a window need not tell before its first picture, which so comes sooner.
+    /// Sets properties that need not precede the first picture, which so comes sooner.
     void set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const;
 
     /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.

@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// Tells when the server has done what it was asked before.
+/// Tells when the server has done all earlier requests.
 ///
 /// We send an event to our own window. The server works in order, so it arrives after all earlier
 /// requests are done; and unlike a request with a reply it makes nobody wait.

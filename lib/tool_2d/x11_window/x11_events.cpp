@@ -159,7 +159,8 @@ void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
     push(event);
 }
 
-/// Tells of a change of what can be seen. A server that keeps what is covered does not ask for it.
+/// Tells of a change of the window's visibility. A server that keeps covered pixels sends no
+/// expose.
 void x11_events::look() {
     const bool hidden = covered_ || unmapped_ || away_;
     constexpr auto hide = l3d_event_type::hide, reveal = l3d_event_type::reveal;
@@ -179,7 +180,7 @@ void x11_events::take_size(const XConfigureEvent& event) {
     tell_size();
 }
 
-/// X counts milliseconds in 32 bits, which are over after 49.7 days. Programs may send events
+/// X counts milliseconds in 32 bits, which overflow after 49.7 days. Programs may send events
 /// without a time.
 std::chrono::milliseconds x11_events::since_start(Time time) {
     const auto now = static_cast<std::uint32_t>(time);
@@ -199,7 +200,7 @@ template <class Event> l3d_event x11_events::at(const Event& event) {
     return ours;
 }
 
-/// Words about the pointer say nothing of the keyboard.
+/// Takes a change of the keyboard's focus; events about the pointer's focus do not count.
 void x11_events::take_focus(const XFocusChangeEvent& event) {
     if (event.detail == NotifyPointer || event.detail == NotifyInferior)
         return;
@@ -239,7 +240,7 @@ void x11_events::take_release(const XKeyEvent& event) {
     push(release);
 }
 
-/// Without the keyboard we do not hear of its keys.
+/// Releases all held keys: without the keyboard we do not hear of them.
 void x11_events::release_all() {
     for (int& held : held_)
         if (const int key = std::exchange(held, 0); key != 0 && key != untold) {
@@ -285,7 +286,7 @@ void x11_events::push_turn(l3d_event event, double notches) {
     event.type = l3d_event_type::wheel;
     event.turn = notches;
     turned_ += notches;
-    // Ten tenths are one, whatever they sum up to.
+    // Ten tenths count as one despite rounding.
     constexpr double nothing = 1e-6;
     event.notches = static_cast<int>(turned_ + std::copysign(nothing, turned_));
     turned_ -= event.notches;
@@ -356,7 +357,7 @@ void x11_events::take_message(XClientMessageEvent& event) {
     if (protocol == atoms.wm_delete_window) {
         push({.type = l3d_event_type::close});
     } else if (protocol == atoms.net_wm_ping) {
-        // Sent back to the root it says that we are alive.
+        // The event, sent back to the root, says that we are alive.
         const auto root = window_.connection().root();
         event.window = root;
         XSendEvent(window_.display(), root, False,

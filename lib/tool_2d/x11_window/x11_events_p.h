@@ -18,28 +18,26 @@ namespace l3d_detail {
 
 /// Translates the events of one window and keeps them until they are asked for.
 ///
-/// Some things are kept once, since only their latest value matters. These are the size, whether
-/// the window can be seen, that it lost its picture, and the pointer's place until something else
-/// happens. Every key that is told pressed is told released, by the time the window loses the
-/// keyboard at the latest.
+/// Some events are kept once, since only the latest matters: the size, the window's visibility, a
+/// lost picture, and the pointer's place until something else happens. Every key that is told
+/// pressed is told released, by the time the window loses the keyboard at the latest.
 ///
-/// Xlib reads what the keys mean when it looks up the first one, and after each change. It waits
-/// for the server then, and no signal is heard but a second one. So we have it read right after an
-/// answer of the server, and what the user does after a change waits for that.
+/// Xlib reads the keymap when it looks up the first key, and after each change. It then waits for
+/// the server, deaf to a first signal. So we have it read right after an answer of the server, and
+/// later events of the user wait for that.
 class x11_events {
 public:
-    /// `size` is that which the window was made with.
+    /// `size` is the window's first size.
     x11_events(const x11_window& window, l3d_size size, x11_pointer& pointer)
         : window_(window), size_(size), pointer_(pointer), keyboard_echo_(window) {}
 
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
-    /// Once there is a picture: the meaning of the keys will be of use. Without it the first key is
-    /// waited for.
+    /// Call after the first picture: it reads the keymap early, so the first key need not wait.
     void want_keyboard();
 
-    /// Asks for an answer if the keyboard is to be read. To be called now and then.
+    /// Asks for an answer of the server if the keymap is to be read. To be called now and then.
     void look_after();
 
     /// A fine wheel turned, with the pointer at this place.
@@ -61,18 +59,18 @@ public:
 
     bool empty() const { return queue_.empty(); }
 
-    /// Whether the oldest is a key that does one thing in a fullscreen window and another in
-    /// others. Expects: !empty().
+    /// Whether the oldest event is a key whose action depends on fullscreen. Expects: !empty().
     bool is_about_fullscreen() const {
         const l3d_event& oldest = queue_.front();
         return oldest.type == l3d_event_type::fullscreen ||
                (oldest.type == l3d_event_type::key_press && oldest.key == l3d_key_escape);
     }
 
-    /// Whether one that waits, here or at Xlib, asks for the window to be closed. None is taken.
+    /// Whether a waiting event, here or at Xlib, asks for the window to be closed. No event is
+    /// taken.
     bool has_close();
 
-    /// Takes the oldest; false if there is none.
+    /// Takes the oldest event; false if there is none.
     bool next(l3d_event& event);
 
     bool is_mapped() const { return mapped_; }
@@ -109,9 +107,9 @@ private:
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
     std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
     bool covered_ = false, unmapped_ = false, away_ = false;
-    Time turned_at_ = 0;               ///< when a fine wheel last did
-    double turned_ = 0;                ///< since the last full notch
-    bool hidden_ = false;              ///< for one of these reasons
+    Time turned_at_ = 0;               ///< time at which a fine wheel last turned
+    double turned_ = 0;                ///< notches since the last full one
+    bool hidden_ = false;              ///< hidden for one of these reasons
     bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
     std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
     std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had

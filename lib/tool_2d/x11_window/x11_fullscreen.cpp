@@ -33,7 +33,7 @@ void x11_fullscreen::follow() {
     const x11_facts& facts = state_.facts();
     const bool is_granted = facts.grants_fullscreen;
     if (is_granted && covers_) {
-        // Its memory of the window shall be that of the usual place.
+        // The manager shall remember the window's usual place.
         uncover();
         wanted_ = wanted_.value_or(true);
     } else if (granted_ && !is_granted) {
@@ -120,7 +120,7 @@ void x11_fullscreen::take_place(const XConfigureEvent& event) {
         move({asked_.left - right, asked_.top - down, asked_.right - right, asked_.bottom - down});
         return;
     }
-    // On its way to cover the screen, it has the new size before anybody says so.
+    // A window that is about to cover the screen has the new size before anybody tells.
     const l3d_pixel_box whole = monitor();
     if (on_ || !is_on_screen ||
         (event.width == whole.right - whole.left && event.height == whole.bottom - whole.top))

@@ -13,9 +13,9 @@ namespace l3d_detail {
 
 /// Covers the screen with a window, and gives it back its old place.
 ///
-/// A window manager that knows how is asked to. Otherwise the window covers the monitor that it is
-/// on. The manager's word counts, whoever asked it. A manager that comes takes over, and one that
-/// goes leaves the window as it is. While it covers the screen, a pointer that rests is hidden.
+/// A window manager that can do so is asked. Otherwise the window covers the monitor that it is on.
+/// The manager's word counts, whoever asked it. A manager that comes takes over, and one that goes
+/// leaves the window as it is. While it covers the screen, a pointer that rests is hidden.
 /// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
@@ -25,22 +25,22 @@ public:
     x11_fullscreen(x11_window& window, x11_wm_facts& state, l3d_size native)
         : window_(window), state_(state), place_{0, 0, native.width, native.height} {}
 
-    /// Whether it does, or will once all that was asked for is done.
+    /// Whether the window covers the screen, or will once all requests are done.
     bool is_on() const;
 
-    /// Happens as soon as the state of the window is known.
+    /// Asks for the state; it changes as soon as the state of the window is known.
     void set(bool on);
 
     /// Looks at an event about our window: did the pointer move, or the window?
     void take(const XEvent& event);
 
-    /// The state of the window may be another.
+    /// Follows the window's state, which may have changed.
     void follow();
 
     /// Hides the pointer if it has not moved for two seconds. To be called now and then.
     void rest(clock::time_point now);
 
-    /// When rest() has something to do; never, if the pointer need not be hidden.
+    /// The time at which rest() has something to do; never, if the pointer need not be hidden.
     clock::time_point next_rest() const;
 
 private:
@@ -67,19 +67,19 @@ private:
     /// Whether the window covers the screen.
     bool on_ = false;
 
-    /// Whether a manager did, or would do it, when we last looked.
+    /// Whether a manager covered the screen, or would do so, at our last look.
     bool granted_ = false;
 
     /// Whether we made it cover the screen ourselves.
     bool covers_ = false;
 
-    /// Where the window is when it does not cover the screen.
+    /// The window's place when it does not cover the screen.
     l3d_pixel_box place_;
 
-    /// Where the window shall be to cover the screen.
+    /// The place that covers the screen.
     l3d_pixel_box asked_{};
 
-    /// Whether asked_ was mended by what a manager's frame had moved the window.
+    /// Whether asked_ was corrected by the offset of a manager's frame.
     bool is_corrected_ = false;
 
     bool pointer_hidden_ = false;

@@ -65,7 +65,7 @@ void x11_pointer::look_after() {
     echo_.ask();
 }
 
-/// The server's answer has come before the echo.
+/// Takes an echo; the server's answer has come before it.
 bool x11_pointer::take(const XEvent& event) {
     if (!echo_.take(event))
         return false;
@@ -86,8 +86,8 @@ void x11_pointer::put_back() {
     XWarpPointer(window_.display(), None, window_.id(), 0, 0, 0, 0, middle().x, middle().y);
 }
 
-/// Whether a place is one after the leap to the middle. A server may tell of a motion before it
-/// with the number of the request that leaps, so the distance decides.
+/// Whether a place comes after the leap to the middle. An earlier motion may carry the number of
+/// the leaping request, so the distance decides.
 bool x11_pointer::has_leapt_to(const place& now) const {
     const auto distance = [&now](const place& from) {
         return std::max(std::abs(now.x - from.x), std::abs(now.y - from.y));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_pointer: what a program hears of the pointer, and a pointer that it holds.
+// x11_pointer: the motion that a program hears of, and a pointer that it holds.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_POINTER_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_POINTER_P_H
 
@@ -22,8 +22,8 @@ struct x11_way {
 /// Holds the pointer for a program that wants it, as long as the window has the keyboard.
 ///
 /// A held pointer is put back to the window's middle whenever it comes far from that, so that its
-/// way has no end. X tells places only: what the program hears is their differences, and the leaps
-/// back are no part of them. Servers bound by a network or nested in others have this, too.
+/// way has no end. X tells places only: the program gets their differences, without the leaps back.
+/// This works on servers over a network or nested in others, too.
 /// Lives:   borrows the window.
 /// Cost:    nothing waits for an answer; a leap every quarter of a window.
 class x11_pointer {
@@ -49,11 +49,11 @@ public:
     /// Asks for the pointer if that is due. To be called now and then.
     void look_after();
 
-    /// True if the event was the server's word about that.
+    /// True if the event was the server's answer to that.
     bool take(const XEvent& event);
 
-    /// How far the pointer moved by this event, which is 0 for one that is not held. Nothing if
-    /// that is nobody's business: the pointer was put back.
+    /// The pointer's way in this event, 0 if it is not held. Nothing if the motion only put the
+    /// pointer back.
     std::optional<x11_way> way_of(const XMotionEvent& event);
 
 private:
@@ -78,7 +78,7 @@ private:
     xcb_grab_pointer_cookie_t asked_{};
     clock::time_point next_try_{};
     unsigned long leap_ = 0;    ///< the request that put the pointer back; 0: it has arrived
-    std::optional<place> last_; ///< where a held pointer was; nothing before the first word of it
+    std::optional<place> last_; ///< a held pointer's last place; nothing before its first motion
 };
 
 } // namespace l3d_detail

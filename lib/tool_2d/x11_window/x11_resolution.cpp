@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_resolution: two sources of one number.
+// x11_resolution: dots an inch from two sources.
 #include "tool_2d/x11_window/x11_resolution_p.h"
 
 #include "tool_2d/x11/x11_reply_p.h"
@@ -20,7 +20,7 @@ namespace {
 // Limit of a text of settings, in words: desktops have some kilobytes.
 constexpr std::uint32_t longest_text = 1 << 16;
 
-/// Reads numbers one by one; once something is missing, all that follows is.
+/// Reads numbers one by one; after a missing one, all others count as missing.
 class settings_reader {
 public:
     explicit settings_reader(std::span<const std::uint8_t> text) : rest_(text) {
@@ -43,7 +43,7 @@ public:
         return value;
     }
 
-    /// With what fills up its last word.
+    /// Takes a text and the bytes that fill up its last word.
     std::string_view text(std::size_t bytes) {
         const auto found = take(bytes);
         skip((4 - bytes % 4) % 4);
@@ -102,7 +102,7 @@ std::optional<double> xsettings_dpi(std::span<const std::uint8_t> text) {
 x11_resolution::x11_resolution(const x11_window& window)
     : window_(window), xcb_(XGetXCBConnection(window.display())), echo_(window) {}
 
-/// Asks what comes next.
+/// Asks the next question.
 void x11_resolution::proceed() {
     if (window_.connection().lost())
         return;

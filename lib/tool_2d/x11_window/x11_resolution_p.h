@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_resolution: how fine the display is, by the user's settings of now.
+// x11_resolution: the display's fineness by the user's present settings.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_RESOLUTION_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_RESOLUTION_P_H
 

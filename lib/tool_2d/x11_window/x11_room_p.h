@@ -9,10 +9,10 @@ namespace l3d_detail {
 
 /// Empties Xlib's buffer, which nobody will read.
 ///
-/// Xlib may find its server gone when it makes room for a request. libX11 1.8 then has no place
-/// for it, says so on stderr, and has extensions write to a null pointer. So the room is made here.
-/// Above all this concerns the first request after one of XCB's: each of the two libraries takes
-/// the connection from the other.
+/// Xlib may find its server gone when it makes room for a request. libX11 1.8 then has no place for
+/// it, says so on stderr, and has extensions write to a null pointer. So the room is made here. The
+/// first request after one of XCB's is the usual case, since each library takes the connection from
+/// the other.
 /// Expects: Xlib has just called the handler of broken connections for this display.
 void make_x11_room(Display* display);
 

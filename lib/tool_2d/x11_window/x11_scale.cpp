@@ -21,7 +21,7 @@ using unique_database = std::unique_ptr<std::remove_pointer_t<XrmDatabase>, data
 
 constexpr double usual_dpi = 96;
 
-/// Dots an inch, as the user has set them; null is no text.
+/// Dots an inch that the user has set in resources; null is no text.
 double resource_dpi(const char* resources) {
     if (resources == nullptr)
         return usual_dpi;
@@ -40,7 +40,7 @@ double resource_dpi(const char* resources) {
 
 double x11_fineness_of_dpi(double dpi) {
     const double wanted = dpi / usual_dpi;
-    // Also for a resource that is no number.
+    // This is 1 also for a resource that is no number.
     return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
 }
 

@@ -16,9 +16,9 @@ inline int x11_scale(const l3d_screen_request& request) {
     return request.scale == 0 ? 1 : request.scale;
 }
 
-/// The size of the picture: what the request names if it names a scale, too. Else as much larger as
-/// the display is fine, so that the window has its usual size before people's eyes, as far as it
-/// then stays one that X can make.
+/// The size of the picture: the requested one if a scale is requested, too. Else it is larger by
+/// the display's fineness, so that the window has its usual size for people's eyes, within X's
+/// limits.
 /// Cost:    none; Xlib has read the resources when it opened the display.
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);
@@ -27,7 +27,7 @@ l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_req
 /// than l3d_largest_scale. Cost: as x11_picture_size.
 double x11_fineness(const x11_connection& connection);
 
-/// The same by a text of resources, and by dots an inch.
+/// The fineness by a text of resources, and by dots an inch.
 double x11_fineness_of(const char* resources);
 double x11_fineness_of_dpi(double dpi);
 

@@ -109,7 +109,7 @@ void x11_scroll::look_after() {
         proceed();
 }
 
-/// Asks what comes next, if there is room for it.
+/// Sends the next question, if there is room for it.
 void x11_scroll::proceed() {
     if (window_.connection().lost())
         return;
@@ -148,9 +148,9 @@ void x11_scroll::ask() {
 
 unsigned x11_scroll::send(std::span<std::uint8_t> request, std::uint8_t kind,
                           bool has_reply) const {
-    // Behind the number of the extension, which the library writes.
+    // The kind follows the number of the extension, which the library writes.
     request[1] = kind;
-    // The two in front are the library's.
+    // The first two parts are the library's.
     std::array<iovec, 3> parts{};
     parts[2] = {request.data(), request.size()};
     const xcb_protocol_request_t how{1, nullptr, opcode_,
@@ -240,7 +240,7 @@ std::optional<x11_turn> x11_scroll::take(XEvent& event) {
     if (event.xcookie.evtype == XI_Motion) {
         turn = take_motion(data);
     } else {
-        // Another device, or turns elsewhere.
+        // A wheel of another device, or turned elsewhere: the last numbers mean nothing.
         for (auto& known : wheels_)
             known.second.last.reset();
         if (stage_ == stage::watching)
@@ -274,7 +274,7 @@ std::optional<x11_turn> x11_scroll::take_motion(bytes message) {
         value += sizeof(FP3232);
         if (found == wheels_.end() || !place)
             continue;
-        // X counts towards the user.
+        // X counts turns towards the user.
         auto& [increment, last] = found->second;
         if (last)
             turn.notches -= (number(*place) - *last) / increment;

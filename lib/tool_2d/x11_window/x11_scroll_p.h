@@ -33,7 +33,8 @@ class x11_scroll {
 public:
     explicit x11_scroll(const x11_window& window);
 
-    /// Asks, or goes on with it. To be called now and then once there is a picture.
+    /// Sends the questions, or goes on with them. To be called now and then once there is a
+    /// picture.
     void look_after();
 
     /// Looks at an event. Something if it tells of a motion or a turn.
@@ -42,7 +43,7 @@ public:
 private:
     enum class stage { unasked, searching, asking, watching };
 
-    /// Which wheel: device, and its number there.
+    /// A wheel's name: its device, and its number there.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
         double increment = 1;       ///< how far a notch is

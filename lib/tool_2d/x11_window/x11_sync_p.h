@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_sync: a window manager that resizes the window no faster than we can draw it.
+// x11_sync: keeps a window manager from resizing the window faster than we can draw it.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_SYNC_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_SYNC_P_H
 
@@ -25,7 +25,7 @@ public:
     /// Looks at an event: is it a number, or a size that follows one?
     void take(const XEvent& event);
 
-    /// A picture of this size has been put, or has been there all the time.
+    /// Notes that the window has a picture of this size.
     void shown(l3d_size size);
 
 private:

@@ -12,13 +12,13 @@
 namespace l3d_detail {
 namespace {
 
-/// Symbols that wait for another key.
+/// Whether a symbol waits for another key.
 bool begins_a_sequence(KeySym symbol) {
     return symbol == XK_Multi_key ||
            (symbol >= XK_dead_grave && symbol <= XK_dead_longsolidusoverlay);
 }
 
-/// Which table of sequences the user has, by the rules for the locale of characters.
+/// The locale whose table of sequences the user has.
 const char* locale_of_user() {
     for (const char* const variable : {"LC_ALL", "LC_CTYPE", "LANG"})
         if (const char* const value = std::getenv(variable); value != nullptr && *value != 0)

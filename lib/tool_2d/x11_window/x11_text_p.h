@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_text: which characters the keys type.
+// x11_text: the characters that keys type.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
 
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<xkb_context, freer> context_;
     std::unique_ptr<xkb_compose_table, freer> table_;
     std::unique_ptr<xkb_compose_state, freer> state_; ///< null without a table
-    bool is_open_ = false;                            ///< it was tried
+    bool is_open_ = false;                            ///< opening was tried
 };
 
 } // namespace l3d_detail

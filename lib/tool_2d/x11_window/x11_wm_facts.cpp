@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_wm_facts: questions without waiting, and what follows from the answers.
+// x11_wm_facts: questions without waiting, and facts from their answers.
 #include "tool_2d/x11_window/x11_wm_facts_p.h"
 
 #include "tool_2d/x11/x11_reply_p.h"
@@ -50,7 +50,7 @@ void x11_wm_facts::ask() {
     if (is_due_)
         return;
     if (stage_ == stage::unwatched) {
-        // Before the first question: whatever changes after it is told.
+        // Listening begins before the first question, so that later changes are told.
         XSelectInput(window_.display(), window_.connection().root(),
                      PropertyChangeMask | StructureNotifyMask);
         ask_names();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_wm_facts: what the window manager and the server make of our window.
+// x11_wm_facts: the state of our window by the window manager and the server.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 
@@ -25,7 +25,7 @@ struct x11_facts {
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
 };
 
-/// Keeps the facts up to date by what others write: properties of our window, of the root, and of
+/// Keeps the facts up to date by properties that others write: of our window, of the root, and of
 /// the window by which a manager shows that it lives.
 ///
 /// Each change asks for all of it anew, in one go. The last request is an event to ourselves. So
@@ -43,7 +43,7 @@ public:
         net_number_of_desktops,
         net_supported,
         net_supporting_wm_check,
-        watched_count, ///< those above are what others write
+        watched_count, ///< others write those above
         net_wm_pid = watched_count,
         net_wm_icon,
         name_count
@@ -53,7 +53,7 @@ public:
 
     const x11_facts& facts() const { return facts_; }
 
-    /// 0 as long as the server has not told it.
+    /// The number of a name; 0 as long as the server has not told it.
     Atom atom(name which) const { return atoms_[which]; }
 
     /// Asks for everything, and from then on hears of changes by itself.
@@ -66,7 +66,7 @@ public:
             ask();
     }
 
-    /// Whether an answer is due that was asked for by the last call of ask().
+    /// Whether the answer to the last call of ask() is still due.
     bool is_asking() const { return is_due_ || echo_.is_awaited(); }
 
     /// Looks at an event. True if it brought new facts.
@@ -83,7 +83,7 @@ private:
         xcb_get_property_cookie_t check, checked, supported, current_desktop, desktops;
         xcb_get_property_cookie_t state, wm_state, desktop;
         xcb_randr_get_monitors_cookie_t monitors;
-        Window asked_check = 0; ///< whose property `checked` is
+        Window asked_check = 0; ///< the window whose property `checked` is
         bool has_randr = false;
     };
 
@@ -106,7 +106,7 @@ private:
     std::array<xcb_intern_atom_cookie_t, name_count> names_{};
     std::array<xcb_atom_t, name_count> atoms_{};
     question question_{};
-    Window check_ = 0; ///< by which the manager shows that it lives
+    Window check_ = 0; ///< shows that the manager lives
 };
 
 } // namespace l3d_detail
