@@ -58,8 +58,9 @@ public:
     }
 
     /// Calls visit(tile, left, top, its marked pixels that lie in a box) for each tile that has
-    /// such. Expects: the box lies in the band, and is not empty.
-    template <class Visit> void visit(const l3d_pixel_box& box, const Visit& visit) const {
+    /// such, until it returns true. Returns whether it did. Expects: the box lies in the band, and
+    /// is not empty.
+    template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
         constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
                                 a_column = 0x0101010101010101;
         const auto first = static_cast<std::uint32_t>(box.left),
@@ -70,19 +71,28 @@ public:
             const auto top = static_cast<std::int32_t>(y * side);
             const std::uint64_t rows = all << side * std::max(box.top - top, 0) &
                                        all >> side * std::max(top + side - box.bottom, 0);
+            const tile* row = &at(0, static_cast<std::int32_t>(y));
             for (std::uint32_t x = first / side; x <= last_column; ++x) {
-                const auto left = static_cast<std::int32_t>(x * side);
-                const tile& here = at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
-                std::uint64_t bits = here.bits & rows;
+                std::uint64_t bits = row[x].bits & rows;
                 if (bits == 0)
                     continue;
+                const auto left = static_cast<std::int32_t>(x * side);
                 bits &= (a_row << std::max(box.left - left, 0) &
                          a_row >> std::max(left + side - box.right, 0)) *
                         a_column;
-                if (bits != 0)
-                    visit(here, left, top, bits);
+                if (bits != 0 && visit(row[x], left, top, bits))
+                    return true;
             }
         }
+        return false;
+    }
+
+    /// Whether there is a marked pixel in a box. Expects: as visit.
+    bool reached(const l3d_pixel_box& box) const {
+        return may_reach(box) &&
+               visit(box, [](const tile&, std::int32_t, std::int32_t, std::uint64_t) {
+                   return true;
+               });
     }
 
     /// A tile, by the numbers of its column and row in the picture.
