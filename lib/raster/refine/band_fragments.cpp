@@ -36,7 +36,7 @@ void band_fragments::begin(const pixel_bits& marks, const drawn_depth& depth,
 
 void band_fragments::add(const band_list& list, const band_item& item, bool levels) {
     inside_ = item.box.intersected(pixels_.band());
-    if (inside_.empty() || !pixels_.may_reach(inside_))
+    if (inside_.empty() || !pixels_.reached(inside_))
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
@@ -44,7 +44,7 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
         const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),
                                   inside_.right, std::min(reached.bottom + 1, inside_.bottom)};
-        if (!strip.empty() && pixels_.may_reach(strip))
+        if (!strip.empty() && pixels_.reached(strip))
             add_row(*item.part, item.cells, row, levels);
     }
 }

@@ -22,6 +22,8 @@ half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const st
         }
         row[steps + 1] = ~std::uint64_t{0};
     }
+    for (std::size_t i = 0; i < others; ++i)
+        masks_[others + i] = ~masks_[i];
 }
 
 const half_planes& planes_of_samples() {

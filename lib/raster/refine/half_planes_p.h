@@ -30,8 +30,10 @@ public:
                 int cells);
 
     /// The masks. Shape: a row for each direction, dx from -1 to 1. In each row are no place, e
-    /// from -1/2 to 1/2 in the middles of its steps, and all places.
+    /// from -1/2 to 1/2 in the middles of its steps, and all places. From `others` on, all rows are
+    /// there once more, with the places that are not on the line's side.
     const std::uint64_t* masks() const { return masks_.data(); }
+    static constexpr std::size_t others = (turns + 1) * in_row;
 
     /// The places where a number that is linear over the square is not negative: `in_middle` in its
     /// middle, and what a side to the right and one down add.
@@ -47,11 +49,11 @@ public:
         const auto turn = static_cast<int>(down * scale * first_turn + (first_turn + 0.5f));
         const auto step = static_cast<int>(in_middle * scale * steps + (middle + 0.5f));
         const int place = turn * static_cast<int>(in_row) + step;
-        return masks_[static_cast<unsigned>(place)] ^ (right > 0 ? all : 0);
+        return masks_[static_cast<unsigned>(place) + (right > 0 ? others : 0)];
     }
 
 private:
-    std::array<std::uint64_t, (turns + 1) * in_row> masks_{};
+    std::array<std::uint64_t, 2 * others> masks_{};
 };
 
 /// The samples of a pixel. The table is made at the first call.

@@ -77,13 +77,14 @@ public:
             hn::Store(middle, floats, middle_ + at);
             hn::Store(hn::Add(middle, hn::IfThenElse(is_other, hn::Neg(margin), margin)), floats,
                       in_tile_ + at);
-            hn::Store(hn::BitCast(side_ints, hn::VecFromMask(floats, is_other)), side_ints,
-                      other_ + at);
             const auto turn =
                 hn::ConvertTo(side_ints, hn::Add(hn::Mul(hn::Mul(dx, scale),
                                                          hn::Set(floats, half_planes::first_turn)),
                                                  hn::Set(floats, half_planes::first_turn + 0.5f)));
-            hn::Store(hn::Sub(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
+            const auto others =
+                hn::IfThenElseZero(is_other, hn::BitCast(floats, hn::Set(side_ints, half_planes::others)));
+            hn::Store(hn::Sub(hn::Add(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
+                                      hn::BitCast(side_ints, others)),
                               hn::BitCast(side_ints, hn::Set(floats, whole))),
                       side_ints, rows_ + at);
         }
@@ -135,12 +136,12 @@ private:
         }
         std::uint64_t result = ~std::uint64_t{0};
         for (std::size_t side = 0; side < 4; ++side)
-            result &= masks[places[side]] ^ static_cast<std::uint64_t>(std::int64_t{other_[side]});
+            result &= masks[places[side]];
         return result;
     }
 
     alignas(16) float x_[4], y_[4], per_x_[4], per_y_[4], middle_[4], in_tile_[4];
-    alignas(16) std::int32_t rows_[4], other_[4];
+    alignas(16) std::int32_t rows_[4];
 };
 
 std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
