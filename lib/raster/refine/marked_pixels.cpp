@@ -73,11 +73,10 @@ void marked_pixels::gather_bits(const pixel_bits& marks) {
 void marked_pixels::list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth) {
     of.open = of.bits;
     of.first = static_cast<std::uint32_t>(pixels_.size());
-    const bool is_inside = depth.drawn_in({left, top, left + side, top + side});
     for (std::uint64_t bits = of.bits; bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits);
         const std::int32_t x = left + bit % side, y = top + bit / side;
-        const float farthest = is_inside ? depth.farthest_inside(x, y) : depth.farthest(x, y);
+        const float farthest = depth.farthest(x, y);
         pixels_.push_back({x, y, fragment::none, farthest > 0, farthest, HUGE_VALF, 0});
     }
 }
