@@ -36,7 +36,7 @@ void band_fragments::begin(const pixel_bits& marks, const drawn_depth& depth,
 
 void band_fragments::add(const band_list& list, const band_item& item, bool levels) {
     inside_ = item.box.intersected(pixels_.band());
-    if (inside_.empty() || !pixels_.may_reach(inside_))
+    if (inside_.empty() || !pixels_.reached(inside_))
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
@@ -44,7 +44,7 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
         const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),
                                   inside_.right, std::min(reached.bottom + 1, inside_.bottom)};
-        if (!strip.empty() && pixels_.may_reach(strip))
+        if (!strip.empty() && pixels_.reached(strip))
             add_row(*item.part, item.cells, row, levels);
     }
 }
@@ -56,7 +56,7 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
     boxes_.find(part.grid, first, count, inside_);
     for (std::size_t i = 0; i < count; ++i) {
         const l3d_pixel_box box{boxes_.left[i], boxes_.top[i], boxes_.right[i], boxes_.bottom[i]};
-        if (!box.empty() && pixels_.may_reach(box))
+        if (!box.empty() && pixels_.reached(box))
             add_quad(part, first + i, box, levels);
     }
 }
@@ -64,21 +64,32 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
                               const l3d_pixel_box& box, bool levels) {
     const l3d_micro_grid& grid = part.grid;
-    quad_corners corners = corners_of(grid, p00);
-    const quad_turns turns(corners);
-    const std::uint32_t color = color_of(part, part.material);
+    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
+    const std::array<std::size_t, 4> at{p00, p00 + 1, p01 + 1, p01};
+    fragment_polygon& polygon = next_polygon();
+    for (std::size_t i = 0; i < at.size(); ++i)
+        polygon.set_corner(i, grid.x[at[i]], grid.y[at[i]], grid.inv_w[at[i]]);
+    const quad_turns turns({polygon.place(0), polygon.place(1), polygon.place(2),
+                            polygon.place(3)});
     if (turns.level() || grid.is_cut(p00))
         return;
+    const std::uint32_t color = color_of(part, part.material);
     if (!turns.folded()) {
-        if (grid.shows_both)
-            show_side(corners, turns.area2());
-        return add_convex(corners, color, box);
+        polygon.close(4, turns.area2());
+        if (!cover(polygon, box))
+            return;
+        const float side = grid.shows_both && turns.area2() > 0 ? -1.0f : 1.0f; // see show_side
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t i = 0; i < at.size(); ++i)
+                polygon.light[k][i] = side * grid.normal[k][at[i]];
+        return keep(polygon, color);
     }
     const auto add_piece = [&](auto piece, std::int64_t area2) {
         if (grid.shows_both)
             show_side(piece, area2);
-        add_convex(piece, color, reached(piece));
+        add_triangle(piece, color);
     };
+    const quad_corners corners = corners_of(grid, p00);
     if (levels)
         cut_folded_levels(corners, turns, add_piece);
     else
@@ -87,49 +98,52 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
 
 void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t first,
                                    std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-        const std::array corners{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
-                                 part.triangles.vertex(i, 2)};
-        const l3d_pixel_box box = reached(corners);
-        if (!box.empty() && pixels_.may_reach(box))
-            add_convex(corners, color_of(part, part.material_of(i)), box);
-    }
+    for (std::size_t i = first; i < last; ++i)
+        add_triangle({part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                      part.triangles.vertex(i, 2)},
+                     color_of(part, part.material_of(i)));
 }
 
-l3d_pixel_box band_fragments::reached(std::span<const l3d_micro_vertex> corners) const {
-    l3d_subpixel_box box{corners[0].x, corners[0].y, corners[0].x, corners[0].y};
-    for (const l3d_micro_vertex& v : corners.subspan(1)) {
-        box.left = std::min(box.left, v.x);
-        box.top = std::min(box.top, v.y);
-        box.right = std::max(box.right, v.x);
-        box.bottom = std::max(box.bottom, v.y);
-    }
-    return samples_between(box).intersected(inside_);
+void band_fragments::add_triangle(const std::array<l3d_micro_vertex, 3>& corners,
+                                  std::uint32_t color) {
+    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+    const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    const l3d_pixel_box box = samples_between({left, top, right, bottom}).intersected(inside_);
+    if (box.empty() || !pixels_.reached(box))
+        return;
+    fragment_polygon& polygon = next_polygon();
+    polygon.set_triangle(corners);
+    if (polygon.area2 == 0 || !cover(polygon, box))
+        return;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            polygon.light[k][i] = corners[std::min<std::size_t>(i, 2)].normal[k];
+    keep(polygon, color);
 }
 
-void band_fragments::add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
-                                const l3d_pixel_box& box) {
+/// The place of a polygon that is not kept yet.
+fragment_polygon& band_fragments::next_polygon() {
     if (polygons_.size() == polygon_count_)
         polygons_.resize(2 * polygon_count_ + 1);
-    fragment_polygon& polygon = polygons_[polygon_count_];
-    polygon.set_corners(corners);
-    if (box.empty() || polygon.area2 == 0)
-        return;
+    return polygons_[polygon_count_];
+}
+
+/// Makes its fragments. Returns whether there are any.
+bool band_fragments::cover(const fragment_polygon& polygon, const l3d_pixel_box& box) {
     const std::size_t room = std::min(static_cast<std::size_t>(box.area()), pixels().size());
     if (fragments_.size() < count_ + room + 1)
         fragments_.resize(2 * count_ + room + 1);
     const std::size_t covered =
         cover_samples(polygon, static_cast<std::uint32_t>(polygon_count_), box, pixels_,
                       fragments_.data() + count_, static_cast<std::uint32_t>(count_));
-    if (covered == 0)
-        return;
     count_ += covered;
-    ++polygon_count_;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            polygon.light[k][i] = corners[std::min(i, corners.size() - 1)].normal[k];
+    return covered > 0;
+}
+
+void band_fragments::keep(fragment_polygon& polygon, std::uint32_t color) {
     polygon.color = color;
     polygon.set_plane();
+    ++polygon_count_;
     if (count_ >= most_fragments_)
         leave_out_hidden();
 }

@@ -9,6 +9,7 @@
 #include "raster/surface_part.h"
 #include "raster/surfaces/band_list_p.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,13 +72,14 @@ private:
     void add_triangles(const l3d_surface_part& part, std::size_t first, std::size_t last);
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
-    void add_convex(std::span<const l3d_micro_vertex> corners, std::uint32_t color,
-                    const l3d_pixel_box& box);
+    void add_triangle(const std::array<l3d_micro_vertex, 3>& corners, std::uint32_t color);
+    fragment_polygon& next_polygon();
+    bool cover(const fragment_polygon& polygon, const l3d_pixel_box& box);
+    void keep(fragment_polygon& polygon, std::uint32_t color);
     void leave_out_hidden();
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];
     }
-    l3d_pixel_box reached(std::span<const l3d_micro_vertex> corners) const;
 
     std::span<const std::uint32_t> colors_;
     bool by_material_ = false;

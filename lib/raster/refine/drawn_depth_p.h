@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace l3d_detail {
 
@@ -22,53 +21,39 @@ public:
                 const coarse_depth& coarse)
         : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
 
-    /// What is farther than this is hidden in a pixel; 0 if nothing is in it or in one around it.
-    /// The farthest surface there may go on behind the others, as much farther as it is than the
-    /// second farthest depth.
-    float farthest(std::int32_t x, std::int32_t y) const;
-
-    /// Whether something may be in all tiles around and in a box, and these lie in the window.
-    bool drawn_in(const l3d_pixel_box& box) const;
-
-    /// The same as farthest. Expects: drawn_in of a box with the pixel.
-    float farthest_inside(std::int32_t x, std::int32_t y) const {
-        two_depths depths;
-        const float* row = first_ + (y - 1) * pitch_ + x;
-        for (int i = 0; i < 3; ++i, row += pitch_)
-            for (int column = -1; column < 2; ++column)
-                depths.add(row[column]);
-        return depths.bound();
+    /// The farthest depth in a pixel and those around it; 0 if nothing is in one of them.
+    /// Expects: (x, y) lies in the window.
+    float farthest(std::int32_t x, std::int32_t y) const {
+        const std::int32_t left = std::max(x - 1, window_.left),
+                           top = std::max(y - 1, window_.top),
+                           right = std::min(x + 1, window_.right - 1),
+                           bottom = std::min(y + 1, window_.bottom - 1);
+        // They have four tiles at most.
+        const bool is_wide = left / depth_tile::width != right / depth_tile::width;
+        const bool is_high = top / depth_tile::height != bottom / depth_tile::height;
+        if (!coarse_->drawn_at(left, top) || (is_wide && !coarse_->drawn_at(right, top)) ||
+            (is_high && (!coarse_->drawn_at(left, bottom) ||
+                         (is_wide && !coarse_->drawn_at(right, bottom)))))
+            return 0;
+        float result = HUGE_VALF;
+        for (const std::int32_t row : {top, y, bottom}) {
+            const float* const depths = first_ + row * pitch_;
+            result = std::min({result, depths[left], depths[x], depths[right]});
+        }
+        return result;
     }
 
-    /// Whether all pixels around one, and itself, show what is nearer than `inv_w`. It is fastest
-    /// if the one at (x + to_x, y + to_y) does not.
-    /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
+    /// Whether a pixel and all around it show what is nearer than `inv_w`. It is fastest if the one
+    /// at (x + to_x, y + to_y) does not. Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {
         const std::int32_t first_x = std::clamp(x + to_x, window_.left, window_.right - 1);
         const std::int32_t first_y = std::clamp(y + to_y, window_.top, window_.bottom - 1);
         return coarse_->drawn_at(first_x, first_y) &&
-               !(inv_w > first_[first_y * pitch_ + first_x]) && hides_around(x, y, inv_w);
+               !(inv_w > first_[first_y * pitch_ + first_x]) && !(inv_w > farthest(x, y));
     }
 
 private:
-    /// The two farthest of some depths.
-    struct two_depths {
-        float first = HUGE_VALF, second = HUGE_VALF;
-
-        void add(float depth) {
-            second = std::min(second, std::max(first, depth));
-            first = std::min(first, depth);
-        }
-        float bound() const {
-            if (first == 0)
-                return 0;
-            return std::max(first - (second - first), std::numeric_limits<float>::min());
-        }
-    };
-
-    bool hides_around(std::int32_t x, std::int32_t y, float inv_w) const;
-
     const float* first_ = nullptr;
     std::ptrdiff_t pitch_ = 0;
     l3d_pixel_box window_;

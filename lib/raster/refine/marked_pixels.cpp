@@ -27,38 +27,29 @@ void marked_pixels::begin(const pixel_bits& marks, const drawn_depth& depth,
         const std::size_t row = i / columns_, column = i % columns_;
         list(tiles_[i], static_cast<std::int32_t>(column) * side,
              band.top + static_cast<std::int32_t>(row) * side, depth);
-        see_near(i);
     }
-}
-
-void marked_pixels::see_near(std::size_t of) {
-    const std::size_t left = of % columns_ > 0 ? 1 : 0, above = of >= columns_ ? columns_ : 0;
-    for (const std::size_t before : {std::size_t{0}, left, above, above + left})
-        tiles_[of - before].is_near = true;
 }
 
 bool marked_pixels::reopen() {
-    for (tile& t : tiles_)
-        t.is_near = false;
-    l3d_pixel_box open{band_.right, band_.bottom, band_.left, band_.top};
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        const auto count = static_cast<std::uint32_t>(std::popcount(tiles_[i].bits));
-        for (std::uint32_t k = 0; k < count; ++k) {
-            marked_pixel& pixel = pixels_[tiles_[i].first + k];
-            const bool is_open = pixel.is_closed && pixel.covered != ~std::uint64_t{0};
-            pixel.farthest = is_open ? 0 : HUGE_VALF;
-            if (!is_open)
+    l3d_pixel_box reached{band_.right, band_.bottom, band_.left, band_.top};
+    for (tile& of : tiles_) {
+        of.open = 0;
+        std::uint32_t i = of.first;
+        for (std::uint64_t bits = of.bits; bits != 0; bits &= bits - 1) {
+            marked_pixel& pixel = pixels_[i++];
+            if (!pixel.is_closed || pixel.covered == ~std::uint64_t{0})
                 continue;
+            of.open |= bits & -bits;
+            pixel.farthest = 0;
             pixel.last = fragment::none;
             pixel.covered = 0;
             pixel.least = HUGE_VALF;
-            see_near(i);
-            open = {std::min(open.left, pixel.x), std::min(open.top, pixel.y),
-                    std::max(open.right, pixel.x + 1), std::max(open.bottom, pixel.y + 1)};
+            reached = {std::min(reached.left, pixel.x), std::min(reached.top, pixel.y),
+                       std::max(reached.right, pixel.x + 1), std::max(reached.bottom, pixel.y + 1)};
         }
     }
-    band_ = open;
-    return !open.empty();
+    band_ = reached;
+    return !reached.empty();
 }
 
 /// A word of a row has the rows of eight tiles.
@@ -80,12 +71,12 @@ void marked_pixels::gather_bits(const pixel_bits& marks) {
 }
 
 void marked_pixels::list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth) {
+    of.open = of.bits;
     of.first = static_cast<std::uint32_t>(pixels_.size());
-    const bool is_inside = depth.drawn_in({left, top, left + side, top + side});
     for (std::uint64_t bits = of.bits; bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits);
         const std::int32_t x = left + bit % side, y = top + bit / side;
-        const float farthest = is_inside ? depth.farthest_inside(x, y) : depth.farthest(x, y);
+        const float farthest = depth.farthest(x, y);
         pixels_.push_back({x, y, fragment::none, farthest > 0, farthest, HUGE_VALF, 0});
     }
 }

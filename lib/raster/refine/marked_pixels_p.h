@@ -36,8 +36,8 @@ public:
     static constexpr std::int32_t side = 8;
     struct tile {
         std::uint64_t bits = 0;
+        std::uint64_t open = 0;  ///< those of its marked pixels that take something
         std::uint32_t first = 0; ///< the place of its first marked pixel
-        bool is_near = false;    ///< it, or one next to it on the right or below, has marks
     };
 
     /// Expects: the band begins with a whole tile.
@@ -47,19 +47,10 @@ public:
     /// them as well. The others take nothing more. Returns whether there are any.
     bool reopen();
 
-    /// Whether a box that is not empty may have a marked pixel: one of the tiles that it meets, or
-    /// of those next to these. Expects: it lies in the band.
-    bool may_reach(const l3d_pixel_box& box) const {
-        for (std::int32_t y = box.top / side; y * side < box.bottom; y += 2)
-            for (std::int32_t x = box.left / side; x * side < box.right; x += 2)
-                if (at(x, y).is_near)
-                    return true;
-        return false;
-    }
-
-    /// Calls visit(tile, left, top, its marked pixels that lie in a box) for each tile that has
-    /// such. Expects: the box lies in the band, and is not empty.
-    template <class Visit> void visit(const l3d_pixel_box& box, const Visit& visit) const {
+    /// Calls visit(tile, left, top, its open pixels that lie in a box) for each tile that has
+    /// such, until it returns true. Returns whether it did. Expects: the box lies in the band, and
+    /// is not empty.
+    template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
         constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
                                 a_column = 0x0101010101010101;
         const auto first = static_cast<std::uint32_t>(box.left),
@@ -70,19 +61,27 @@ public:
             const auto top = static_cast<std::int32_t>(y * side);
             const std::uint64_t rows = all << side * std::max(box.top - top, 0) &
                                        all >> side * std::max(top + side - box.bottom, 0);
+            const tile* row = &at(0, static_cast<std::int32_t>(y));
             for (std::uint32_t x = first / side; x <= last_column; ++x) {
-                const auto left = static_cast<std::int32_t>(x * side);
-                const tile& here = at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
-                std::uint64_t bits = here.bits & rows;
+                std::uint64_t bits = row[x].open & rows;
                 if (bits == 0)
                     continue;
+                const auto left = static_cast<std::int32_t>(x * side);
                 bits &= (a_row << std::max(box.left - left, 0) &
                          a_row >> std::max(left + side - box.right, 0)) *
                         a_column;
-                if (bits != 0)
-                    visit(here, left, top, bits);
+                if (bits != 0 && visit(row[x], left, top, bits))
+                    return true;
             }
         }
+        return false;
+    }
+
+    /// Whether there is an open pixel in a box. Expects: as visit.
+    bool reached(const l3d_pixel_box& box) const {
+        return visit(box, [](const tile&, std::int32_t, std::int32_t, std::uint64_t) {
+            return true;
+        });
     }
 
     /// A tile, by the numbers of its column and row in the picture.
@@ -98,7 +97,6 @@ public:
 
 private:
     void gather_bits(const pixel_bits& marks);
-    void see_near(std::size_t of);
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;

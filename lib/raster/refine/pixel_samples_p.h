@@ -5,7 +5,9 @@
 
 #include "raster/micro_grid.h"
 #include "raster/refine/marked_pixels_p.h"
+#include "raster/shapes/scan_edge_p.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,7 +17,7 @@ namespace l3d_detail {
 
 /// A convex polygon that may reach a marked pixel. A triangle's last corner is there twice.
 struct fragment_polygon {
-    std::int32_t x[4], y[4]; ///< units: 1/256 pixel
+    std::int32_t x[5], y[5]; ///< the first is the last, too; units: 1/256 pixel
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
@@ -28,8 +30,22 @@ struct fragment_polygon {
     /// add. Units: pixels.
     float middle_x, middle_y, depth, depth_right, depth_down;
 
-    /// Sets places and depths of corners, and the area.
-    void set_corners(std::span<const l3d_micro_vertex> of);
+    void set_corner(std::size_t i, std::int32_t to_x, std::int32_t to_y, float to_inv_w) {
+        x[i] = to_x;
+        y[i] = to_y;
+        inv_w[i] = to_inv_w;
+    }
+    /// Sets the rest of what its sides need. Expects: all corners are set.
+    void close(std::int32_t of_corners, std::int64_t twice_area) {
+        x[4] = x[0];
+        y[4] = y[0];
+        corners = of_corners;
+        area2 = twice_area;
+    }
+    /// Sets places and depths of three corners, and the area.
+    void set_triangle(const std::array<l3d_micro_vertex, 3>& of);
+
+    scan_point place(std::size_t i) const { return {x[i], y[i]}; }
 
     /// Sets the plane from these.
     void set_plane();

@@ -43,12 +43,12 @@ void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area
 /// where it turns to the right.
 class quad_turns {
 public:
-    explicit quad_turns(const quad_corners& v) {
-        for (std::size_t i = 0; i < at_.size(); ++i) {
-            const scan_point corner = position(v[i]);
-            at_[i] = cross(corner - position(v[(i + 3) % 4]), position(v[(i + 1) % 4]) - corner);
-        }
+    explicit quad_turns(const std::array<scan_point, 4>& v) {
+        for (std::size_t i = 0; i < at_.size(); ++i)
+            at_[i] = cross(v[i] - v[(i + 3) % 4], v[(i + 1) % 4] - v[i]);
     }
+    explicit quad_turns(const quad_corners& v)
+        : quad_turns({position(v[0]), position(v[1]), position(v[2]), position(v[3])}) {}
 
     std::int64_t area2() const { return at_[0] + at_[2]; }
 

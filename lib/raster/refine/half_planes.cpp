@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// half_planes: each line against each place.
+#include "raster/refine/half_planes_p.h"
+
+#include "raster/refine/sample_places_p.h"
+
+#include <cmath>
+
+namespace l3d_detail {
+
+half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const std::int16_t, 64> y,
+                         int cells) {
+    for (std::size_t turn = 0; turn <= turns; ++turn) {
+        const double dx = 2.0 * static_cast<double>(turn) / turns - 1, dy = 1 - std::abs(dx);
+        std::uint64_t* const row = masks_.data() + turn * in_row;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double right = (x[i] + 0.5) / cells - 0.5, down = (y[i] + 0.5) / cells - 0.5;
+            const double there = dx * down - dy * right;
+            for (std::size_t step = 0; step < steps; ++step)
+                if ((static_cast<double>(step) + 0.5) / steps - 0.5 + there >= 0)
+                    row[step + 1] |= std::uint64_t{1} << i;
+        }
+        row[steps + 1] = ~std::uint64_t{0};
+    }
+    for (std::size_t i = 0; i < others; ++i)
+        masks_[others + i] = ~masks_[i];
+}
+
+const half_planes& planes_of_samples() {
+    static const half_planes table(the_samples.x, the_samples.y, sample_places::cells);
+    return table;
+}
+
+const half_planes& planes_of_pixels() {
+    static const half_planes table = [] {
+        constexpr std::int16_t side = 8;
+        std::array<std::int16_t, 64> x{}, y{};
+        for (std::int16_t i = 0; i < side * side; ++i) {
+            x[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(i % side);
+            y[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(i / side);
+        }
+        return half_planes(x, y, side);
+    }();
+    return table;
+}
+
+} // namespace l3d_detail
