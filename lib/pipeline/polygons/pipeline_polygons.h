@@ -72,7 +72,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// What is seen where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 
-    /// What far surfaces fade into, in perspective. Hidden lines and wireframes have none.
+    /// What far surfaces and lines fade into.
     l3d_fog fog{};
 
     /// Edges are means over pixels, not stairs, and lines are smooth.
