@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// curves: a cubic curve with handles, walked by forward differences in three arithmetics.
+// curves: a cubic curve with handles, walked by forward differences in three arithmetics, in equal
+// and in adaptive steps.
+#include <l3d/adaptive_steps.h>
 #include <l3d/fixed.h>
 #include <l3d/font.h>
 #include <l3d/image.h>
@@ -44,6 +46,57 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
     return result;
 }
 
+/// An adaptive walk beside equal steps: how long steps are, and how far off they end.
+struct walk_seen {
+    l3d_step_counts counts;
+    std::vector<l3d_point_2d> places; ///< of both ends of all steps
+    double longest = 0;               ///< how far a step moves the larger coordinate, in pixels
+    double worst = 0;                 ///< how far a place is from the exact one, in pixels
+
+    void add(l3d_point_2d place, l3d_point_2d exact) {
+        if (!places.empty())
+            longest = std::max({longest, std::abs(place.x - places.back().x),
+                                std::abs(place.y - places.back().y)});
+        worst = std::max(worst, std::hypot(place.x - exact.x, place.y - exact.y));
+        places.push_back(place);
+    }
+};
+
+double at_parameter(const numbers& b, double t) {
+    const double s = 1 - t;
+    return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
+}
+
+/// Begins with 2^4 steps, as the study's program does, and ends with 2^12 at the most.
+template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
+    constexpr int first = 4, finest = 12;
+    const auto build = [](const numbers& b) {
+        numbers on_grid = b; // the values of 16.16 and of whole numbers alike
+        for (double& value : on_grid)
+            value = std::round(64 * value) / 64;
+        return l3d_forward_difference<T, 3>::build(on_grid, 1 << first);
+    };
+    walk_seen seen;
+    seen.counts = l3d_walk_adaptively<T, 2>(
+        {build(x), build(y)}, first, finest, T(1), [&](std::int64_t at, int, const auto& curve) {
+            const double t = static_cast<double>(at) / (1 << finest);
+            seen.add({static_cast<double>(curve[0].value()), static_cast<double>(curve[1].value())},
+                     {at_parameter(x, t), at_parameter(y, t)});
+        });
+    return seen;
+}
+
+/// As many equal steps, in double.
+walk_seen equal(const numbers& x, const numbers& y, int steps) {
+    const auto places_x = walked<double>(x, steps), places_y = walked<double>(y, steps);
+    walk_seen seen;
+    for (std::size_t i = 0; i < places_x.size(); ++i) {
+        const double t = static_cast<double>(i) / steps;
+        seen.add({places_x[i], places_y[i]}, {at_parameter(x, t), at_parameter(y, t)});
+    }
+    return seen;
+}
+
 /// Step 2 of 5: the application is a pipeline.
 class curves_pipeline final : public l3d_pipeline_2d {
 public:
@@ -60,6 +113,8 @@ public:
             change_steps(1);
         if (key == 'l')
             change_steps(-1);
+        if (key == 'a')
+            adaptive_ = !adaptive_;
         if (key == 'd')
             dashed_ = !dashed_;
         if (key == 'z')
@@ -95,6 +150,8 @@ public:
 
 private:
     using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< 32 bits, half of them after the point
+    /// Whole numbers: a grid of 2^-6 pixel, and 3 bits for each of 12 halvings.
+    using whole_42 = l3d_fixed<std::int64_t, 42>;
 
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
@@ -133,6 +190,8 @@ private:
     void draw(l3d_rasterizer_2d& r) override {
         fresh_ = true;
         r.clear_buffer();
+        if (adaptive_)
+            return draw_adaptive(r);
         const std::array<l3d_point_2d, 4> p{place(0), place(1), place(2), place(3)};
         const numbers x{p[0].x, p[1].x, p[2].x, p[3].x}, y{p[0].y, p[1].y, p[2].y, p[3].y};
         const auto exact_x = walked<double>(x, steps_), exact_y = walked<double>(y, steps_);
@@ -177,8 +236,66 @@ private:
         draw_numbers(r, x, y, errors[worst]);
     }
 
-    /// Factor of thin lines and letters: 1 in windows of 480 x 320 pixels, and growing more slowly
-    /// than larger windows. A fine display counts by its text, so its windows look as elsewhere.
+    /// Two ribbons along the curve. The one above has adaptive steps, the one below as many equal
+    /// ones. Red steps are longer than a pixel and blue ones shorter than half of one.
+    void draw_adaptive(l3d_rasterizer_2d& r) {
+        const std::array<l3d_point_2d, 4> p{place(0), place(1), place(2), place(3)};
+        const numbers x{p[0].x, p[1].x, p[2].x, p[3].x}, y{p[0].y, p[1].y, p[2].y, p[3].y};
+        const walk_seen whole = adaptive<whole_42>(x, y), fixed = adaptive<fixed_16>(x, y);
+        const walk_seen even = equal(x, y, static_cast<int>(whole.counts.steps));
+        draw_ribbon(r, whole.places, -1);
+        draw_ribbon(r, even.places, 1);
+        l3d_path handles;
+        for (const l3d_point_2d& handle : p)
+            handles.add_circle(handle, 5 * unit());
+        r.draw_path(l3d_stroked(handles, {.width = 1.5 * unit()}), {.color = step_color});
+
+        const auto counted = [](std::int64_t count, const std::string& thing) {
+            return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+        };
+        const auto of = [](const walk_seen& seen) {
+            return "the longest " + with_four_digits(seen.longest) + " px, off by " +
+                   with_four_digits(seen.worst) + " px";
+        };
+        l3d_point_2d base{6 * unit(), 13 * unit()};
+        const auto write = [&](std::uint32_t color, const std::string& line) {
+            write_text(r, color, base, line);
+            base.y += 13.5 * unit();
+        };
+        write(whole_color, "adaptive: " + counted(whole.counts.steps, "step") + ", " +
+                               counted(whole.counts.halvings, "halving") + ", " +
+                               counted(whole.counts.doublings, "doubling"));
+        write(whole_color, of(whole));
+        write(step_color, "equal: " + counted(even.places.size() - 1, "step"));
+        write(step_color, of(even));
+        write(fixed_color, "adaptive in 16.16: " + counted(fixed.counts.steps, "step"));
+        write(fixed_color, of(fixed));
+    }
+
+    /// Steps as strokes across, all on one side of the curve.
+    void draw_ribbon(l3d_rasterizer_2d& r, const std::vector<l3d_point_2d>& places, double side) {
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const l3d_point_2d from = places[i - 1], to = places[i];
+            const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
+            if (length == 0)
+                continue;
+            const double moves = std::max(std::abs(x), std::abs(y));
+            const double near = 3 * unit() * side / length, far = 14 * unit() * side / length;
+            l3d_path step;
+            step.add_polygon(std::array<l3d_point_2d, 4>{{{from.x - y * near, from.y + x * near},
+                                                          {to.x - y * near, to.y + x * near},
+                                                          {to.x - y * far, to.y + x * far},
+                                                          {from.x - y * far, from.y + x * far}}});
+            r.draw_path(step, {.color = moves > 1     ? fixed_color
+                                        : moves < 0.5 ? exact_color
+                                                      : whole_color,
+                               .alpha = i % 2 == 0 ? 0.9 : 0.6}); // neighbours differ
+        }
+    }
+
+    /// What thin lines and letters are multiplied by: windows of 480 x 320 pixels have 1, larger
+    /// ones more, but less than they are larger. A fine display counts by its text: its windows
+    /// look as they do elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;
@@ -242,16 +359,22 @@ private:
         r.draw_path(bars, {.color = fixed_color, .alpha = 0.8});
     }
 
+    void write_text(l3d_rasterizer_2d& r, std::uint32_t color, l3d_point_2d base,
+                    const std::string& text) {
+        const double letters = 10 * unit();
+        l3d_path path;
+        font_.outline(path, base, text, letters);
+        // a dark rim, so that letters can be read upon lines
+        r.draw_path(l3d_stroked(path, {.width = letters / 3, .join = l3d_join::round}),
+                    {.color = 0, .alpha = 0.7});
+        r.draw_path(path, {.color = color});
+    }
+
     void draw_numbers(l3d_rasterizer_2d& r, const numbers& x, const numbers& y, double worst) {
         const double letters = 10 * unit();
         l3d_point_2d base{0.6 * letters, 1.3 * letters};
         const auto write = [&](std::uint32_t color, double from, const std::string& text) {
-            l3d_path path;
-            font_.outline(path, {base.x + from, base.y}, text, letters);
-            // a dark rim, so that letters can be read upon lines
-            r.draw_path(l3d_stroked(path, {.width = letters / 3, .join = l3d_join::round}),
-                        {.color = 0, .alpha = 0.7});
-            r.draw_path(path, {.color = color});
+            write_text(r, color, {base.x + from, base.y}, text);
         };
         const auto width = [&](const std::string& text) {
             l3d_path nowhere;
@@ -324,10 +447,8 @@ private:
             const double n = 1 << doublings;
             l3d_integer_cubic(control).walk_halved(
                 doublings / 2, doublings - doublings / 2, [&](std::int64_t value) {
-                    const double t = static_cast<double>(result.size()) / n, s = 1 - t;
-                    const double exact = s * s * s * b[0] + 3 * s * s * t * b[1] +
-                                         3 * s * t * t * b[2] + t * t * t * b[3];
-                    result.push_back(static_cast<double>(value) / parts - exact);
+                    const double t = static_cast<double>(result.size()) / n;
+                    result.push_back(static_cast<double>(value) / parts - at_parameter(b, t));
                 });
             return result;
         };
@@ -341,7 +462,7 @@ private:
     std::array<l3d_point_2d, 4> handles_ = places_at_first;
     std::size_t held_ = none;
     int steps_ = steps_at_first;
-    bool dashed_ = false, magnified_ = false, fresh_ = false;
+    bool adaptive_ = false, dashed_ = false, magnified_ = false, fresh_ = false;
     l3d_font font_;
 };
 
@@ -354,6 +475,7 @@ int main(int argc, char** argv) {
                         "A curve walked by forward differences in 16.16 (red),\nand how far each "
                         "step is off. Drag the handles.",
                     .keys = {{"m, l, wheel", "more or less steps"},
+                             {"a", "adaptive steps beside equal ones"},
                              {"d", "dashes"},
                              {"z", "magnify where 16.16 is worst"},
                              {"r", "as at first"}},

@@ -110,7 +110,8 @@ void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
                                    .from_y = a.y,
                                    .to_x = b.x,
                                    .to_y = b.y,
-                                   .nearest = std::max(a.inv_w, b.inv_w),
+                                   .from_inv_w = a.inv_w,
+                                   .to_inv_w = b.inv_w,
                                    .level = std::numeric_limits<float>::quiet_NaN(),
                                    .column = static_cast<int>(triangle),
                                    .always = true});

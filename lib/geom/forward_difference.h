@@ -19,7 +19,7 @@
 ///          2h).
 template <class T, int Degree> struct l3d_forward_difference {
     static_assert(Degree == 3, "halve and double are written for cubics");
-    std::array<T, Degree + 1> d;
+    std::array<T, Degree + 1> d; ///< the value, then differences of the first order on
 
     /// The polynomial with Bernstein coefficients b, at t = 0, to be walked in `steps` steps.
     ///
@@ -41,6 +41,7 @@ template <class T, int Degree> struct l3d_forward_difference {
                  l3d_from_double<T>(d2 + d3), l3d_from_double<T>(d3)}};
     }
 
+    /// Where the walk is.
     T value() const { return d[0]; }
 
     /// Goes on by one step.

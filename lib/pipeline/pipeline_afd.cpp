@@ -97,7 +97,7 @@ void l3d_pipeline_afd::draw_event() {
     if (changed_.empty())
         keep_picture();
     else if (settings_.wireframe)
-        draw_wireframe();
+        draw_wireframe(now.shading);
     else
         fill_surfaces(now, parts, times);
     // A part may have a larger share of the budget than in a whole frame, and the rest a smaller
@@ -352,12 +352,10 @@ void l3d_pipeline_afd::draw_on_top() {
         changed_ = l3d_whole(stages_->view.size);
 }
 
-/// Draws lines, which hide nothing and have no depth: the depth buffer is empty.
-void l3d_pipeline_afd::draw_wireframe() {
+/// Lines hide nothing and have no depth: a depth that is asked for is empty.
+void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    const bool is_none = settings_.background.is_none();
-    (is_none ? l3d_background() : settings_.background).fill(screen_->pixels());
     if (settings_.depth) {
         depth_.resize(stages_->view.size);
         depth_.clear();
@@ -367,15 +365,13 @@ void l3d_pipeline_afd::draw_wireframe() {
     l3d_dice_view view = stages_->view;
     view.shading.antialias = settings_.antialias; // so that shared borders are noted
     stages_->wire_dicer.begin(view);
-    l3d_detail::wire_lines lines({rasterizer_, is_none ? l3d_detail::white : l3d_detail::wire_color,
-                                  settings_.antialias, screen_->text_scale()});
+    l3d_detail::wire_picture picture(rasterizer_, screen_->pixels(), shading, settings_.antialias,
+                                     screen_->text_scale());
+    l3d_detail::wire_lines lines(picture);
     for (auto batch = stages_->wire_culling.next(nothing_is_hidden); !batch.empty();
          batch = stages_->wire_culling.next(nothing_is_hidden))
         lines.draw(stages_->wire_dicer.dice(there, stages_->wire_culling, batch));
-    if (is_none) {
-        rasterizer_.finish();
-        l3d_detail::make_lines_transparent(screen_->pixels(), l3d_detail::wire_color);
-    }
+    picture.finish();
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
     report_.renderer = {};

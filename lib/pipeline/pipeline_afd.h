@@ -281,7 +281,7 @@ private:
     void find_doubts(bool has_levels, l3d_stage_times& times);
     void draw_on_top();
     l3d_patch_scene what_is_there() const;
-    void draw_wireframe();
+    void draw_wireframe(const l3d_shading& shading);
     void draw_nets();
 
     std::unique_ptr<l3d_screen> screen_;

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace l3d_detail {
@@ -18,7 +17,7 @@ namespace l3d_detail {
 /// leaves. Neighbours share one line.
 class wire_lines {
 public:
-    explicit wire_lines(wire_drawer drawer) : drawer_(std::move(drawer)) {}
+    explicit wire_lines(wire_picture& picture) : picture_(picture) {}
 
     /// Expects: parts that note their borders, if lines are smooth.
     void draw(std::span<const l3d_surface_part* const> parts) {
@@ -30,7 +29,7 @@ public:
             } else {
                 add_triangles(part->triangles);
             }
-            drawer_.draw(lines_);
+            picture_.draw(lines_);
         }
     }
 
@@ -52,7 +51,7 @@ private:
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {
             noted[static_cast<std::size_t>(e.side)] = true;
-            add_shared({e.from_x, e.from_y, e.to_x, e.to_y});
+            add_shared({e.from_x, e.from_y, e.to_x, e.to_y, e.from_inv_w, e.to_inv_w});
         }
         const l3d_micro_grid& g = part.grid;
         const std::array rows{0, g.columns - 1, g.rows - 1, 0}; // sides above, right, below, left
@@ -76,7 +75,7 @@ private:
     }
 
     static wire between(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
-        return {a.x, a.y, b.x, b.y};
+        return {a.x, a.y, b.x, b.y, a.inv_w, b.inv_w};
     }
 
     void add_shared(const wire& line) {
@@ -84,7 +83,7 @@ private:
             lines_.push_back(line);
     }
 
-    wire_drawer drawer_;
+    wire_picture& picture_;
     shared_wires shared_;
     std::vector<wire> lines_;
 };

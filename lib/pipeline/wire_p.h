@@ -6,7 +6,7 @@
 #include "raster/micro_grid.h"
 #include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
-#include "raster/lines/line_pixels_p.h"
+#include "raster/lines/line_cover_p.h"
 
 #include <algorithm>
 #include <array>
@@ -14,15 +14,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <unordered_set>
 #include <vector>
 
 namespace l3d_detail {
 
-/// A line. Units: 1/256 pixel from the picture's top left corner.
+/// A line. Units: 1/256 pixel from the picture's top left corner; depths as l3d_shading has them.
 struct wire {
     std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    float from_inv_w = 0, to_inv_w = 0;
 
     /// The line between the pixels of its ends: a shift rounds down, also below zero.
     l3d_line_2d sharp() const {
@@ -59,7 +61,6 @@ private:
     std::unordered_set<ends, hash> seen_;
 };
 
-inline constexpr std::uint32_t white = 0x00ffffff;
 /// The colour of lines: light blue, seen on the dark ground and on grey surfaces.
 inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 
@@ -117,15 +118,70 @@ private:
     l3d_path path_;
 };
 
-/// Turns white lines on black into lines of a colour on nothing: each level is the line's share of
-/// the pixel. Without a background, lines are drawn in white first.
-inline void make_lines_transparent(const l3d_pixels& picture, std::uint32_t color) {
-    for (int y = 0; y < picture.height; ++y)
-        for (std::uint32_t& word : picture.row(y)) {
-            const std::uint32_t covered = word & 255;
-            word = covered == 0 ? l3d_pixels::transparent : color | (255 - covered) << 24;
+/// A picture of lines that hide nothing, before a background, in fog if there is any.
+///
+/// Without background, and in fog, what lines cover is drawn first, as line_cover.h has it. In fog,
+/// the nearest line says how dim a pixel is.
+class wire_picture {
+public:
+    /// Clears the picture. Units: as wire_drawer.
+    wire_picture(l3d_rasterizer_2d& rasterizer, const l3d_pixels& picture,
+                 const l3d_shading& shading, bool smooth, double width)
+        : rasterizer_(rasterizer), picture_(picture), shading_(shading), smooth_(smooth),
+          reach_(width > 1 ? static_cast<int>(std::ceil(width * std::numbers::sqrt2 / 2)) : 0),
+          covers_(shading.background.is_none() || shading.fog.is_on()),
+          drawer_(rasterizer, covers_ ? whole_cover : wire_color, smooth, width) {
+        (covers_ ? l3d_background() : shading.background).fill(picture);
+        if (shading.fog.is_on()) {
+            depths_.resize(picture.size());
+            depths_.clear();
         }
-}
+    }
+
+    void draw(std::span<const wire> wires) {
+        drawer_.draw(wires);
+        if (shading_.fog.is_on())
+            for (const wire& w : wires)
+                note_depths(w);
+    }
+
+    /// Afterwards the picture is whole.
+    void finish() {
+        if (!covers_)
+            return;
+        rasterizer_.finish();
+        color_cover(picture_, {0, picture_.height}, shading_, wire_color, depths_);
+    }
+
+private:
+    static constexpr std::uint32_t whole_cover = 255;
+
+    /// Over a wide line's width, and up to its corners.
+    void note_depths(const wire& w) {
+        const double change = double{w.to_inv_w} - double{w.from_inv_w};
+        visit_side({w.x0, w.y0, w.from_inv_w, {}}, {w.x1, w.y1, w.to_inv_w, {}}, picture_.size(),
+                   smooth_ || reach_ > 0, [&](int x, int y, double along, int) {
+                       const auto here = static_cast<float>(w.from_inv_w + along * change);
+                       const l3d_pixel_box near =
+                           l3d_pixel_box{x, y, x + 1, y + 1}.grown(reach_).intersected(
+                               l3d_whole(picture_.size()));
+                       for (int row = near.top; row < near.bottom; ++row)
+                           for (int column = near.left; column < near.right; ++column) {
+                               float& depth = depths_.row(row)[static_cast<std::size_t>(column)];
+                               depth = std::max(depth, here);
+                           }
+                   });
+    }
+
+    l3d_rasterizer_2d& rasterizer_;
+    const l3d_pixels picture_;
+    const l3d_shading shading_;
+    const bool smooth_;
+    const int reach_;
+    const bool covers_;
+    wire_drawer drawer_;
+    l3d_depth_buffer depths_;
+};
 
 } // namespace l3d_detail
 

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` look as without fog,
-/// and those from `far` on have its colour. Between the two, fog grows in proportion to the
+/// Fog, or depth cueing if its colour is black. What is nearer than `near` looks as without fog,
+/// and what is from `far` on has its colour. Between the two, fog grows in proportion to the
 /// distance. By default there is none.
 ///
 /// Units: distances along the view axis, in world units.
@@ -23,9 +23,9 @@ struct L3D_PUBLIC l3d_fog {
     /// Whether there is any.
     bool is_on() const { return far > near; }
 
-    /// How much of it is before a surface: 0 to 255. Expects: is_on(), inv_w > 0.
-    std::uint32_t amount(float inv_w) const {
-        const float share = (1 / inv_w - near) / (far - near);
+    /// How much of it is before what is at that distance: 0 to 255. Expects: is_on().
+    std::uint32_t amount(float distance) const {
+        const float share = (distance - near) / (far - near);
         const float held = share > 0 ? (share < 1 ? share : 1.0F) : 0.0F;
         return static_cast<std::uint32_t>(255 * held + 0.5F);
     }

@@ -7,6 +7,7 @@
 #include "raster/micro_grid.h"
 #include "raster/micro_triangles.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -36,8 +37,10 @@ struct L3D_PUBLIC l3d_border_edge {
     std::int32_t to_x = 0;
     /// The row at which it ends.
     std::int32_t to_y = 0;
-    /// The larger inv_w of its ends.
-    float nearest = 0;
+    /// The inv_w at which it begins.
+    float from_inv_w = 0;
+    /// The inv_w at which it ends.
+    float to_inv_w = 0;
     /// The level of the light beside it in mode l3d_shade::levels; not a number in others.
     float level = 0;
     /// The grid's row of the quad that it lies beside; 0 if it is a triangle's.
@@ -49,6 +52,9 @@ struct L3D_PUBLIC l3d_border_edge {
     int side = 0;
     /// It is a contour whatever lies beside it: the surface folds over or is cut off here.
     bool always = false;
+
+    /// The larger inv_w of its ends.
+    float nearest() const { return std::max(from_inv_w, to_inv_w); }
 };
 
 /// A grid of micro-quads and loose triangles, drawn together.

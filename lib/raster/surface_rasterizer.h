@@ -45,6 +45,22 @@ struct L3D_PUBLIC l3d_shading {
     /// without.
     l3d_fog fog{};
 
+    /// Depths are 1 / distance where `depth_step` is 0, and depth_base + depth_step distance in a
+    /// parallel projection. Units: distances along the view axis.
+    double depth_base = 0, depth_step = 0;
+
+    /// The distance along the view axis that a depth stands for. Expects: a depth > 0.
+    float distance(float depth) const {
+        return depth_step == 0 ? 1 / depth
+                               : static_cast<float>((double{depth} - depth_base) / depth_step);
+    }
+
+    /// A pixel word as it looks behind the fog, whose colour in the pixel's row is given.
+    /// Expects: fog that is on; a depth > 0.
+    std::uint32_t fogged(std::uint32_t word, std::uint32_t fog_color, float depth) const {
+        return l3d_fog::word(word, fog_color, fog.amount(distance(depth)));
+    }
+
     l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
 
     /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.

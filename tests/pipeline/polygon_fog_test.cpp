@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -65,9 +66,13 @@ void expect_each_pixel_faded(const l3d_polygon_settings& settings, const More&..
 
 TEST(polygon_fog, fades_each_pixel_by_its_exact_distance) {
     for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert, l3d_shade::gouraud})
-        for (const std::uint32_t highlight : {0x000000U, 0xffffffU}) {
+        for (const auto& [highlight, projection] :
+             {std::pair(0x000000U, l3d_projection::perspective),
+              {0xffffffU, l3d_projection::perspective},
+              {0x000000U, l3d_projection::parallel}}) {
             l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
+            settings.projection = projection;
             settings.background = l3d_background::gradient();
             settings.material = l3d_material{.color = 0xc06020, .highlight = highlight};
             expect_each_pixel_faded<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());

@@ -26,7 +26,7 @@ void add_border(l3d_surface_part& part) {
         const l3d_micro_vertex a = grid.vertex(from.first, from.second),
                                b = grid.vertex(to.first, to.second);
         part.border.push_back(
-            {a.x, a.y, b.x, b.y, std::max(a.inv_w, b.inv_w), a.normal[0], row, column, side});
+            {a.x, a.y, b.x, b.y, a.inv_w, b.inv_w, a.normal[0], row, column, side});
     };
     const int rows = grid.rows - 1, columns = grid.columns - 1;
     for (int c = 0; c < columns; ++c) {

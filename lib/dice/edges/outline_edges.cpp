@@ -42,7 +42,7 @@ void l3d_note_outline_edge(l3d_diced_piece& piece, std::size_t side, const l3d_e
         if (!forward)
             std::swap(from, to);
         piece.part.border.push_back(
-            {from.x, from.y, to.x, to.y, std::max(from.inv_w, to.inv_w),
+            {from.x, from.y, to.x, to.y, from.inv_w, to.inv_w,
              piece.has_levels ? grid.normal[0][vertex] : std::numeric_limits<float>::quiet_NaN(),
              row, column, side_of_quad});
     }

@@ -84,34 +84,31 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     const stopwatch placing;
     const l3d_pixels target = screen_->pixels();
     const l3d_polygon_view view = this->view();
+    const bool is_solid = settings_.style == l3d_polygon_style::solid;
+    const l3d_frame_lights lights = settings_.headlight
+                                        ? l3d_headlight(camera_, settings_.lighting)
+                                        : l3d_frame_lights{settings_.light, settings_.lighting};
+    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
+    const l3d_view_depths depths = view.depths(model_.centre(), model_.radius());
+    shading.depth_base = depths.base;
+    shading.depth_step = depths.step;
+    shading.antialias = settings_.antialias && is_solid;
+    shading.background = settings_.background;
+    shading.fog = settings_.fog;
     if (settings_.style == l3d_polygon_style::wireframe) {
         const auto lines = wires_->make(model_, view, settings_.cull);
         report.polygons = {};
         report.time_ms.place = placing.milliseconds();
         const stopwatch drawing;
-        const bool is_none = settings_.background.is_none();
-        (is_none ? l3d_background() : settings_.background).fill(target);
-        l3d_detail::wire_drawer(rasterizer_, is_none ? l3d_detail::white : l3d_detail::wire_color,
-                                settings_.antialias, screen_->text_scale())
-            .draw(lines);
-        if (is_none) {
-            rasterizer_.finish();
-            l3d_detail::make_lines_transparent(target, l3d_detail::wire_color);
-        }
+        l3d_detail::wire_picture picture(rasterizer_, target, shading, settings_.antialias,
+                                         screen_->text_scale());
+        picture.draw(lines);
+        picture.finish();
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
     assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
-    const bool is_solid = settings_.style == l3d_polygon_style::solid;
     const bool smooth = settings_.shade != l3d_shade::flat;
-    const l3d_frame_lights lights = settings_.headlight
-                                        ? l3d_headlight(camera_, settings_.lighting)
-                                        : l3d_frame_lights{settings_.light, settings_.lighting};
-    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
-    shading.antialias = settings_.antialias && is_solid;
-    shading.background = settings_.background;
-    if (is_solid && settings_.projection == l3d_projection::perspective)
-        shading.fog = settings_.fog;
     frame_->make(model_, view,
                  {.cull = settings_.cull,
                   .smooth = smooth,

@@ -63,9 +63,11 @@ void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& rep
 void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
     depth_.resize(what.target.size());
-    fill(what, &depth_, report);
+    scene clear = what; // GL may fill the depth for lines in fog
+    clear.shading.fog = {};
+    fill(clear, &depth_, report);
     what.frame.list(triangles_, workers());
-    l3d_fix_facing(what.target, depth_, triangles_, what.shading.background,
+    l3d_fix_facing(what.target, depth_, triangles_, what.shading,
                    {l3d_detail::wire_color, what.smooth_lines});
     report.time_ms.raster = filling.milliseconds();
 }

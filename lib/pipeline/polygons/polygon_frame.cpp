@@ -84,14 +84,11 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     frame_input& in =
         input_.emplace(frame_input{model, view, window_of(view), how, ends, in_chunk});
     in.how.cull = how.cull || (may_hide && hides_backs(model, view));
-    const double middle = placed(view.matrix(), model.centre())[2];
-    const double radius = std::max(model.radius(), 1e-300) * (1 + 1e-9);
-    depth_step_ = -0.5 / radius;
-    depth_base_ = 1.5 - depth_step_ * middle;
+    depths_ = view.depths(model.centre(), model.radius());
 
     const std::size_t vertices = model.mesh().vertices.size();
     const bool of_vertices = has_vertex_normals(in);
-    const vertex_placing placing{view, in.window, depth_base_, depth_step_};
+    const vertex_placing placing{view, in.window, depths_};
     vertices_.places.resize(vertices);
     if (of_vertices)
         vertices_.normals.resize(vertices);
@@ -222,7 +219,8 @@ void l3d_polygon_frame::make_border(chunk& of) const {
                                       .from_y = from.y,
                                       .to_x = to.x,
                                       .to_y = to.y,
-                                      .nearest = std::max(from.inv_w, to.inv_w),
+                                      .from_inv_w = from.inv_w,
+                                      .to_inv_w = to.inv_w,
                                       .level = std::numeric_limits<float>::quiet_NaN(),
                                       .column = static_cast<int>(i),
                                       .side = static_cast<int>(k)});
@@ -265,7 +263,7 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
     for (std::size_t k = 0; k < 3; ++k) {
         const point h = placed(in.view.matrix(), in.model.mesh().vertices[triangle.corners[k]]);
         corners[k] = l3d_canonical_vertex({h[0], h[1], h[3]}, in.window);
-        corners[k].dice.u = depth_value(h[2]);
+        corners[k].dice.u = depths_.at(h[2], h[3]);
         std::ranges::copy(normal_of(in, number, k, from_behind), corners[k].dice.vertex.normal);
     }
     to.clipped.clear();

@@ -124,7 +124,6 @@ private:
     void add_clipped(const frame_input& in, std::size_t number, bool from_behind, chunk& to);
     void note_turns(std::size_t count, const chunk& of);
     void make_border(chunk& of) const;
-    double depth_value(double distance) const { return depth_base_ + depth_step_ * distance; }
 
     /// How a triangle of the model turns in the picture.
     enum class turn : std::uint8_t { not_drawn, none, right, left, clipped };
@@ -137,7 +136,7 @@ private:
     std::size_t count_ = 0; ///< chunks that are in use
     std::vector<const l3d_surface_part*> parts_;
     l3d_polygon_counts counts_;
-    double depth_base_ = 0, depth_step_ = 0; ///< for a parallel projection
+    l3d_view_depths depths_;
 };
 
 #endif

@@ -5,6 +5,8 @@
 #include "geom/transform.h"
 #include "scene/camera_shading.h"
 
+#include <algorithm>
+
 namespace {
 
 using vector = l3d_polygon_view::vector;
@@ -83,6 +85,14 @@ bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector&
     const double most = (spread + added) * distance + moved * (1 + added);
     const double facing = faces_eye(axis, middle);
     return front ? facing > most : facing < -most;
+}
+
+l3d_view_depths l3d_polygon_view::depths(const vector& middle, double radius) const {
+    if (!is_parallel())
+        return {};
+    const double step = -0.5 / (std::max(radius, 1e-300) * (1 + 1e-9));
+    const double distance = (matrix_ * l3d_vector<double, 4>(middle, 1.0))[2];
+    return {1.5 - step * distance, step};
 }
 
 l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,

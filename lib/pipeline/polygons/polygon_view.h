@@ -33,7 +33,18 @@ struct L3D_PUBLIC l3d_picture_fit {
     double shift = 0;
 };
 
-/// The one matrix of a frame, from the model to the picture, and all else that depends on the view.
+/// The depths of a view's points: 1 / distance, or in a parallel projection, where `step` is not 0,
+/// base + step distance. Units: distances along the view axis.
+struct L3D_PUBLIC l3d_view_depths {
+    /// As l3d_shading has them.
+    double base = 0, step = 0;
+
+    /// The depth of a point of the picture. Shape: its d and w, as l3d_polygon_view::matrix has
+    /// them.
+    double at(double d, double w) const { return step == 0 ? 1 / w : base + step * d; }
+};
+
+/// The one matrix of a frame, from the model to the picture, and what else depends on the view.
 ///
 /// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The pixel is the picture's centre
 ///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
@@ -72,9 +83,14 @@ public:
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;
 
-    /// The shading for the rasterizers, with the light in world space. The rays are zero, so that
-    /// no pixel's normal is turned round: the plane of a face says which side is seen. Smooth
-    /// normals at an outline may point away from the eye, and are right.
+    /// The depths of what lies in a ball of model space. In a parallel projection they are 2 at its
+    /// nearest and 1 at its farthest point. Expects: radius >= 0.
+    l3d_view_depths depths(const vector& middle, double radius) const;
+
+    /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
+    /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
+    /// a face at an outline point away from the eye in some of its pixels, and are right as they
+    /// are.
     l3d_shading shading(l3d_shade mode, const vector& light,
                         const l3d_lighting& lighting = {}) const;
 

@@ -16,8 +16,9 @@ struct clip_plane {
 };
 using clip_planes = std::array<clip_plane, 6>;
 
+/// A place as l3d_polygon_view::matrix makes it.
 struct homogeneous {
-    double x, y, w;
+    double x, y, d, w;
 };
 
 double inside(const clip_plane& plane, const homogeneous& h) {
@@ -43,7 +44,8 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
             continue;
         const double at_a = inside(planes[i], a), at_b = inside(planes[i], b);
         const double t = at_a / (at_a - at_b);
-        const homogeneous cut{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+        const homogeneous cut{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.d + t * (b.d - a.d),
+                              a.w + t * (b.w - a.w)};
         const unsigned done = ~((2u << i) - 1); // rounding may leave the cut on the outer side
         if (code_a >> i & 1) {
             a = cut;
@@ -57,11 +59,17 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
 }
 
 /// The line between two points, rounded as the corners of filled faces are.
-l3d_detail::wire line_of(const homogeneous& a, const homogeneous& b, l3d_size size) {
+l3d_detail::wire line_of(const homogeneous& a, const homogeneous& b, l3d_size size,
+                         const l3d_view_depths& depths) {
     const l3d_snapped from = l3d_snap(a.x, a.y, a.w), to = l3d_snap(b.x, b.y, b.w);
     const std::int32_t x = size.width * (l3d_subpixel_one / 2);
     const std::int32_t y = size.height * (l3d_subpixel_one / 2);
-    return {from.x + x, from.y + y, to.x + x, to.y + y};
+    return {from.x + x,
+            from.y + y,
+            to.x + x,
+            to.y + y,
+            static_cast<float>(depths.at(a.d, a.w)),
+            static_cast<float>(depths.at(b.d, b.w))};
 }
 
 } // namespace
@@ -80,8 +88,9 @@ std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_mode
     places_.clear();
     for (const auto& v : model.mesh().vertices) {
         const auto h = view.matrix() * l3d_vector<double, 4>(v[0], v[1], v[2], 1.0);
-        places_.push_back({h[0], h[1], h[3], outcode(planes, {h[0], h[1], h[3]})});
+        places_.push_back({h[0], h[1], h[2], h[3], outcode(planes, {h[0], h[1], h[2], h[3]})});
     }
+    const l3d_view_depths depths = view.depths(model.centre(), model.radius());
     neighbours_.make(model);
     const std::span<const l3d_model_triangle> triangles = model.triangles();
     seen_.clear();
@@ -96,9 +105,9 @@ std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_mode
                 continue;
             const place &from = places_[triangles[i].corners[k]],
                         &to = places_[triangles[i].corners[(k + 1) % 3]];
-            homogeneous a{from.x, from.y, from.w}, b{to.x, to.y, to.w};
+            homogeneous a{from.x, from.y, from.d, from.w}, b{to.x, to.y, to.d, to.w};
             if (clip(planes, a, b, from.outside, to.outside))
-                lines_.push_back(line_of(a, b, view.size()));
+                lines_.push_back(line_of(a, b, view.size(), depths));
         }
     return lines_;
 }

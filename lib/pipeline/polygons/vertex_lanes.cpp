@@ -79,7 +79,7 @@ public:
         const number reciprocal = same(1.0) / w;
         number inv_w = reciprocal;
         if (how_.view.is_parallel())
-            inv_w = same(how_.depth_base) + same(how_.depth_step) * placed(d_, offset(2), v);
+            inv_w = same(how_.depths.base) + same(how_.depths.step) * placed(d_, offset(2), v);
         const auto column = hn::Add(rounded_lanes(where(in_subpixels(x, reciprocal))),
                                     hn::Set(di, how_.window.centre_x()));
         const auto row = hn::Add(rounded_lanes(where(in_subpixels(y, reciprocal))),

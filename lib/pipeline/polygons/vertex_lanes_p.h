@@ -34,7 +34,7 @@ struct placed_vertices {
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
-    double depth_base = 0, depth_step = 0; ///< for a parallel projection
+    l3d_view_depths depths;
 };
 
 /// Places vertices [begin, end), and turns their normals if there are any. The places and depths

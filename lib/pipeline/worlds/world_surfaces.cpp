@@ -109,10 +109,9 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
                                 fit);
     in.shading = view.shading(settings.shade, mirrored(settings.light), lighting);
     in.shading.background = settings.background;
-    if (settings.style == l3d_polygon_style::solid) {
+    in.shading.fog = settings.fog;
+    if (settings.style == l3d_polygon_style::solid)
         in.shading.antialias = settings.antialias && target.surfaces->antialiases();
-        in.shading.fog = settings.fog;
-    }
     place_all(in, objects);
     if (settings.style == l3d_polygon_style::wireframe)
         return draw_wires(in, target);
@@ -218,15 +217,15 @@ void l3d_world_surfaces::make_frames(const frame_input& in, l3d_workers& workers
 }
 
 std::size_t l3d_world_surfaces::draw_wires(const frame_input& in, const l3d_world_target& target) {
-    in.settings.background.fill(target.pixels);
-    l3d_detail::wire_drawer drawer(target.rasterizer, l3d_detail::wire_color, in.settings.antialias,
-                                   1);
+    l3d_detail::wire_picture picture(target.rasterizer, target.pixels, in.shading,
+                                     in.settings.antialias, 1);
     std::size_t count = 0;
     for (placed* p : seen_) {
         const auto lines = p->wires.make(p->model(), *p->view, in.settings.cull);
-        drawer.draw(lines);
+        picture.draw(lines);
         count += lines.size();
     }
+    picture.finish();
     return count;
 }
 
@@ -252,7 +251,7 @@ std::size_t l3d_world_surfaces::fill(const frame_input& in, const l3d_world_targ
             p->frame.list(of_object_, *target.workers);
             triangles_.insert(triangles_.end(), of_object_.begin(), of_object_.end());
         }
-        l3d_fix_facing(target.pixels, depth_, triangles_, in.shading.background,
+        l3d_fix_facing(target.pixels, depth_, triangles_, in.shading,
                        {l3d_detail::wire_color, in.settings.antialias});
     }
     return count;

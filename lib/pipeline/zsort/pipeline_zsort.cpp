@@ -75,7 +75,7 @@ std::int64_t l3d_pipeline_zsort::smooth_edges(const scene& what) {
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     make_order(what, true, report);
     const stopwatch painting;
-    stages_->painter.paint_lines(what.target, what.shading.background, stages_->order.triangles(),
+    stages_->painter.paint_lines(what.target, what.shading, stages_->order.triangles(),
                                  stages_->order.pieces(), stages_->order.cuts(),
                                  {l3d_detail::wire_color, what.smooth_lines});
     report.surface = stages_->painter.counts();

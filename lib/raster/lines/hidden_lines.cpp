@@ -11,12 +11,14 @@
 #include <cstddef>
 
 void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
-                    std::span<const l3d_painter_triangle> triangles,
-                    const l3d_background& background, const l3d_line_look& look) {
+                    std::span<const l3d_painter_triangle> triangles, const l3d_shading& shading,
+                    const l3d_line_look& look) {
     assert(target.size() == depth.size());
     constexpr double rounding = 0x1p-20; // some units in the last place of a float
     constexpr double in_lanes = 1e-5;    // as part of the corners' range, by docs/POLYGONS.md
     l3d_background().fill(target);
+    l3d_depth_buffer line_depths;
+    line_depths.resize(shading.fog.is_on() ? target.size() : l3d_size{});
     for (const l3d_painter_triangle& t : triangles) {
         const l3d_picture_plane plane(t.v);
         const double rise = l3d_subpixel_one * (std::abs(plane.along_x) + std::abs(plane.along_y));
@@ -30,13 +32,18 @@ void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
             const l3d_micro_vertex &a = t.v[k], &b = t.v[(k + 1) % 3];
             const double from = a.inv_w, change = double(b.inv_w) - a.inv_w;
             const auto draw = [&](int x, int y, double along, int coverage) {
-                const double inv_w = std::min(from + along * change + rise, nearest);
+                const double here = from + along * change, inv_w = std::min(here + rise, nearest);
                 const auto column = static_cast<std::size_t>(x);
-                if (inv_w * (1 + rounding) >= depth.row(y)[column])
-                    l3d_detail::cover_pixel(target.row(y)[column], coverage);
+                if (inv_w * (1 + rounding) < depth.row(y)[column])
+                    return;
+                std::uint32_t& word = target.row(y)[column];
+                if (shading.fog.is_on())
+                    l3d_detail::cover_pixel(word, line_depths.row(y)[column], coverage, here);
+                else
+                    l3d_detail::cover_pixel(word, coverage);
             };
             l3d_detail::visit_side(a, b, target.size(), look.smooth, draw);
         }
     }
-    l3d_detail::color_cover(target, {0, target.height}, background, look.color);
+    l3d_detail::color_cover(target, {0, target.height}, shading, look.color, line_depths);
 }

@@ -3,7 +3,6 @@
 #ifndef L3D_RASTER_LINES_HIDDEN_LINES_H
 #define L3D_RASTER_LINES_HIDDEN_LINES_H
 
-#include "raster/background.h"
 #include "raster/depth_buffer.h"
 #include "raster/zsort/painter.h"
 #include "tool_2d/pixels.h"
@@ -19,9 +18,11 @@
 ///
 /// A plane seen nearly from its edge rises without limit. But no point of a triangle is nearer than
 /// its nearest corner, so whatever is nearer than that corner hides the line.
+///
+/// Of the shading, lines have the background and the fog.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
-                    std::span<const l3d_painter_triangle> triangles,
-                    const l3d_background& background, const l3d_line_look& look);
+                    std::span<const l3d_painter_triangle> triangles, const l3d_shading& shading,
+                    const l3d_line_look& look);
 
 #endif

@@ -6,16 +6,19 @@
 #ifndef L3D_RASTER_LINES_LINE_COVER_P_H
 #define L3D_RASTER_LINES_LINE_COVER_P_H
 
-#include "raster/background.h"
+#include "raster/depth_buffer.h"
 #include "raster/micro_grid.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/lines/line_pixels_p.h"
 #include "raster/shapes/scan_polygon_p.h"
 #include "raster/lines/smooth_line_p.h"
+#include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace l3d_detail {
 
@@ -41,14 +44,31 @@ inline void cover_pixel(std::uint32_t& word, int coverage) {
     word = std::max(word, static_cast<std::uint32_t>(coverage));
 }
 
-/// Gives rows of such a picture their colours.
-inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_background& background,
-                        std::uint32_t line_color) {
+/// The same where fog needs the depth of the nearest line in the pixel. A depth has no meaning
+/// where nothing is covered.
+inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double inv_w) {
+    const auto here = static_cast<float>(inv_w);
+    depth = word == 0 ? here : std::max(depth, here);
+    cover_pixel(word, coverage);
+}
+
+/// Gives rows of such a picture their colours, and fog by these depths if there is any.
+inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_shading& shading,
+                        std::uint32_t line_color, const l3d_depth_buffer& depths) {
+    const bool is_foggy = shading.fog.is_on();
     for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
-        const std::uint32_t ground = background.word(row, picture.height);
-        for (std::uint32_t& word : picture.row(row))
-            word =
-                word == 0 ? ground : blended_over_gap(ground, line_color, static_cast<int>(word));
+        const std::uint32_t ground = shading.background.word(row, picture.height);
+        const std::uint32_t fog = shading.fog.in_row(shading.background, row, picture.height);
+        const std::span<std::uint32_t> words = picture.row(row);
+        for (std::size_t x = 0; x < words.size(); ++x) {
+            const auto coverage = static_cast<int>(words[x] & 255);
+            words[x] = ground;
+            if (coverage > 0)
+                words[x] = blended_over_gap(
+                    ground,
+                    is_foggy ? shading.fogged(line_color, fog, depths.row(row)[x]) : line_color,
+                    coverage);
+        }
     }
 }
 

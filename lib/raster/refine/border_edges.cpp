@@ -81,7 +81,7 @@ bool border_edges::reaches_rows(const l3d_border_edge& edge) const {
 void border_edges::add_edge(const l3d_border_edge& e, int turn) {
     if (turn == 0 && !e.always)
         return;
-    contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest};
+    contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest()};
     if (turn < 0)
         std::swap(edge.from, edge.to);
     edges_.push_back({edge, e.level, e.always ? kind::always : kind::end});

@@ -146,8 +146,8 @@ public:
         const float plane = polygon.depth + (polygon.depth_right * (x - polygon.middle_x) +
                                              polygon.depth_down * (y - polygon.middle_y));
         const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
-        const std::uint32_t amount = fog.amount(std::clamp(plane, farthest, nearest));
-        return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
+        const float depth = std::clamp(plane, farthest, nearest);
+        return light_sum::of_word(shading_.fogged(light.word(tables_), color, depth), tables_);
     }
 
 private:

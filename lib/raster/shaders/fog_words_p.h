@@ -21,7 +21,7 @@ inline void put_fog(const l3d_shading& shading, const material_pixels& pixels, s
         const float* const depths = pixels.depths + row * pixels.depth_pitch;
         for (std::int32_t x = 0; x < pixels.width; ++x)
             if (depths[x] > 0)
-                words[x] = l3d_fog::word(words[x], color, fog.amount(depths[x]));
+                words[x] = shading.fogged(words[x], color, depths[x]);
     }
 }
 

@@ -95,18 +95,21 @@ void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
     }
 }
 
-/// Calls visit(x, y, coverage) for the pixels of those sides of a triangle that are drawn as lines,
-/// as far as cuts keep them.
+/// Calls visit(x, y, coverage, inv_w) for the pixels of those sides of a triangle that are drawn as
+/// lines, as far as cuts keep them.
 template <class Visit>
 void visit_sides(const l3d_painter_triangle& of, std::span<const placed_cut> cuts, l3d_size size,
                  bool smooth, const Visit& visit) {
-    const auto keep = [&](int x, int y, double, int coverage) {
-        if (std::ranges::all_of(cuts, [&](const placed_cut& cut) { return cut.keeps(x, y); }))
-            visit(x, y, coverage);
-    };
-    for (std::size_t k = 0; k < of.v.size(); ++k)
-        if (of.sides >> k & 1)
-            visit_side(of.v[k], of.v[(k + 1) % 3], size, smooth, keep);
+    for (std::size_t k = 0; k < of.v.size(); ++k) {
+        if (!(of.sides >> k & 1))
+            continue;
+        const l3d_micro_vertex &a = of.v[k], &b = of.v[(k + 1) % 3];
+        const double from = a.inv_w, change = double{b.inv_w} - from;
+        visit_side(a, b, size, smooth, [&](int x, int y, double along, int coverage) {
+            if (std::ranges::all_of(cuts, [&](const placed_cut& cut) { return cut.keeps(x, y); }))
+                visit(x, y, coverage, from + along * change);
+        });
+    }
 }
 
 } // namespace l3d_detail

@@ -117,7 +117,7 @@ void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::
         words[x] = l3d_product_of_colors(to.color, word);
         if (to.foggy) {
             const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
-            words[x] = l3d_fog::word(words[x], fog, to.foggy->fog.amount(inv_w));
+            words[x] = to.foggy->fogged(words[x], fog, inv_w);
         }
     }
     to.written += span.end - span.begin;

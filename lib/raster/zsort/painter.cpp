@@ -70,6 +70,7 @@ struct l3d_painter::work_space {
     /// caches, which no two workers share.
     using list_of_pieces = std::vector<std::uint32_t>;
     std::vector<list_of_pieces, line_allocator<list_of_pieces>> lists;
+    l3d_depth_buffer line_depths; ///< of lines in fog
 
     void begin(l3d_pixels target, bool from_front) {
         for (painting& to : of_worker) {
@@ -226,19 +227,28 @@ template <class Shader> struct shaded_paint {
 
 /// Hides what is behind a triangle, and covers what its sides cover.
 struct sides_paint {
-    l3d_background background;
+    const l3d_shading& shading;
     l3d_line_look look;
+    l3d_depth_buffer& depths; ///< of lines in fog
     own_color_shader nothing{};
 
     void operator()(const l3d_painter_piece&, const l3d_painter_triangle& triangle, painting& to) {
         paint_triangle(to, nothing, triangle.v);
         visit_sides(triangle, to.cuts, to.target.size(), look.smooth,
-                    [&](int x, int y, int coverage) {
-                        if (y >= to.rows.top && y < to.rows.bottom)
-                            cover_pixel(to.target.row(y)[static_cast<std::size_t>(x)], coverage);
+                    [&](int x, int y, int coverage, double inv_w) {
+                        if (y < to.rows.top || y >= to.rows.bottom)
+                            return;
+                        const auto column = static_cast<std::size_t>(x);
+                        std::uint32_t& word = to.target.row(y)[column];
+                        if (shading.fog.is_on())
+                            cover_pixel(word, depths.row(y)[column], coverage, inv_w);
+                        else
+                            cover_pixel(word, coverage);
                     });
     }
-    void finish(painting& to) const { color_cover(to.target, to.rows, background, look.color); }
+    void finish(painting& to) const {
+        color_cover(to.target, to.rows, shading, look.color, depths);
+    }
 };
 
 /// Calls visit(shader) with that of a mode.
@@ -288,12 +298,15 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
     count(pieces.size());
 }
 
-void l3d_painter::paint_lines(l3d_pixels target, const l3d_background& background,
+void l3d_painter::paint_lines(l3d_pixels target, const l3d_shading& shading,
                               std::span<const l3d_painter_triangle> triangles,
                               std::span<const l3d_painter_piece> pieces,
                               std::span<const l3d_painter_cut> cuts, const l3d_line_look& look) {
     work_->begin(target, false);
-    work_->paint_bands({triangles, pieces, cuts}, l3d_background(), sides_paint{background, look});
+    if (shading.fog.is_on())
+        work_->line_depths.resize(target.size());
+    work_->paint_bands({triangles, pieces, cuts}, l3d_background(),
+                       sides_paint{shading, look, work_->line_depths});
     count(pieces.size());
 }
 

@@ -76,8 +76,8 @@ public:
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
     /// Clears the picture and draws the visible sides of the pieces as lines. Each piece is painted
-    /// as background before its own sides.
-    void paint_lines(l3d_pixels target, const l3d_background& background,
+    /// as background before its own sides. Of the shading, lines have the background and the fog.
+    void paint_lines(l3d_pixels target, const l3d_shading& shading,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, const l3d_line_look& look);

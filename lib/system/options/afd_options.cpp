@@ -91,7 +91,6 @@ void check_shown(const l3d_afd_settings& asked) {
               "--wireframe: lines have one colour, and show nothing of --shade " + shade);
     if (!asked.fog.is_on())
         return;
-    refuse_if(asked.wireframe, "--fog: only surfaces have it, and no --wireframe");
     refuse_if(l3d_has_scale(asked.shade),
               "--fog: the scale of --shade " + shade + " has no colours for it");
     refuse_if(!asked.fog.color && is_none,

@@ -127,8 +127,6 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
             l3d_exit::usage,
             std::string("--hidden-lines: lines have one colour, and show nothing of --shade ") +
                 l3d_shade_names[static_cast<std::size_t>(shared.shade)].first);
-    if (shared.fog.is_on() && (parallel_ || hidden_lines_ || shared.wireframe))
-        throw l3d_error(l3d_exit::usage, "--fog: only surfaces in perspective have it");
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe
