@@ -54,6 +54,10 @@ private:
         return [=, this, model = parts_.applied(polygons_.model())] {
             switch (polygons_.pipeline()) {
             case l3d_pipeline_kind::zsort:
+                if (program_.draws_by_gl())
+                    throw l3d_error(l3d_exit::usage,
+                                    "--pipeline zsort: processors paint polygons in order, and "
+                                    "--backend mesa asks for GL, which --pipeline zbuffer has");
                 return show<l3d_pipeline_zsort>(model, camera, settings);
             case l3d_pipeline_kind::mesa:
                 return show<l3d_pipeline_zbuffer>(model, camera, settings, gl(), "mesa");

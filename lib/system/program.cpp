@@ -65,7 +65,11 @@ void l3d_program::check_transparency(bool in_window) const {
     if (in_window)
         refuse("is for files, and a window was asked for; --backend memory --output FILE.png "
                "writes one");
-    if (dynamic_cast<const l3d_rasterizer_factory_mesa*>(
-            factories_.chosen().rasterizer_factory.get()))
+    if (draws_by_gl())
         refuse("is not drawn by --backend mesa; --backend memory draws it");
+}
+
+bool l3d_program::draws_by_gl() const {
+    return dynamic_cast<const l3d_rasterizer_factory_mesa*>(
+        factories_.chosen().rasterizer_factory.get());
 }

@@ -80,6 +80,9 @@ public:
     /// Expects: called by the steps.
     void check_transparency(bool in_window) const;
 
+    /// Whether the back-end that was chosen is GL. Expects: called by the steps.
+    bool draws_by_gl() const;
+
     /// Whether a lesson draws as the book does: --classic.
     bool is_classic() const { return is_classic_; }
 

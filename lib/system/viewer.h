@@ -36,7 +36,7 @@ public:
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
         : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked),
-          command_(program.options().command()) {
+          wants_gl_(program.draws_by_gl()), command_(program.options().command()) {
         if (!asked.places_camera())
             this->controls().set_home([this] {
                 return asked_.camera(
@@ -69,8 +69,11 @@ public:
     /// Adds a line to the report, if --report asked for one.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
+        const auto report = this->report();
+        if (wants_gl_ && report.surface.quads > 0)
+            tell_who_draws(report.renderer);
         if (reports_)
-            reports_->add(this->report().json());
+            reports_->add(report.json());
     }
 
     /// Writes the facts of the last frame that the options ask for: distances, bounds of pixels,
@@ -117,6 +120,15 @@ private:
             this->controls().show_hint(seconds);
     }
 
+    /// Nobody takes processors' work for GL's.
+    void tell_who_draws(const std::string& gl) {
+        if (gl.empty())
+            std::cerr << command_
+                      << ": processors draw these surfaces, not GL: it has one light, and neither "
+                         "highlights nor fog\n";
+        wants_gl_ = false; // it has been told
+    }
+
     /// The view as options, which are also printed: people copy them from a terminal.
     std::string told_view() {
         std::string text = asked_.view_options(this->camera());
@@ -157,6 +169,7 @@ private:
     }
 
     const l3d_afd_options& asked_;
+    bool wants_gl_ = false; ///< and was not told yet whether it is used
     bool in_window_ = false;
     std::int64_t frames_ = 0, polygons_ = 0; ///< drawn
     double seconds_ = 0;                     ///< time of drawing

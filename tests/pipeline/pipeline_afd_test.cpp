@@ -5,6 +5,7 @@
 
 #include "allocations.h"
 #include "geom/matrix.h"
+#include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
 #include "scene/camera_shading.h"
 #include "raster/rasterizer_factory_sw.h"
@@ -16,6 +17,7 @@
 #include "base/error.h"
 #include "tool_2d/screen_memory.h"
 #include "pipeline/surface_method.h"
+#include "pipeline/worlds/pipeline_world.h"
 
 #include <gtest/gtest.h>
 
@@ -412,6 +414,28 @@ TEST(pipeline_afd, allocates_nothing_on_its_second_turn_round_the_model) {
             }
             EXPECT_EQ(allocations - before, 0) << name << ", " << threads << " threads";
         }
+}
+
+/// Boxes that a matrix has scaled keep their shape while they turn.
+TEST(world_depth, allocates_nothing_for_objects_that_have_turned_before) {
+    l3d_world world(picture_size);
+    world.camera.place = l3d_point<l3d_real>::of(0, 0, -20);
+    for (int i = 0; i < 20; ++i) {
+        l3d_object& box = world.add(std::make_unique<l3d_object>(l3d_box_mesh()));
+        box.set_transform(0, l3d_scaling<l3d_real>(1, 2, 3));
+        box.set_transform(2, l3d_translation<l3d_real>(i - 10, 0, 0));
+    }
+    l3d_pipeline_world pipeline(l3d_memory_canvas(picture_size), world);
+    long before = 0;
+    for (int turn = 0; turn < 2; ++turn) {
+        before = allocations;
+        for (int degrees = 0; degrees < 360; degrees += 15) {
+            for (const auto& box : world.objects())
+                box->set_transform(1, l3d_rotation_y<l3d_real>(degrees));
+            pipeline.draw_event();
+        }
+    }
+    EXPECT_EQ(allocations - before, 0);
 }
 
 } // namespace

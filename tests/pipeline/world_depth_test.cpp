@@ -160,6 +160,57 @@ private:
     std::vector<face> faces_;
 };
 
+/// What is kept from frame to frame for each object changes nothing that is seen: objects turn, are
+/// scaled anew, go and come, and a world of their copies shows the same.
+TEST(world_depth, objects_that_turn_go_and_come_look_as_in_a_new_world) {
+    l3d_world world(window);
+    const auto dress = [](l3d_world& one) {
+        paint_plainly(one);
+        one.camera.place = l3d_point<real>::of(0, 0, -14);
+    };
+    dress(world);
+    std::mt19937 random(5);
+    const auto add = [&] {
+        l3d_polygon_mesh mesh = l3d_box_mesh();
+        for (std::size_t i = 0; i < mesh.faces(); ++i)
+            mesh.face_colors.push_back(random() >> 8);
+        l3d_object& object = world.add(std::make_unique<l3d_object>(mesh));
+        object.set_transform(0, l3d_scaling<real>(2 + uniform(random), uniform(random) - 2, 3));
+        object.set_transform(
+            2, l3d_translation<real>(12 * uniform(random), 9 * uniform(random), uniform(random)));
+    };
+    for (int i = 0; i < 12; ++i)
+        add();
+    l3d_pipeline_world pipeline(l3d_memory_canvas(window), world);
+    int differing = 0, shown = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+        if (frame % 3 == 0)
+            world.remove(*world.objects()[static_cast<std::size_t>(frame) % 12]);
+        for (const auto& object : world.objects())
+            object->set_transform(1, l3d_rotation_x<real>(11.0 * frame) *
+                                         l3d_rotation_y<real>(7.0 * frame));
+        if (frame % 3 == 0)
+            add();
+        if (frame % 5 == 0)
+            world.objects()[3]->set_transform(0, l3d_scaling<real>(1, 2, 2.0 + frame));
+        pipeline.draw_event();
+        l3d_world copies(window);
+        dress(copies);
+        for (const auto& object : world.objects())
+            copies.add(object->clone());
+        l3d_pipeline_world fresh(l3d_memory_canvas(window), copies);
+        fresh.draw_event();
+        const auto seen = words_of(pipeline.screen().pixels());
+        const auto wanted = words_of(fresh.screen().pixels());
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            differing += seen[i] != wanted[i];
+            shown += wanted[i] != 0;
+        }
+    }
+    EXPECT_GT(shown, 60 * 500);
+    EXPECT_LE(differing, shown / 10000); // rounding, where an edge meets the middle of a pixel
+}
+
 /// Of 100 poses in both rooms, none shows a wall of the next room where the nearest one is.
 TEST(world_depth, shows_what_rays_meet_first) {
     l3d_world world(window);
@@ -175,11 +226,12 @@ TEST(world_depth, shows_what_rays_meet_first) {
     box->set_transform(0, l3d_scaling<real>(0.3, 0.5, 0.2)); // not rigid
     box->set_transform(1, l3d_rotation_y<real>(30));
     box->set_transform(2, l3d_translation<real>(26, 0.5, 9));
-    world.add(std::move(box));
+    l3d_object& turning = world.add(std::move(box));
     l3d_pipeline_world pipeline(l3d_memory_canvas(window), world);
     std::mt19937 random(7);
     int judged = 0, wrong = 0, close = 0, far_first_wrong = 0;
     for (int pose = 0; pose < 100; ++pose) {
+        turning.set_transform(1, l3d_rotation_y<real>(30 + 7.0 * pose));
         world.camera.place = l3d_point<real>::of(20 + 19 * uniform(random), 5 + 4 * uniform(random),
                                                  10 + 9 * uniform(random));
         world.camera.look_at(l3d_point<real>::of(20 + 3 * uniform(random), 4 + uniform(random),

@@ -118,8 +118,60 @@ def left_out(text):
     return [line for line in rows if line not in text] if rows else ["the table is empty"]
 
 
+def tests_there():
+    """What tests are called: their names, and suite.name of those in C++."""
+    names = set()
+    for path in [*(ROOT / "tests").rglob("*.cpp"), *(ROOT / "tests").rglob("*.py")]:
+        text = path.read_text()
+        for suite, name in re.findall(r"\bT(?:YPED_T)?EST(?:_F|_P)?\((\w+),\s*(\w+)\)", text):
+            names |= {name, f"{suite}.{name}"}
+        if path.suffix == ".py":
+            names |= set(re.findall(r"^def (\w+)", text, re.M))
+    return names
+
+
+def is_path(name):
+    """A file or folder from the root or from tests/, whose ending may be left out; * stands for anything."""
+    return any(list(ROOT.glob(f"{before}{name}{after}")) for before in ("", "tests/") for after in ("", ".cpp"))
+
+
+def book_rows(text):
+    """What the tables of docs/BOOK.md name that is not there, and rows whose last column names no test. A
+    test is a file of tests/, a test's name or the beginning of one (row_23), or a target of make."""
+    known, wrong, last = tests_there(), [], ""
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
+        if not cells or set(line) <= set("|- "):
+            last = last if cells else ""
+            continue
+        if not last:
+            last = cells[-1]
+            continue
+        for path in re.findall(r"`((?:lib|apps|tests)/[^` ]*)`", line):
+            if not is_path(path):
+                wrong.append(f"{path} is not there")
+        if not last.startswith(("test", "shown by")):
+            continue
+        found = False
+        for quoted, word in re.findall(r"`([^`]+)`|\b([A-Za-z0-9]+_\w+|[A-Z][a-z]+[A-Z]\w+)", cells[-1]):
+            if quoted.startswith(("l3d_", "--")) or is_path(f"apps/{quoted}/main.cpp"):
+                continue  # said of the test
+            is_there = (is_path(quoted) if "/" in quoted else quoted.startswith("make ") if " " in quoted
+                        else "=" in quoted or quoted in known or is_path(quoted)) if quoted else any(
+                            name.startswith(word) for name in known)
+            found |= is_there
+            if not is_there:
+                wrong.append(f"'{quoted or word}' is no test")
+        if not found:
+            wrong.append(f"no test: {line[:60]}")
+    return wrong
+
+
 def main():
     failed = 0
+    wrong = book_rows((ROOT / "docs" / "BOOK.md").read_text())
+    print(f"not ok docs docs/BOOK.md: rows {wrong}" if wrong else "ok docs docs/BOOK.md: rows")
+    failed += bool(wrong)
     for document, missing_in in (("README.md", figures), ("docs/NUMERICS.md", left_out)):
         missing = missing_in((ROOT / document).read_text())
         print(f"not ok docs {document}: figures {missing}" if missing else f"ok docs {document}: figures")

@@ -120,11 +120,11 @@ def started(command, env, **options):
     """A running process whose output is kept; it and its children are gone at the end."""
     options.setdefault("stdin", subprocess.DEVNULL)
     options.setdefault("stdout", subprocess.PIPE)
+    options.setdefault("stderr", subprocess.PIPE)
     # A shell may have left SIGINT ignored, which children would inherit.
     process = subprocess.Popen(
         command,
         env=env,
-        stderr=subprocess.PIPE,
         start_new_session=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         **options,

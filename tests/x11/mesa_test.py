@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The mesa back-end: with both of its libraries, with either and with none; and its pictures."""
+"""The mesa back-end: with both of its libraries, with either and with none; and its pictures.
+
+With --table it prints the table of docs/DISPLAYS.md: how many pixels of every program differ by GL."""
 
 import array
 import json
@@ -8,8 +10,10 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 
 import harness
+import programs_test
 from harness import Checks, Onlooker, environment, expect, expect_equal, folder, run, started
 from harness import wait_for, window_of, x_server
 
@@ -190,6 +194,90 @@ def modelview_draws_by_the_backend():
             expect(above(levels, 1) <= 0.005, backend, above(levels, 1))
 
 
+def tells_who_draws():
+    """What GL cannot draw is refused or drawn by processors, with one line, and the report names no GL."""
+    modelview = os.path.join(os.environ["L3D_BIN"], "modelview")
+    with folder() as path:
+
+        def said(*arguments):
+            command = [modelview, "--backend", "mesa", "--frames", "2", "--size", "80x60", "--report", "r.json",
+                       "--output", "o.png", *arguments]
+            return run(command, environment(), cwd=path)
+
+        lights = "--light", "1,1,1", "--light", "0,1,0"
+        for arguments, is_gl in (((), True), (("--fog", "1,9"), False), (lights, False), (("--wireframe",), False)):
+            status, out, messages = said(*arguments)
+            told = "modelview: processors draw these surfaces, not GL: it has one light, and neither highlights nor fog\n"
+            is_told = not is_gl and arguments != ("--wireframe",)  # lines are GL's
+            expect_equal((status, out, messages), (0, b"", told if is_told else ""), arguments)
+            with open(os.path.join(path, "r.json")) as file:
+                expect_equal("renderer" in json.loads(file.readline()), is_gl, arguments)
+        status, _, messages = said("--pipeline", "zsort")
+        expect_equal((status, messages), (2, "modelview: --pipeline zsort: processors paint polygons in order, and "
+                                             "--backend mesa asks for GL, which --pipeline zbuffer has\n"))
+
+
+# ---- every program ------------------------------------------------------------------------------
+
+SIZE = 320, 240
+WAYS = "mesa:egl", "mesa:osmesa"
+VIEWERS = "gallery", "modelview", "teapot_afd"
+
+
+def every_program():
+    """The name of each that draws, how it starts, and how it draws hard edges, if it does."""
+    first = {}
+    for row in programs_test.table():
+        if not row.is_console:
+            first.setdefault(row.name, row.arguments)
+    for name, arguments in first.items():
+        hard = ["--antialias", "off"] if name in VIEWERS else ["--classic"]
+        yield name, arguments, None if name == "curves" else [*arguments, *hard]
+
+
+def is_edge(rows, x, y):
+    """Whether a pixel beside this one differs by more than 8 levels, as shades from pixel to pixel do not."""
+    around = [rows[v][u] for v in range(max(y - 1, 0), min(y + 2, len(rows)))
+              for u in range(max(x - 1, 0), min(x + 2, len(rows[0])))]
+    return above(differences([around], [[rows[y][x]] * len(around)]), 8) > 0
+
+
+def differing(name, arguments):
+    """For either GL, how many pixels are more than a level off those of processors: at edges, and elsewhere."""
+    program = harness.Program(name, SIZE)
+    more = (*arguments, "--frames", str(programs_test.FRAMES))
+    by_cpu, *by_gl = (picture(program, environment(L3D_FONT="built-in"), *more, backend=backend)
+                      for backend in ("memory", *WAYS))
+    for rows in by_gl:
+        off = [i for i, level in enumerate(differences(rows, by_cpu)) if level > 1]
+        at_edges = sum(is_edge(by_cpu, i % SIZE[0], i // SIZE[0]) for i in off)
+        yield at_edges, len(off) - at_edges
+
+
+def table_rows():
+    for name, arguments, hard in every_program():
+        cells = [differing(name, each) if each is not None else () for each in (arguments, hard)]
+        yield name, [tuple(pairs) for pairs in cells]
+
+
+def written(name, cells):
+    """A row of docs/DISPLAYS.md: EGL's figures and OSMesa's, or both in one where they are the same."""
+    texts = [" | ".join(" / ".join(str(n) for n in dict.fromkeys(of)) for of in zip(*pairs)) if pairs else "- | -"
+             for pairs in cells]
+    return "| `%s` | %s |" % (name, " | ".join(texts))
+
+
+def every_program_draws_the_same_by_gl():
+    """With hard edges, 1 % of the pixels may differ. Smooth ones differ where there is an edge: elsewhere
+    0.1 % may, on dim edges. The document has a row for each program."""
+    document = (programs_test.ROOT / "docs" / "DISPLAYS.md").read_text()
+    pixels = SIZE[0] * SIZE[1]
+    for name, (smooth, hard) in table_rows():
+        expect(all(inside <= pixels / 1000 for _, inside in (*smooth, *hard)), name, smooth, hard)
+        expect(all(edges <= pixels / 100 for edges, _ in hard), name, hard)
+        expect("| `%s` | " % name in document.partition("## Mesa")[2], "docs/DISPLAYS.md has no row of", name)
+
+
 # ---- the pictures -------------------------------------------------------------------------------
 
 
@@ -267,6 +355,10 @@ def shows_it_in_a_window(program):
             expect_equal(harness.ended(process), (0, b"", ""))
 
 
+if sys.argv[1:] == ["--table"]:
+    for line in table_rows():
+        print(written(*line), flush=True)
+    sys.exit()
 checks = Checks()
 for each in harness.PROGRAMS:
     name = "_of_" + each.name
@@ -289,5 +381,6 @@ for each in harness.PROGRAMS:
     if each.name == "teapot_afd":
         for check in (is_a_second_opinion, has_the_same_depth, agrees_with_itself):
             checks.run(check.__name__ + name, check, each)
-checks.run("modelview_draws_by_the_backend", modelview_draws_by_the_backend)
+for check in (modelview_draws_by_the_backend, tells_who_draws, every_program_draws_the_same_by_gl):
+    checks.run(check.__name__, check)
 checks.finish()

@@ -5,6 +5,7 @@
 import contextlib
 import math
 import os
+import select
 
 import harness
 from harness import Checks, Onlooker, Program, environment, expect, expect_equal, folder, run
@@ -140,6 +141,36 @@ def looks_through_a_files_camera():
         ):
             said = draw("modelview", (80, 60), *arguments, "--output", "o.png", cwd=path)
             expect_equal(said, (2, b"", "modelview: --file-camera: 'Top' " + why + "\n"))
+
+
+def says_at_a_terminal_what_it_reads():
+    """A pipe gives half of a model, and the rest after the terminal has shown two lines; then these are gone."""
+    with open(os.path.join(ROOT, "data", "thing.asc"), encoding="ascii") as file:
+        scene = file.read()
+    with folder() as path:
+        os.mkfifo(os.path.join(path, "slow.asc"))
+        master, slave = os.openpty()
+        command = Program("modelview", (80, 60)).command("--backend", "memory", "slow.asc", "--output", "o.png")
+        text = ""
+
+        def has_told(what):
+            nonlocal text
+            while select.select([master], [], [], 0)[0]:
+                text += os.read(master, 4096).decode()
+            return what in text
+
+        with started(command, environment(), cwd=path, stderr=slave) as process:
+            with open(os.path.join(path, "slow.asc"), "w", encoding="ascii") as pipe:
+                pipe.write(scene[:500])
+                pipe.flush()
+                wait_for(lambda: has_told("reading slow.asc, 1 s"), "a line")
+                pipe.write(scene[500:])
+            expect_equal(process.wait(harness.PATIENCE), 0)
+            has_told("")
+        os.close(slave)
+        os.close(master)
+        expect(text.startswith("\r\x1b[Kreading slow.asc\r\x1b[Kreading slow.asc, 1 s"), text)
+        expect(text.endswith(" s\r\x1b[Kslow.asc:1: ambient light is skipped\r\n"), text)
 
 
 # ---- empty pictures and picks -------------------------------------------------------------------
@@ -498,7 +529,7 @@ def main():
     checks = Checks()
     for check in (
         frames_any_model, frames_the_teapot_where_it_was_cut, keeps_the_teapots_own_view,
-        looks_through_a_files_camera,
+        looks_through_a_files_camera, says_at_a_terminal_what_it_reads,
         says_why_a_picture_is_empty, says_that_a_model_has_no_area,
         says_that_no_view_shows_a_tiny_model, says_nothing_of_a_small_model_that_is_seen,
         shows_models_on_a_gradient,

@@ -38,14 +38,14 @@ bool l3d_world::remove(const l3d_object& object) {
     const auto is_it = [&](const auto& other) { return other.get() == &object; };
     if (std::ranges::none_of(objects_, is_it) || is_removed(&object))
         return false;
-    removed_.push_back(&object);
+    removed_.insert(&object);
     if (updates_ == 0)
         drop_removed();
     return true;
 }
 
 bool l3d_world::is_removed(const l3d_object* object) const {
-    return std::ranges::find(removed_, object) != removed_.end();
+    return removed_.contains(object);
 }
 
 void l3d_world::drop_removed() {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 class l3d_world_surfaces;
@@ -86,7 +87,8 @@ private:
 
     std::unique_ptr<camera_type> owned_camera_; ///< the camera that `camera` names
     std::vector<std::unique_ptr<l3d_object>> objects_;
-    std::vector<const l3d_object*> removed_; ///< while objects are updated, those that are to go
+    /// While objects are updated, those that are to go.
+    std::unordered_set<const l3d_object*> removed_;
     int updates_ = 0;                        ///< calls of update_all that have not returned
     l3d_facet_list facets_;
     std::unique_ptr<l3d_world_surfaces> drawn_; ///< made by the first frame that is drawn by depth

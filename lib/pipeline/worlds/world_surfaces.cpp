@@ -61,6 +61,7 @@ l3d_polygon_model reshaped(const l3d_polygon_mesh& mesh, const l3d_matrix<double
 /// The input that all objects of a frame share.
 struct l3d_world_surfaces::frame_input {
     l3d_camera camera; ///< right-handed
+    vector forward;    ///< of the camera
     l3d_size size;
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;
@@ -70,7 +71,7 @@ struct l3d_world_surfaces::frame_input {
     /// Whether a ball may be seen, in the right-handed world.
     bool may_show(const vector& centre, double radius) const {
         const vector from_eye = centre - camera.eye;
-        const double depth = l3d_dot(from_eye, camera.axes().forward);
+        const double depth = l3d_dot(from_eye, forward);
         return depth + radius >= camera.near && depth - radius <= camera.far &&
                std::ranges::all_of(
                    sides, [&](const vector& side) { return l3d_dot(side, from_eye) >= -radius; });
@@ -90,6 +91,7 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
     const double right = (1 + 2.0 / size.width) / (2 * camera.fovx);
     const double up = (1 + 2.0 / size.height) / (2 * camera.fovy);
     frame_input in{ours,
+                   axes.forward,
                    size,
                    fit,
                    settings,
@@ -122,13 +124,21 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
 
 void l3d_world_surfaces::place_all(const frame_input& in,
                                    std::span<const std::unique_ptr<l3d_object>> objects) {
+    // New objects come last. So what was placed for an object that is not the next belongs to one
+    // that has gone, and its memory serves a new one.
+    std::size_t kept = 0;
+    for (auto& old : placed_)
+        if (kept < objects.size() && old->object == objects[kept].get())
+            std::swap(old, placed_[kept++]);
     while (placed_.size() < objects.size())
         placed_.push_back(std::make_unique<placed>());
     placed_.resize(objects.size());
     seen_.clear();
-    for (std::size_t i = 0; i < objects.size(); ++i)
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        placed_[i]->object = objects[i].get();
         if (place(in, *objects[i], *placed_[i]))
             seen_.push_back(placed_[i].get());
+    }
 }
 
 /// Returns whether anything of the object may be seen.
@@ -147,17 +157,15 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
     l3d_matrix<double> rest = placement;
     if (is_rigid(placement))
         to.shaped.reset();
-    else {
+    else if (!to.shaped || !is_rigid(rest = placement * to.unshape)) {
         l3d_matrix<double> shape = placement;
         for (int i = 0; i < 3; ++i) {
             shape(i, 3) = 0;
             for (int k = 0; k < 3; ++k)
                 rest(i, k) = i == k;
         }
-        if (!to.shaped || !(shape == to.shape)) {
-            to.shaped = reshaped(model.mesh(), shape);
-            to.shape = shape;
-        }
+        to.shaped = reshaped(model.mesh(), shape);
+        to.unshape = l3d_inverted(shape).value_or(l3d_identity<double>());
     }
     const l3d_matrix<double> ours = mirror * rest;
     const vector c = to.model().centre();

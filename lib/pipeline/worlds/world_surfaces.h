@@ -32,9 +32,11 @@ private:
     /// The drawable form of one object. The form is kept from frame to frame for its memory, and
     /// for its shape.
     struct placed {
+        const l3d_object* object = nullptr; ///< perhaps gone: only to be compared
         std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
-        l3d_matrix<double> shape = l3d_identity<double>(); ///< the matrix that made `shaped`
+        /// What a placement has to undo first to place `shaped`: it may have turned since.
+        l3d_matrix<double> unshape = l3d_identity<double>();
         std::optional<l3d_polygon_view> view;
         l3d_polygon_frame frame;
         l3d_polygon_wires wires;

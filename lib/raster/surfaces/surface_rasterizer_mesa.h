@@ -27,7 +27,7 @@ public:
     explicit l3d_surface_rasterizer_mesa(std::unique_ptr<l3d_detail::mesa_context> context);
 
 private:
-    std::string do_describe() const override { return gl_target_.describe(); }
+    std::string do_describe() const override { return by_cpu_ ? "" : gl_target_.describe(); }
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                   bool untouched) override;
     void do_draw(std::span<const l3d_surface_part* const> parts) override;

@@ -9,6 +9,7 @@
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
+#include "system/long_work_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -434,7 +435,10 @@ l3d_patch_model l3d_afd_options::model() const {
                         model_file_ + ": holds " + polygons +
                             " and no patches; modelview --pipeline zbuffer shows them");
     std::string why;
-    auto model = l3d_patch_model::from_file(file, model_file_, why);
+    auto model = [&] {
+        const auto work = l3d_detail::tell_work("preparing", model_file_);
+        return l3d_patch_model::from_file(file, model_file_, why);
+    }();
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     for (const std::string& note : file.notes)

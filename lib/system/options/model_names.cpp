@@ -6,6 +6,7 @@
 #include "base/printable_p.h"
 #include "system/options/output_names_p.h"
 #include "system/install_paths.h"
+#include "system/long_work_p.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -31,8 +32,10 @@ std::vector<std::string> l3d_detail::model_names() {
 l3d_model_file l3d_detail::load_named_model(const std::string& name) {
     const std::string path = l3d_data_file(name);
     std::error_code unknown;
-    if (fs::exists(path, unknown) || fs::path(name).has_parent_path())
+    if (fs::exists(path, unknown) || fs::path(name).has_parent_path()) {
+        const auto work = tell_work("reading", name);
         return l3d_load_model(path, name);
+    }
     const std::vector<std::string> names = model_names();
     std::string why = printable(name) + ": no such file is here, nor a model of that name in " +
                       printable(l3d_data_folder()) + ", which has";

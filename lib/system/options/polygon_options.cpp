@@ -5,6 +5,7 @@
 #include "base/printable_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
 #include "system/options/number_text.h"
+#include "system/long_work_p.h"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
         std::cerr << l3d_detail::printable(name)
                   << ": transparent materials are opaque here; only patches are seen through, by "
                      "--pipeline afd\n";
+    const auto work = l3d_detail::tell_work("preparing", name);
     return l3d_polygon_model(std::move(mesh), to_origin_, crease_angle_);
 }
 

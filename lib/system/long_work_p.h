@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// long_work: what a program is busy with before it shows anything, on one line of a terminal.
+#ifndef L3D_SYSTEM_LONG_WORK_P_H
+#define L3D_SYSTEM_LONG_WORK_P_H
+
+#include "base/printable_p.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <iostream>
+#include <mutex>
+#include <ostream>
+#include <stop_token>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+namespace l3d_detail {
+
+/// While it lives, writes "reading a.obj", then "reading a.obj, 1 s" and so on over itself. It
+/// takes the line away at the end. Work of less than half a second writes nothing.
+///
+/// The work itself knows nothing of this: a thread of its own counts the seconds. Where the system
+/// makes no more threads, nothing is written.
+/// Lives:   borrows the stream, which nobody else writes to meanwhile.
+class long_work {
+public:
+    /// `is_shown`: whether the stream is a terminal. Units: milliseconds until the first line, and
+    /// from each to the next.
+    long_work(std::ostream& out, bool is_shown, std::string what,
+              std::chrono::milliseconds first = std::chrono::milliseconds(500),
+              std::chrono::milliseconds period = std::chrono::seconds(1))
+        : out_(out), what_(std::move(what)) {
+        try {
+            if (is_shown)
+                teller_ = std::jthread([this, first, period](const std::stop_token& ends) {
+                    tell(ends, first, period);
+                });
+        } catch (const std::system_error&) { // the work goes on without it
+        }
+    }
+    long_work(const long_work&) = delete;
+    long_work& operator=(const long_work&) = delete;
+    ~long_work() = default; // ends the thread
+
+private:
+    void tell(const std::stop_token& ends, std::chrono::milliseconds first,
+              std::chrono::milliseconds period) {
+        constexpr const char* erase = "\r\x1b[K"; // to the line's start, and all after it
+        std::mutex mutex;
+        std::condition_variable_any done;
+        std::unique_lock lock(mutex);
+        const auto is_over = [&](std::chrono::milliseconds time) {
+            done.wait_for(lock, ends, time, [] { return false; });
+            return ends.stop_requested();
+        };
+        int seconds = 0;
+        for (auto time = first; !is_over(time); time = period) {
+            out_ << erase << what_;
+            if (seconds > 0)
+                out_ << ", " << seconds << " s";
+            out_ << std::flush;
+            ++seconds;
+        }
+        if (seconds > 0)
+            out_ << erase << std::flush;
+    }
+
+    std::ostream& out_;
+    std::string what_;
+    std::jthread teller_;
+};
+
+/// The same on the standard error, for what is done to a file: "reading" and its name.
+inline long_work tell_work(const std::string& doing, const std::string& file) {
+    return {std::cerr, isatty(STDERR_FILENO) != 0, doing + ' ' + printable(file)};
+}
+
+} // namespace l3d_detail
+
+#endif
