@@ -182,7 +182,7 @@ TEST(line_fog, shows_the_nearer_of_two_lines) {
                 const auto imp = l3d_rasterizer_factory_sw().create_2d(screen.pixels());
                 l3d_rasterizer_2d rasterizer(*imp);
                 l3d_detail::wire_picture lines_of(rasterizer, screen.pixels(), shading, smooth,
-                                                 width);
+                                                  width);
                 const std::vector lines{near_first ? near : far, near_first ? far : near};
                 lines_of.draw(lines);
                 lines_of.finish();

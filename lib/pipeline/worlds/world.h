@@ -89,7 +89,7 @@ private:
     std::vector<std::unique_ptr<l3d_object>> objects_;
     /// While objects are updated, those that are to go.
     std::unordered_set<const l3d_object*> removed_;
-    int updates_ = 0;                        ///< calls of update_all that have not returned
+    int updates_ = 0; ///< calls of update_all that have not returned
     l3d_facet_list facets_;
     std::unique_ptr<l3d_world_surfaces> drawn_; ///< made by the first frame that is drawn by depth
 };

@@ -32,7 +32,7 @@ private:
     /// The drawable form of one object. The form is kept from frame to frame for its memory, and
     /// for its shape.
     struct placed {
-        const l3d_object* object = nullptr; ///< perhaps gone: only to be compared
+        const l3d_object* object = nullptr;      ///< perhaps gone: only to be compared
         std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
         /// What a placement has to undo first to place `shaped`: it may have turned since.

@@ -58,9 +58,10 @@ bool painter_cover::covers(std::int32_t row, columns span) const {
 bool painter_cover::hides_sides(const l3d_painter_piece& piece) const {
     bool hidden = true;
     for (const bool smooth : {false, true}) // whichever will be drawn
-        visit_sides(triangles_[piece.triangle], placed_, size_, smooth, [&](int x, int y, int, double) {
-            hidden = hidden && covers(y, {x, x + 1});
-        });
+        visit_sides(triangles_[piece.triangle], placed_, size_, smooth,
+                    [&](int x, int y, int, double) {
+                        hidden = hidden && covers(y, {x, x + 1});
+                    });
     return hidden;
 }
 

@@ -69,8 +69,8 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
     fragment_polygon& polygon = next_polygon();
     for (std::size_t i = 0; i < at.size(); ++i)
         polygon.set_corner(i, grid.x[at[i]], grid.y[at[i]], grid.inv_w[at[i]]);
-    const quad_turns turns({polygon.place(0), polygon.place(1), polygon.place(2),
-                            polygon.place(3)});
+    const quad_turns turns(
+        {polygon.place(0), polygon.place(1), polygon.place(2), polygon.place(3)});
     if (turns.level() || grid.is_cut(p00))
         return;
     const std::uint32_t color = color_of(part, part.material);
@@ -99,9 +99,9 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
 void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t first,
                                    std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-        add_triangle({part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
-                      part.triangles.vertex(i, 2)},
-                     color_of(part, part.material_of(i)));
+        add_triangle(
+            {part.triangles.vertex(i, 0), part.triangles.vertex(i, 1), part.triangles.vertex(i, 2)},
+            color_of(part, part.material_of(i)));
 }
 
 void band_fragments::add_triangle(const std::array<l3d_micro_vertex, 3>& corners,

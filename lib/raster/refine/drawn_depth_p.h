@@ -24,16 +24,15 @@ public:
     /// The farthest depth in a pixel and those around it; 0 if nothing is in one of them.
     /// Expects: (x, y) lies in the window.
     float farthest(std::int32_t x, std::int32_t y) const {
-        const std::int32_t left = std::max(x - 1, window_.left),
-                           top = std::max(y - 1, window_.top),
+        const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top),
                            right = std::min(x + 1, window_.right - 1),
                            bottom = std::min(y + 1, window_.bottom - 1);
         // They have four tiles at most.
         const bool is_wide = left / depth_tile::width != right / depth_tile::width;
         const bool is_high = top / depth_tile::height != bottom / depth_tile::height;
         if (!coarse_->drawn_at(left, top) || (is_wide && !coarse_->drawn_at(right, top)) ||
-            (is_high && (!coarse_->drawn_at(left, bottom) ||
-                         (is_wide && !coarse_->drawn_at(right, bottom)))))
+            (is_high &&
+             (!coarse_->drawn_at(left, bottom) || (is_wide && !coarse_->drawn_at(right, bottom)))))
             return 0;
         float result = HUGE_VALF;
         for (const std::int32_t row : {top, y, bottom}) {

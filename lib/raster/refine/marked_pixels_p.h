@@ -79,9 +79,8 @@ public:
 
     /// Whether there is an open pixel in a box. Expects: as visit.
     bool reached(const l3d_pixel_box& box) const {
-        return visit(box, [](const tile&, std::int32_t, std::int32_t, std::uint64_t) {
-            return true;
-        });
+        return visit(box,
+                     [](const tile&, std::int32_t, std::int32_t, std::uint64_t) { return true; });
     }
 
     /// A tile, by the numbers of its column and row in the picture.

@@ -77,12 +77,12 @@ public:
             hn::Store(middle, floats, middle_ + at);
             hn::Store(hn::Add(middle, hn::IfThenElse(is_other, hn::Neg(margin), margin)), floats,
                       in_tile_ + at);
-            const auto turn =
-                hn::ConvertTo(side_ints, hn::Add(hn::Mul(hn::Mul(dx, scale),
-                                                         hn::Set(floats, half_planes::first_turn)),
-                                                 hn::Set(floats, half_planes::first_turn + 0.5f)));
-            const auto others =
-                hn::IfThenElseZero(is_other, hn::BitCast(floats, hn::Set(side_ints, half_planes::others)));
+            const auto turn = hn::ConvertTo(
+                side_ints,
+                hn::Add(hn::Mul(hn::Mul(dx, scale), hn::Set(floats, half_planes::first_turn)),
+                        hn::Set(floats, half_planes::first_turn + 0.5f)));
+            const auto others = hn::IfThenElseZero(
+                is_other, hn::BitCast(floats, hn::Set(side_ints, half_planes::others)));
             hn::Store(hn::Sub(hn::Add(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
                                       hn::BitCast(side_ints, others)),
                               hn::BitCast(side_ints, hn::Set(floats, whole))),
@@ -114,11 +114,12 @@ private:
 
     /// A pixel's square goes 1/2 pixel beyond its middle, in the measure of half_planes, and there
     /// are half a step in direction, for places up to 1/2 away, and half a step of e.
-    static constexpr float tile_margin = 0.5f / marked_pixels::side + 1.0f / half_planes::turns +
-                                         0.5f / half_planes::steps;
+    static constexpr float tile_margin =
+        0.5f / marked_pixels::side + 1.0f / half_planes::turns + 0.5f / half_planes::steps;
 
     /// What is on the inner sides in a square round (x, y).
-    HWY_ATTR HWY_INLINE std::uint64_t inside(float x, float y, float per_side, const float* in_middle,
+    HWY_ATTR HWY_INLINE std::uint64_t inside(float x, float y, float per_side,
+                                             const float* in_middle,
                                              const std::uint64_t* masks) const {
         alignas(16) std::int32_t places[4];
         for (std::size_t at = 0; at < 4; at += hn::MaxLanes(floats)) {
@@ -128,8 +129,7 @@ private:
                                       hn::Load(floats, per_y_ + at));
             const auto step = hn::Add(hn::Mul(hn::Add(across, down), hn::Set(floats, per_side)),
                                       hn::Load(floats, in_middle + at));
-            const auto held =
-                hn::Min(hn::Max(step, hn::Zero(floats)), hn::Set(floats, last_step));
+            const auto held = hn::Min(hn::Max(step, hn::Zero(floats)), hn::Set(floats, last_step));
             hn::Store(hn::Add(hn::BitCast(side_ints, hn::Add(held, hn::Set(floats, whole))),
                               hn::Load(side_ints, rows_ + at)),
                       side_ints, places + at);
@@ -146,8 +146,9 @@ private:
 
 std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                   marked_pixels& pixels, fragment* to, std::uint32_t first) {
-    const std::uint64_t *const of_pixels = planes_of_pixels().masks(),
-                        *const of_samples = planes_of_samples().masks();
+    const std::uint64_t *const of_pixels = planes_of_pixels().masks(), *const of_samples =
+                                                                           planes_of_samples()
+                                                                               .masks();
     const auto depths = std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
     const float farthest = depths.first, nearest = depths.second;
     std::uint32_t count = 0;
@@ -160,9 +161,8 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
         has_sides = true;
         for (bits &= sides.reached(left, top, of_pixels); bits != 0; bits &= bits - 1) {
             const std::uint64_t earlier = tile.bits & ((bits & -bits) - 1);
-            marked_pixel& pixel =
-                pixels.pixels()[tile.first +
-                                static_cast<std::uint32_t>(__builtin_popcountll(earlier))];
+            marked_pixel& pixel = pixels.pixels()[tile.first + static_cast<std::uint32_t>(
+                                                                   __builtin_popcountll(earlier))];
             if (!(nearest >= pixel.farthest))
                 continue;
             const std::uint64_t samples = sides.samples(pixel.x, pixel.y, of_samples);
@@ -239,7 +239,7 @@ HWY_ATTR HWY_INLINE seen_fragment measured(const seen_so_far& of, const marked_p
 /// Gives the samples that a fragment shares with others to the nearer one. Returns how many of the
 /// others are left.
 HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, seen_so_far& here,
-                                      const half_planes& planes) {
+                                       const half_planes& planes) {
     bool any_gone = false;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint64_t both = here.samples & seen[i].samples;
