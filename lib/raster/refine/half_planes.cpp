@@ -4,6 +4,7 @@
 
 #include "raster/refine/sample_places_p.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace l3d_detail {
@@ -15,11 +16,13 @@ half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const st
         std::uint64_t* const row = masks_.data() + turn * in_row;
         for (std::size_t i = 0; i < x.size(); ++i) {
             const double right = (x[i] + 0.5) / cells - 0.5, down = (y[i] + 0.5) / cells - 0.5;
-            const double there = dx * down - dy * right;
-            for (std::size_t step = 0; step < steps; ++step)
-                if ((static_cast<double>(step) + 0.5) / steps - 0.5 + there >= 0)
-                    row[step + 1] |= std::uint64_t{1} << i;
+            // It is on the side from the first step on in whose middle e + dx y - dy x >= 0.
+            const double first = std::ceil((0.5 + dy * right - dx * down) * steps - 0.5);
+            if (first < steps)
+                row[static_cast<std::size_t>(std::max(first, 0.0)) + 1] |= std::uint64_t{1} << i;
         }
+        for (std::size_t step = 1; step < steps; ++step)
+            row[step + 1] |= row[step];
         row[steps + 1] = ~std::uint64_t{0};
     }
     for (std::size_t i = 0; i < others; ++i)

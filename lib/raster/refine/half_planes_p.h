@@ -14,13 +14,14 @@ namespace l3d_detail {
 ///
 /// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1. A place (x, y) from the square's
 /// middle is on its side if e + dx y - dy x >= 0. So lines with |e| > 1/2 pass the square by.
-/// Both dx and e are taken in steps. Half of one is 1/64 in dx, which moves a line by less than
-/// 1/64 within the square, and 1/124 in e. The share of the square on one side is then off by
-/// 1/62 / sqrt(12) = 0.0047 in the root of the mean square.
+/// Both dx and e are taken in steps. Half of one is 1/128 in dx, which moves a line by less than
+/// 1/128 within the square, and 1/252 in e. The share of the square on one side is then off by
+/// 1/126 / sqrt(12) = 0.0023 in the root of the mean square, a fifth of what counting 64 samples
+/// makes.
 class half_planes {
 public:
-    static constexpr std::size_t turns = 64; ///< from one direction to its opposite
-    static constexpr std::size_t steps = 62; ///< of e, from -1/2 to 1/2
+    static constexpr std::size_t turns = 128; ///< from one direction to its opposite
+    static constexpr std::size_t steps = 126; ///< of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
     static constexpr float middle = (steps + 1) / 2.0f; ///< what stands for e = 0 in a row
     static constexpr float first_turn = turns / 2.0f;   ///< the row of dx = 0

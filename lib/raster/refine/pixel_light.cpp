@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -43,63 +44,29 @@ struct light_sum {
     }
 };
 
-/// The level of a polygon of mode l3d_shade::levels: that of levels_shader, at the parameters that
-/// a parallelogram would have.
+/// The level of a polygon of mode l3d_shade::levels: the plane of its corners' levels, higher by
+/// what the surface is above it in the mean. Where a side's middle is up by h, that is a third of h
+/// in the mean over a triangle, as 4 h times the mean of a product of two parts of corners, 1/12.
+/// Over a quad it is two thirds of the mean of opposite sides, so a third of h, too.
 class level_surface {
 public:
-    level_surface() = default;
     explicit level_surface(const fragment_polygon& of)
-        : middle_x_(of.middle_x), middle_y_(of.middle_y) {
-        const float per_area = l3d_subpixel_one / static_cast<float>(of.area2);
-        const float ax = per_area * static_cast<float>(of.x[2] - of.x[0]),
-                    ay = per_area * static_cast<float>(of.y[2] - of.y[0]),
-                    bx = per_area * static_cast<float>(of.x[3] - of.x[1]),
-                    by = per_area * static_cast<float>(of.y[3] - of.y[1]);
-        // In parts of the diagonals from the mean of the corners, a place is
-        // s = by right - bx down and t = ax down - ay right.
-        const auto& [a, b, c, d] = of.light[0];
-        const float ab = 4 * of.light[1][0], ad = 4 * of.light[2][0], bc = 4 * of.light[2][1];
-        level_ = a;
-        per_uu_ = -ab;
-        per_vv_ = -ad;
-        per_u_ = b - a + ab;
-        v_ = {0.5f, by - ay, ax - bx}; // 1/2 + s + t
-        if (of.corners == 4) {
-            // Between opposite sides, level and bend change steadily.
-            const float along_v = 4 * of.light[1][3] - ab, along_u = bc - ad;
-            u_ = {0.5f, by + ay, -ax - bx}; // 1/2 + s - t
-            per_v_ = d - a + ad;
-            per_uv_ = a - b + c - d + along_v + along_u;
-            per_uuv_ = -along_v;
-            per_uvv_ = -along_u;
-        } else {                   // with d = c; u is the part of b, v that of c
-            u_ = {0.25f, ay, -ax}; // 1/4 - t
-            per_v_ = c - a + ad;
-            per_uv_ = bc - ab - ad;
-        }
+        : plane_(of.plane_of(of.light[0])),
+          bend_((of.light[1][0] + of.light[1][3] + of.light[2][0] + of.light[2][1]) / 3) {
+        const auto [least, most] =
+            std::minmax({of.light[0][0], of.light[0][1], of.light[0][2], of.light[0][3]});
+        least_ = least;
+        most_ = most;
     }
 
-    /// Units: pixels.
-    float at(float x, float y) const {
-        const float right = x - middle_x_, down = y - middle_y_;
-        const float u = u_.at(right, down), v = v_.at(right, down);
-        return level_ + u * (per_u_ + u * per_uu_ + v * (per_uv_ + u * per_uuv_ + v * per_uvv_)) +
-               v * (per_v_ + v * per_vv_);
+    /// Between the corners' levels, as the plane of a sliver is steep. Units: pixels.
+    float at(const fragment_polygon& of, float x, float y) const {
+        return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;
     }
 
 private:
-    /// A parameter, held from 0 to 1.
-    struct parameter {
-        float middle, per_right, per_down;
-
-        float at(float right, float down) const {
-            return std::min(std::max(middle + (per_right * right + per_down * down), 0.0f), 1.0f);
-        }
-    };
-
-    float middle_x_, middle_y_;
-    parameter u_, v_;
-    float level_, per_u_, per_v_, per_uu_, per_uv_, per_vv_, per_uuv_ = 0, per_uvv_ = 0;
+    fragment_plane plane_;
+    float bend_, least_, most_;
 };
 
 /// Planes of `Count` numbers of a polygon's corners.
@@ -131,7 +98,7 @@ public:
 
     /// The amount of all channels, if they are the same.
     float grey_of(const seen_fragment& seen) const {
-        return tables_.light_between(levels_[seen.polygon].at(seen.x, seen.y));
+        return tables_.light_between(level_of(seen));
     }
 
     light_sum of(const seen_fragment& seen) {
@@ -143,19 +110,21 @@ public:
             return light;
         const auto [farthest, nearest] =
             std::minmax({polygon.inv_w[0], polygon.inv_w[1], polygon.inv_w[2], polygon.inv_w[3]});
-        const float plane = polygon.depth + (polygon.depth_right * (x - polygon.middle_x) +
-                                             polygon.depth_down * (y - polygon.middle_y));
         const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
-        const float depth = std::clamp(plane, farthest, nearest);
-        return light_sum::of_word(shading_.fogged(light.word(tables_), color, depth), tables_);
+        const std::uint32_t amount = fog.amount(std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest));
+        return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
     }
 
 private:
+    float level_of(const seen_fragment& seen) const {
+        return levels_[seen.polygon].at(polygons_[seen.polygon], seen.x, seen.y);
+    }
+
     light_sum clear(const fragment_polygon& polygon, const seen_fragment& seen) {
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(levels_[seen.polygon].at(seen.x, seen.y), polygon.color);
+            return of_level(level_of(seen), polygon.color);
         else
             return of_word(word_at(polygon, double{seen.x}, double{seen.y}), polygon.color);
     }

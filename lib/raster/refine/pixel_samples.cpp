@@ -274,8 +274,7 @@ HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
         const fragment_polygon& of = polygons[fragments[at].polygon];
         seen_so_far here{
             fragments[at].samples, fragments[at].polygon,
-            of.depth + (of.depth_right * (x - of.middle_x) + of.depth_down * (y - of.middle_y)),
-            of.depth_right, of.depth_down};
+            of.at(of.depth, x, y), of.depth.right, of.depth.down};
         if ((here.samples & covered) != 0)
             count = divide(seen, count, here, planes);
         covered |= here.samples;
@@ -321,16 +320,19 @@ void fragment_polygon::set_triangle(const std::array<l3d_micro_vertex, 3>& of) {
 }
 
 void fragment_polygon::set_plane() {
-    const double unit = 1.0 / l3d_subpixel_one;
-    const std::int64_t ax = std::int64_t{x[2]} - x[0], ay = std::int64_t{y[2]} - y[0];
-    const std::int64_t bx = std::int64_t{x[3]} - x[1], by = std::int64_t{y[3]} - y[1];
-    middle_x = static_cast<float>(0.25 * unit * (double(x[0]) + x[1] + x[2] + x[3]));
-    middle_y = static_cast<float>(0.25 * unit * (double(y[0]) + y[1] + y[2] + y[3]));
-    depth = 0.25f * ((inv_w[0] + inv_w[1]) + (inv_w[2] + inv_w[3]));
+    constexpr double unit = 0.25 / l3d_subpixel_one;
+    middle_x = static_cast<float>(unit * (double(x[0]) + x[1] + x[2] + x[3]));
+    middle_y = static_cast<float>(unit * (double(y[0]) + y[1] + y[2] + y[3]));
+    depth = plane_of(inv_w);
+}
+
+fragment_plane fragment_polygon::plane_of(const float (&numbers)[4]) const {
     const double per_area = l3d_subpixel_one / static_cast<double>(area2);
-    const double a = double{inv_w[2]} - inv_w[0], b = double{inv_w[3]} - inv_w[1];
-    depth_right = static_cast<float>((a * double(by) - b * double(ay)) * per_area);
-    depth_down = static_cast<float>((b * double(ax) - a * double(bx)) * per_area);
+    const double a = per_area * (double{numbers[2]} - numbers[0]),
+                 b = per_area * (double{numbers[3]} - numbers[1]);
+    return {0.25f * ((numbers[0] + numbers[1]) + (numbers[2] + numbers[3])),
+            static_cast<float>(a * (y[3] - y[1]) - b * (y[2] - y[0])),
+            static_cast<float>(b * (x[2] - x[0]) - a * (x[3] - x[1]))};
 }
 
 std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,

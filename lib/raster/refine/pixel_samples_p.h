@@ -15,6 +15,12 @@
 
 namespace l3d_detail {
 
+/// A number that is linear in the picture: in a polygon's middle, and what a pixel to the right and
+/// one down add.
+struct fragment_plane {
+    float middle, right, down;
+};
+
 /// A convex polygon that may reach a marked pixel. A triangle's last corner is there twice.
 struct fragment_polygon {
     std::int32_t x[5], y[5]; ///< the first is the last, too; units: 1/256 pixel
@@ -26,9 +32,20 @@ struct fragment_polygon {
     std::uint32_t color;
     std::int64_t area2; ///< twice its area, positive if its corners turn to the right; not 0
 
-    /// The plane of inv_w: in the mean of the corners, and what a pixel to the right and one down
-    /// add. Units: pixels.
-    float middle_x, middle_y, depth, depth_right, depth_down;
+    float middle_x, middle_y; ///< the mean of four corners; units: pixels
+    fragment_plane depth;     ///< of inv_w
+
+    /// Sets the mean and the plane of depth. Expects: area2 is set, as all else.
+    void set_plane();
+
+    /// The plane of numbers of the corners, through their mean and parallel to both diagonals'
+    /// differences.
+    fragment_plane plane_of(const float (&numbers)[4]) const;
+
+    /// A number of a plane at a place. Units: pixels.
+    float at(const fragment_plane& plane, float to_x, float to_y) const {
+        return plane.middle + (plane.right * (to_x - middle_x) + plane.down * (to_y - middle_y));
+    }
 
     void set_corner(std::size_t i, std::int32_t to_x, std::int32_t to_y, float to_inv_w) {
         x[i] = to_x;
@@ -46,9 +63,6 @@ struct fragment_polygon {
     void set_triangle(const std::array<l3d_micro_vertex, 3>& of);
 
     scan_point place(std::size_t i) const { return {x[i], y[i]}; }
-
-    /// Sets the plane from these.
-    void set_plane();
 
     l3d_micro_vertex corner(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {light[0][i], light[1][i], light[2][i]}};
