@@ -44,6 +44,7 @@ bench: packages-bench ## build and run the benchmarks
 	+@$(again) $(BENCHES) $(APPS)
 	@set -e; for bench in $(BENCHES); do $$bench $(ARGS); done
 	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/start_up.py
+	@L3D_BIN=$(abspath $(OUT)/bin) tests/bench/world_rates.py
 
 report: packages-report $(OUT)/bin/teapot_afd $(DATA) ## error against time, into docs/report; goes on where it was stopped; QUICK=1: a small one
 	@$(OUT)/bin/teapot_afd --no-input --error-report $(if $(QUICK),$(OUT)/report --quick,docs/report)

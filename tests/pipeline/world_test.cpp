@@ -380,6 +380,45 @@ TEST(book_world, objects_come_and_go_while_they_are_updated) {
     EXPECT_FALSE(world.remove(stranger));
 }
 
+/// Takes another object with it when it goes.
+class taker final : public l3d_object {
+public:
+    taker(l3d_world& world, const l3d_object& other) : world_(world), other_(other) {}
+    taker(const taker&) = delete;
+    taker& operator=(const taker&) = delete;
+    ~taker() override { EXPECT_TRUE(world_.remove(other_)); }
+    bool goes = false; ///< with the next update
+
+private:
+    void do_update(double) override {
+        if (goes) {
+            EXPECT_TRUE(world_.remove(*this));
+        }
+    }
+
+    l3d_world& world_;
+    const l3d_object& other_;
+};
+
+TEST(book_world, what_goes_may_take_others_with_it) {
+    for (const bool while_updated : {false, true}) {
+        l3d_world world({64, 40});
+        const l3d_object& last = world.add(std::make_unique<l3d_object>());
+        const l3d_object& middle = world.add(std::make_unique<taker>(world, last));
+        auto owned = std::make_unique<taker>(world, middle);
+        taker& first = *owned;
+        world.add(std::move(owned));
+        world.add(std::make_unique<l3d_object>());
+        first.goes = while_updated;
+        world.update_all(0.1);
+        EXPECT_EQ(world.objects().size(), while_updated ? 1u : 4u);
+        if (!while_updated) {
+            EXPECT_TRUE(world.remove(first));
+        }
+        EXPECT_EQ(world.objects().size(), 1u);
+    }
+}
+
 /// Takes its neighbour out of the world, wherever the two stand in the list.
 class remover final : public l3d_object {
 public:

@@ -35,29 +35,23 @@ l3d_object& l3d_world::add(std::unique_ptr<l3d_object> object) {
 }
 
 bool l3d_world::remove(const l3d_object& object) {
-    const auto is_it = [&](const auto& other) { return other.get() == &object; };
-    if (std::ranges::none_of(objects_, is_it) || is_removed(&object))
+    const auto found = std::ranges::find(objects_, &object, &std::unique_ptr<l3d_object>::get);
+    if (found == objects_.end())
         return false;
-    removed_.insert(&object);
-    if (updates_ == 0)
-        drop_removed();
+    if (updates_ > 0)
+        return removed_.insert(&object).second;
+    const std::unique_ptr<l3d_object> leaving = std::move(*found); // it may remove more as it goes
+    objects_.erase(found);
     return true;
 }
 
-bool l3d_world::is_removed(const l3d_object* object) const {
-    return removed_.contains(object);
-}
-
 void l3d_world::drop_removed() {
-    // A destructor may remove further objects: they go in the next round.
-    while (!removed_.empty()) {
-        std::vector<std::unique_ptr<l3d_object>> leaving;
-        for (auto& object : objects_)
-            if (is_removed(object.get()))
-                leaving.push_back(std::move(object));
-        std::erase(objects_, nullptr);
-        removed_.clear();
-    }
+    std::vector<std::unique_ptr<l3d_object>> leaving; // they may remove more as they go
+    for (auto& object : objects_)
+        if (removed_.contains(object.get()))
+            leaving.push_back(std::move(object));
+    std::erase(objects_, nullptr);
+    removed_.clear();
 }
 
 void l3d_world::update_all(double seconds) {
@@ -65,7 +59,7 @@ void l3d_world::update_all(double seconds) {
         const update_scope scope(*this);
         const std::size_t count = frozen ? 0 : objects_.size();
         for (std::size_t i = 0; i < count; ++i)
-            if (removed_.empty() || !is_removed(objects_[i].get()))
+            if (!removed_.contains(objects_[i].get()))
                 objects_[i]->update(seconds);
     }
     camera.update(seconds);

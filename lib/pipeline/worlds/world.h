@@ -82,7 +82,6 @@ public:
 private:
     class update_scope;
 
-    bool is_removed(const l3d_object* object) const;
     void drop_removed();
 
     std::unique_ptr<camera_type> owned_camera_; ///< the camera that `camera` names
