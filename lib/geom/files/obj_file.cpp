@@ -270,6 +270,8 @@ private:
 
     /// No model is lost for a place in a picture.
     void give_picture_place(std::string_view digits) {
+        if (picture_places_.empty())
+            return;
         std::int64_t number = 0;
         const auto [end, error] =
             std::from_chars(digits.data(), digits.data() + digits.size(), number);

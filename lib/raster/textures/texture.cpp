@@ -164,9 +164,14 @@ void l3d_texture::add_anisotropic(const l3d_texture_place& place, sum& to) const
     const double uu = ru * ru + du * du, uv = ru * rv + du * dv, vv = rv * rv + dv * dv;
     const double mean = (uu + vv) / 2, area = ru * dv - rv * du;
     const double square = mean + std::sqrt(std::max(mean * mean - area * area, 0.0));
+    constexpr double most = 1e30; // wider than any picture; products of more are no numbers
+    if (!(square < most))
+        return add_trilinear(most, place.u, place.v, 1, to);
     const double longer = std::sqrt(square), shorter = longer > 0 ? std::abs(area) / longer : 0.0;
-    const double wanted = std::ceil(longer / std::max(shorter, 1.0));
-    const int count = std::clamp(static_cast<int>(std::min(wanted, 1e6)), 1, most_samples);
+    // What is round but for rounding has no longer axis.
+    constexpr double round = 1e-3;
+    const double wanted = std::ceil(longer / std::max(shorter, 1.0) - round);
+    const int count = static_cast<int>(std::clamp(wanted, 1.0, double{most_samples}));
     if (count == 1)
         return add_trilinear(longer, place.u, place.v, 1, to);
     double along_u = uv, along_v = square - uu;
