@@ -4,6 +4,8 @@
 
 #include "geom/polygon_3d.h"
 
+#include "geom/color_between_p.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -82,6 +84,9 @@ private:
                 const auto& n = mesh_.vertex_normals;
                 normals_.push_back(n[front] + (n[behind] - n[front]) * (f / (f - b)));
             }
+            if (!mesh_.vertex_colors.empty())
+                colors_.push_back(l3d_detail::color_between(mesh_.vertex_colors[front],
+                                                    mesh_.vertex_colors[behind], f / (f - b)));
         }
         return found->second;
     }
@@ -130,6 +135,8 @@ private:
             if (!mesh_.vertex_normals.empty())
                 kept_.vertex_normals.push_back(i < old ? mesh_.vertex_normals[i]
                                                        : normals_[i - old]);
+            if (!mesh_.vertex_colors.empty())
+                kept_.vertex_colors.push_back(i < old ? mesh_.vertex_colors[i] : colors_[i - old]);
         }
         for (index& corner : kept_.corners)
             corner = places[corner];
@@ -140,7 +147,8 @@ private:
     l3d_polygon_mesh kept_;
     std::vector<point> points_;
     std::vector<double> sides_;
-    std::vector<l3d_polygon_mesh::vector> normals_; ///< normals of new vertices
+    std::vector<l3d_polygon_mesh::vector> normals_; ///< of new vertices
+    std::vector<std::uint32_t> colors_;             ///< likewise
     std::vector<index> corners_;
     std::map<edge, index> crossings_; ///< by the ends of the edge, the one in front first
     std::map<edge, std::size_t> rim_; ///< edges of caps, and the face beside each
@@ -163,6 +171,8 @@ void l3d_turn_left_handed(l3d_polygon_mesh& mesh, l3d_model_up up) {
     index begin = 0;
     for (const index end : mesh.face_ends) {
         std::reverse(mesh.corners.begin() + begin, mesh.corners.begin() + end);
+        if (!mesh.picture_places.empty())
+            std::reverse(mesh.picture_places.begin() + begin, mesh.picture_places.begin() + end);
         begin = end;
     }
 }

@@ -2,6 +2,8 @@
 // l3d_polygon_mesh: what must hold of its arrays.
 #include "geom/polygon_mesh.h"
 
+#include "geom/color_between_p.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +59,17 @@ crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t
     return {};
 }
 
+/// Adds those of another mesh to an optional array, and what stands for those that one lacks.
+template <class T>
+void append_optional(std::vector<T>& to, std::size_t size, const std::vector<T>& more,
+                     std::size_t more_size, const T& missing) {
+    if (to.empty() && more.empty())
+        return;
+    to.resize(size, missing);
+    to.insert(to.end(), more.begin(), more.end());
+    to.resize(size + more_size, missing);
+}
+
 } // namespace
 
 std::uint32_t l3d_polygon_mesh::index_of(std::size_t number) {
@@ -91,17 +104,39 @@ void l3d_polygon_mesh::uncross_faces() {
         if (next != crossed.end() && next->first == f) {
             const auto corner = [&](std::size_t i) { return face(f)[(next->second.side + i) % 4]; };
             const std::uint32_t a = corner(0), b = corner(1);
+            const auto place = [&](std::size_t i) {
+                return picture_places[(f == 0 ? 0 : face_ends[f - 1]) +
+                                      (next->second.side + i) % 4];
+            };
+            const auto between = [share = next->second.share](double from, double to) {
+                return from + (to - from) * share;
+            };
             const auto middle = static_cast<std::uint32_t>(vertices.size());
             vertices.push_back(next->second.place);
             if (!vertex_normals.empty())
                 vertex_normals.push_back(vertex_normals[a] +
                                          (vertex_normals[b] - vertex_normals[a]) *
                                              next->second.share);
+            if (!vertex_colors.empty())
+                vertex_colors.push_back(l3d_detail::color_between(vertex_colors[a], vertex_colors[b],
+                                                        next->second.share));
             made.add_face({{middle, corner(3), a}});
             made.add_face({{middle, corner(2), b}});
+            if (!picture_places.empty()) {
+                const picture_place p{static_cast<float>(between(place(0)[0], place(1)[0])),
+                                      static_cast<float>(between(place(0)[1], place(1)[1]))};
+                made.picture_places.insert(made.picture_places.end(),
+                                           {p, place(3), place(0), p, place(2), place(1)});
+            }
             ++next;
         } else {
             made.add_face(face(f));
+            if (!picture_places.empty()) {
+                const auto begin = picture_places.begin() + (f == 0 ? 0 : face_ends[f - 1]);
+                made.picture_places.insert(
+                    made.picture_places.end(), begin,
+                    begin + static_cast<std::ptrdiff_t>(face(f).size()));
+            }
         }
         if (!face_colors.empty())
             made.face_colors.resize(made.faces(), face_colors[f]);
@@ -111,6 +146,7 @@ void l3d_polygon_mesh::uncross_faces() {
     for (; part != parts.end(); ++part)
         part->first = index_of(made.faces());
     corners = std::move(made.corners);
+    picture_places = std::move(made.picture_places);
     face_ends = std::move(made.face_ends);
     face_colors = std::move(made.face_colors);
     face_materials = std::move(made.face_materials);
@@ -121,17 +157,17 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
     index_of(corners.size() + more.corners.size());
     const auto offset = index_of(vertices.size());
     const auto corner_offset = index_of(corners.size());
-    const bool have_normals = !vertex_normals.empty() || !more.vertex_normals.empty();
-    if (have_normals)
-        vertex_normals.resize(vertices.size(), vector(0));
+    constexpr std::uint32_t white = 0xffffff;
+    append_optional(vertex_normals, vertices.size(), more.vertex_normals, more.vertices.size(),
+                    vector(0));
+    append_optional(vertex_colors, vertices.size(), more.vertex_colors, more.vertices.size(),
+                    white);
+    append_optional(picture_places, corners.size(), more.picture_places, more.corners.size(),
+                    picture_place{});
+    append_optional(face_colors, faces(), more.face_colors, more.faces(), white);
     vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     for (const std::uint32_t corner : more.corners)
         corners.push_back(corner + offset);
-    vertex_normals.insert(vertex_normals.end(), more.vertex_normals.begin(),
-                          more.vertex_normals.end());
-    if (have_normals)
-        vertex_normals.resize(vertices.size(), vector(0));
-    append_colors(more);
     append_materials(more);
     append_parts(more);
     for (const std::uint32_t end : more.face_ends)
@@ -146,16 +182,6 @@ void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
         parts.push_back({"", first});
     for (const l3d_part_run& part : more.parts)
         parts.push_back({part.name, part.first + first});
-}
-
-/// Expects: the other mesh's faces are not added yet.
-void l3d_polygon_mesh::append_colors(const l3d_polygon_mesh& more) {
-    if (face_colors.empty() && more.face_colors.empty())
-        return;
-    constexpr std::uint32_t white = 0xffffff;
-    face_colors.resize(faces(), white);
-    face_colors.insert(face_colors.end(), more.face_colors.begin(), more.face_colors.end());
-    face_colors.resize(faces() + more.faces(), white);
 }
 
 /// Expects: the other mesh's faces are not added yet.
@@ -176,7 +202,12 @@ void l3d_polygon_mesh::append_materials(const l3d_polygon_mesh& more) {
     for (const std::uint32_t material : more.face_materials)
         face_materials.push_back(material + offset);
     materials.insert(materials.end(), more.materials.begin(), more.materials.end());
-    looks.insert(looks.end(), more.looks.begin(), more.looks.end());
+    for (l3d_material look : more.looks) {
+        if (look.picture != l3d_material::no_picture)
+            look.picture += static_cast<int>(pictures.size());
+        looks.push_back(look);
+    }
+    pictures.insert(pictures.end(), more.pictures.begin(), more.pictures.end());
     looks.resize(materials.size());
     face_materials.resize(faces() + more.faces(), name(more.faces() - more.face_materials.size()));
 }
@@ -207,6 +238,19 @@ bool l3d_polygon_mesh::is_valid() const {
            std::ranges::all_of(corners, [&](std::uint32_t i) { return i < vertices.size(); }) &&
            std::ranges::all_of(vertices, is_finite) &&
            std::ranges::all_of(vertex_normals, is_finite) &&
+           std::ranges::all_of(picture_places,
+                               [](const picture_place& p) {
+                                   return std::isfinite(p[0]) && std::isfinite(p[1]);
+                               }) &&
+           std::ranges::all_of(looks,
+                               [&](const l3d_material& look) {
+                                   return look.picture == l3d_material::no_picture ||
+                                          (look.picture >= 0 &&
+                                           static_cast<std::size_t>(look.picture) <
+                                               pictures.size());
+                               }) &&
+           absent_or(vertex_colors, vertices.size()) &&
+           absent_or(picture_places, corners.size()) &&
            absent_or(vertex_normals, vertices.size()) && absent_or(face_colors, faces()) &&
            absent_or(face_materials, faces()) && absent_or(looks, materials.size()) &&
            std::ranges::all_of(face_materials,
@@ -215,5 +259,6 @@ bool l3d_polygon_mesh::is_valid() const {
 
 std::size_t l3d_polygon_mesh::bytes() const {
     return bytes_of(vertices) + bytes_of(corners) + bytes_of(face_ends) + bytes_of(vertex_normals) +
+           bytes_of(vertex_colors) + bytes_of(picture_places) +
            bytes_of(face_colors) + bytes_of(face_materials) + bytes_of(looks);
 }

@@ -8,12 +8,23 @@
 #include "geom/parts.h"
 #include "geom/vector.h"
 
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
+
+/// A picture that a material names, to be laid on faces.
+struct L3D_PUBLIC l3d_mesh_picture {
+    std::string name;       ///< the file's path; of a picture in the model's file, its place there
+    std::string bytes{};    ///< what the file would hold, of a picture in the model's file
+    bool repeats_u = true;  ///< beyond 0 to 1 in u it comes again; else its border goes on
+    bool repeats_v = true;  ///< the same in v
+
+    friend bool operator==(const l3d_mesh_picture&, const l3d_mesh_picture&) = default;
+};
 
 /// Vertices, and faces that name them by index, with colours, materials and parts.
 ///
@@ -30,12 +41,21 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// A place, or the direction of a normal.
     using vector = l3d_vector<double, 3>;
 
+    /// A place in a picture: u to the right and v down, (0, 0) its top left corner and (1, 1) the
+    /// bottom right one.
+    using picture_place = std::array<float, 2>;
+
     std::vector<vector> vertices;         ///< places in the model's own coordinates
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
     std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
 
     /// Optional, one per vertex, of any length; zero: to be computed from the faces around.
     std::vector<vector> vertex_normals;
+    /// Optional, one per vertex, 0x00RRGGBB: their light is blended over faces.
+    std::vector<std::uint32_t> vertex_colors;
+    /// Optional, one per corner: what is seen there of the picture of the face's material.
+    std::vector<picture_place> picture_places;
+    std::vector<l3d_mesh_picture> pictures; ///< what l3d_material::picture names
     std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
@@ -77,9 +97,10 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Errors: as index_of.
     void uncross_faces();
 
-    /// Adds the vertices and faces of another mesh. Normals of vertices are zero where just one has
-    /// them. Faces keep their colours and materials; those that had none, where others have, get
-    /// white and a material without a name. Parts keep their faces. Errors: as index_of, and
+    /// Adds the vertices and faces of another mesh. Normals of vertices and places in pictures are
+    /// zero where just one has them. Faces keep their colours and materials; those that had none,
+    /// where others have, get white and a material without a name. So do vertices. Parts keep their
+    /// faces. Errors: as index_of, and
     /// nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
@@ -88,7 +109,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     l3d_material look_of(std::size_t face) const;
 
     /// Whether every index names something, every face has three corners or more, every coordinate
-    /// is finite and every optional array has its size.
+    /// and place in a picture is finite and every optional array has its size.
     bool is_valid() const;
 
     /// Bytes of memory in use by the arrays, names left out.
@@ -97,7 +118,6 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     friend bool operator==(const l3d_polygon_mesh&, const l3d_polygon_mesh&) = default;
 
 private:
-    void append_colors(const l3d_polygon_mesh& more);
     void append_parts(const l3d_polygon_mesh& more);
     void append_materials(const l3d_polygon_mesh& more);
 };

@@ -3,6 +3,7 @@
 #include "pipeline/any_model.h"
 
 #include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/read_textures.h"
 #include "scene/model_loader.h"
 #include "base/error.h"
 
@@ -10,8 +11,14 @@ l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::strin
     const l3d_model_file read = l3d_load_model(file, file);
     if (notes)
         notes->insert(notes->end(), read.notes.begin(), read.notes.end());
-    if (read.patches.empty() || read.mesh.faces() > 0)
-        return l3d_polygon_model(l3d_mesh_of(read, file, l3d_usual_facets));
+    if (read.patches.empty() || read.mesh.faces() > 0) {
+        const l3d_polygon_model plain(l3d_mesh_of(read, file, l3d_usual_facets));
+        std::vector<std::string> lost;
+        auto textures = l3d_read_textures(plain.mesh(), lost);
+        if (notes)
+            notes->insert(notes->end(), lost.begin(), lost.end());
+        return plain.textured(std::move(textures));
+    }
     std::string why;
     const auto patches = l3d_patch_model::from_file(read, file, why);
     if (!patches)

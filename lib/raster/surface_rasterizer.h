@@ -13,6 +13,7 @@
 #include "raster/own_shade.h"
 #include "raster/shade.h"
 #include "raster/surface_part.h"
+#include "raster/textures/face_paints.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -72,6 +73,10 @@ struct L3D_PUBLIC l3d_shading {
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
     const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed likewise
+
+    /// Triangles that have colours of their own; borrowed until the frame's finish. Parts name them
+    /// as materials. Expects: null for a mode that is not light.
+    const l3d_face_paints* paints = nullptr;
 
     /// Whether surfaces of these materials take more than one level in each pixel: unless the
     /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
@@ -190,7 +195,8 @@ public:
     /// The materials that parts name by their place here, in frames that are begun from now on; at
     /// first and if there are none, all surfaces are white. Shades that are not light have no use
     /// for them.
-    /// Expects: at most most_materials; parts name none beyond the last.
+    /// Expects: at most most_materials, with those that the shading's paints name; parts name none
+    ///          beyond the last.
     /// Lives:   until the frame's finish; the next frame needs the call again.
     void use_materials(std::span<const l3d_material> materials) { materials_ = materials; }
 

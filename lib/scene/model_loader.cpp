@@ -96,11 +96,20 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
                 model.notes.push_back(
                     l3d_detail::printable(name) + ':' + std::to_string(named.line) + ": " +
                     l3d_detail::printable(file.why) + "; its materials are white");
-            for (l3d_named_material& material : l3d_read_mtl(file.text, file.place, model.notes))
+            for (l3d_named_material& material : l3d_read_mtl(file.text, file.place, model.notes)) {
+                if (!material.picture.name.empty())
+                    material.picture.name = beside(file.place, material.picture.name);
                 materials.push_back(std::move(material));
+            }
         }
     if (!materials.empty())
         l3d_give_looks(model.mesh, materials);
+    const auto has_picture = [&](std::uint32_t material) {
+        return model.mesh.looks[material].picture != l3d_material::no_picture;
+    };
+    if (!model.mesh.looks.empty() && std::ranges::any_of(model.patch_materials, has_picture))
+        model.notes.push_back(l3d_detail::printable(name) +
+                              ": pictures on patches are not drawn, only those on polygons");
     if (is_complete)
         note_unknown(materials, name, model);
 }

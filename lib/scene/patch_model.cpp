@@ -267,8 +267,10 @@ std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& 
         return model;
     std::vector<l3d_material> materials;
     materials.reserve(file.patch_materials.size());
-    for (const std::uint32_t material : file.patch_materials)
+    for (const std::uint32_t material : file.patch_materials) {
         materials.push_back(file.mesh.looks[material]);
+        materials.back().picture = l3d_material::no_picture;
+    }
     return model->painted(materials);
 }
 

@@ -6,6 +6,7 @@
 #include "geom/mesh_cut.h"
 #include "geom/files/model_file.h"
 #include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/read_textures.h"
 #include "pipeline/worlds/object_plugin.h"
 #include "scene/model_loader.h"
 #include "tool_2d/text_file.h"
@@ -98,13 +99,16 @@ int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool ran
             mesh = l3d_mesh_of(l3d_load_model(path, path), path, l3d_usual_facets);
         const bool z_is_up = is_videoscape || format == l3d_model_format::asc;
         l3d_turn_left_handed(mesh, z_is_up ? l3d_model_up::z : l3d_model_up::y);
-        const bool is_plain = mesh.face_colors.empty() && mesh.looks.empty();
+        const bool is_plain =
+            mesh.face_colors.empty() && mesh.vertex_colors.empty() && mesh.looks.empty();
         if (random_colors && (is_videoscape || is_plain)) {
             mesh.face_colors.resize(mesh.faces());
             for (std::uint32_t& color : mesh.face_colors)
                 color = to->random.next() >> 8;
         }
-        to->object->set_mesh(std::move(mesh));
+        std::vector<std::string> notes; // a plug-in has nobody to tell
+        auto textures = l3d_read_textures(mesh, notes);
+        to->object->set_mesh(std::move(mesh), std::move(textures));
         return 1;
     } catch (const l3d_error& error) {
         to->complain(error.what());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// PNG by libpng's simplified interface; PPM and PFM by hand.
+// PNG by libpng's simplified interface; PPM and PFM by hand; JPEG elsewhere.
 #include "tool_2d/image_file.h"
 
 #include "base/error.h"
+#include "tool_2d/jpeg_image_p.h"
 #include "tool_2d/output_file_p.h"
 #include "tool_2d/screen_info.h"
 #include "tool_2d/text_file.h"
@@ -12,8 +13,10 @@
 #include <bit>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -86,7 +89,8 @@ bool may_hold(std::size_t bytes, const png_image& picture) {
 
 /// The picture of a PNG file's text.
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
-l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha alpha) {
+l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha alpha,
+                  std::int64_t most_pixels = l3d_most_image_pixels) {
     const bool with_alpha = alpha == l3d_alpha::transparency;
     const auto refuse = [&path](const std::string& why) {
         throw l3d_error(l3d_exit::bad_input, path + ": " + why);
@@ -97,6 +101,7 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     if (!may_hold(text.size(), picture))
         refuse(std::to_string(picture.width) + " by " + std::to_string(picture.height) +
                " pixels do not fit into a file of " + std::to_string(text.size()) + " bytes");
+    l3d_detail::check_image_size(path, picture.width, picture.height, most_pixels);
     picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     picture.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // libpng would take 16 bits for amounts of light
     std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(picture));
@@ -119,7 +124,58 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     return image;
 }
 
+/// A number in the head of a PPM: after blanks, and comments from # to the line's end.
+std::optional<int> next_number(std::string_view text, std::size_t& at) {
+    for (bool in_comment = false; at < text.size(); ++at) {
+        in_comment = (in_comment || text[at] == '#') && text[at] != '\n';
+        if (!in_comment && std::isspace(static_cast<unsigned char>(text[at])) == 0)
+            break;
+    }
+    int number = 0;
+    const auto [end, error] =
+        std::from_chars(text.data() + at, text.data() + text.size(), number);
+    at = static_cast<std::size_t>(end - text.data());
+    return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+/// The picture of a binary PPM's text, which begins with P6. Errors: as decoded.
+l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int64_t most_pixels) {
+    const auto refuse = [&path](const std::string& why) {
+        throw l3d_error(l3d_exit::bad_input, path + ": " + why);
+    };
+    std::size_t at = 2;
+    const auto width = next_number(text, at), height = next_number(text, at);
+    const auto most = next_number(text, at);
+    if (!width || !height || !most || *width <= 0 || *height <= 0 || *most <= 0 || *most > 255)
+        refuse("no binary PPM has a head like this: P6, width, height, a level of 1 to 255");
+    l3d_detail::check_image_size(path, *width, *height, most_pixels);
+    const l3d_size size{*width, *height};
+    if (text.size() < at + 1 + ppm_bytes(size))
+        refuse("the file ends after " + std::to_string(text.size()) + " of " +
+               std::to_string(at + 1 + ppm_bytes(size)) + " bytes");
+    l3d_image image(size, size.width);
+    const char* rgb = text.data() + at + 1;
+    for (int y = 0; y < size.height; ++y)
+        for (auto& word : image.pixels().row(y)) {
+            const auto level = [&](std::size_t i) {
+                const int value = std::min<int>(static_cast<unsigned char>(rgb[i]), *most);
+                return (255 * value + *most / 2) / *most;
+            };
+            word = l3d_screen_info::ext_to_native(level(0), level(1), level(2));
+            rgb += rgb_bytes;
+        }
+    return image;
+}
+
 } // namespace
+
+void l3d_detail::check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
+                                  std::int64_t most_pixels) {
+    if (width > most_pixels / height)
+        throw l3d_error(l3d_exit::bad_input, path + ": " + std::to_string(width) + " by " +
+                                                 std::to_string(height) + " pixels are more than " +
+                                                 std::to_string(most_pixels));
+}
 
 void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
     const bool with_alpha = alpha == l3d_alpha::transparency;
@@ -205,6 +261,21 @@ void l3d_write_image(const std::string& path, const l3d_pixels& pixels, l3d_alph
 
 l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha) {
     return decoded(l3d_read_text_file(path), path, alpha);
+}
+
+l3d_image l3d_decoded_image(const std::string& bytes, const std::string& name,
+                            std::int64_t most_pixels) {
+    if (bytes.starts_with("\x89PNG"))
+        return decoded(bytes, name, l3d_alpha::transparency, most_pixels);
+    if (bytes.starts_with("\xFF\xD8"))
+        return l3d_detail::decoded_jpeg(bytes, name, most_pixels);
+    if (bytes.starts_with("P6"))
+        return decoded_ppm(bytes, name, most_pixels);
+    throw l3d_error(l3d_exit::bad_input, name + ": neither PNG nor JPEG nor binary PPM");
+}
+
+l3d_image l3d_read_image(const std::string& path, std::int64_t most_pixels) {
+    return l3d_decoded_image(l3d_read_text_file(path), path, most_pixels);
 }
 
 bool l3d_is_whole_image(const std::string& path, l3d_size size) {

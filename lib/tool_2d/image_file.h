@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures in files: PNG, PPM and PFM.
+// Pictures in files: PNG, PPM, PFM and JPEG.
 #ifndef L3D_TOOL_2D_IMAGE_FILE_H
 #define L3D_TOOL_2D_IMAGE_FILE_H
 
@@ -7,7 +7,9 @@
 #include "tool_2d/image.h"
 #include "tool_2d/pixels.h"
 
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -58,6 +60,21 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is too
 ///          short for its picture, before memory is taken for it.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
+
+/// The most pixels that are read unless somebody says otherwise: 8 GB of words.
+inline constexpr std::int64_t l3d_most_image_pixels = std::numeric_limits<std::int32_t>::max();
+
+/// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, by what the file holds. Rows have no
+/// padding. The words' highest bytes say how transparent they are, as l3d_read_png has them with
+/// l3d_alpha::transparency; of PPM and JPEG they are 0.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is cut
+///          off or damaged, and for one of more pixels, before memory is taken for them.
+L3D_PUBLIC l3d_image l3d_read_image(const std::string& path,
+                                    std::int64_t most_pixels = l3d_most_image_pixels);
+
+/// The picture that such a file's bytes hold. Errors: the same, with `name` in place of the path.
+L3D_PUBLIC l3d_image l3d_decoded_image(const std::string& bytes, const std::string& name,
+                                       std::int64_t most_pixels = l3d_most_image_pixels);
 
 /// Whether a file holds a whole PNG or PPM of that size. Its name says which kind, as for
 /// l3d_write_image. False, without a reason, if there is no file, or one that was cut off or

@@ -196,7 +196,6 @@ TEST(off_file, keeps_normals_and_skips_what_has_no_place) {
     EXPECT_EQ(model.mesh.vertex_normals, (std::vector<vector>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     EXPECT_EQ(model.mesh.faces(), 1u);
     const std::vector<std::string> notes{
-        "name:1: the colours of vertices become those of faces, as means",
         "name:1: texture coordinates are skipped",
         "name:6: colours by their place in a map are skipped",
         "name:7: a face of 2 corners is skipped"};

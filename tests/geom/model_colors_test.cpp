@@ -11,29 +11,30 @@ namespace {
 using words = std::vector<std::uint32_t>;
 using texts = std::vector<std::string>;
 
-constexpr const char* vertex_note = "the colours of vertices become those of faces, as means";
-
 l3d_polygon_mesh mesh_of(l3d_model_reader& reader, std::string_view text) {
     return model_text::read_by(reader, text, "name").mesh;
 }
 
-TEST(model_colors, of_vertices_are_the_means_of_the_corners_of_faces) {
+/// Faces whose corners are alike have colours of their own; one that differs is blended.
+TEST(model_colors, of_vertices_are_kept_to_be_blended) {
     const std::string_view ply =
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
         "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
         "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
         "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n1 1 0 255 255 255\n3 0 1 2\n4 0 1 3 2\n";
     const l3d_model_file of_ply = model_text::read_by(l3d_read_ply, ply, "name");
-    EXPECT_EQ(of_ply.mesh.face_colors, (words{0x555555, 0x808080}));
-    EXPECT_EQ(of_ply.notes.size(), 1u);
-    EXPECT_TRUE(of_ply.notes[0].ends_with(vertex_note)) << of_ply.notes[0];
+    EXPECT_EQ(of_ply.mesh.vertex_colors, (words{0xff0000, 0x00ff00, 0x0000ff, 0xffffff}));
+    EXPECT_TRUE(of_ply.mesh.face_colors.empty());
+    EXPECT_TRUE(of_ply.notes.empty());
     EXPECT_EQ(mesh_of(l3d_read_off, "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 0.4 1 0 1\n"
                                     "3 0 1 2\n")
-                  .face_colors,
-              words{0xcc5500});
+                  .vertex_colors,
+              (words{0xff0000, 0xff0000, 0x66ff00}));
     EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n")
-                  .face_colors,
-              (words{0xff5555, 0xff0000}));
+                  .vertex_colors,
+              (words{0xff0000, 0xff0000, 0xffffff}));
+    EXPECT_EQ(mesh_of(l3d_read_obj, "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 1\n").face_colors,
+              words{0xff0000});
 }
 
 /// By all the names and types that programs write.
@@ -167,7 +168,7 @@ TEST(mtl_file, takes_colours_out_of_range_for_the_nearest) {
 
 TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
     EXPECT_EQ(read_mtl("Kd 1 1 1\nnewmtl a\nKd 1 x 1\nKd 1 1\nKd 2 0 0\nKd nan 0 0\nKd spectral a\n"
-                       "Ns\nNs many\nfoo 1\nmap_Kd a.png\nmap_Kd b.png\nTf 0.5 0 0\nKd 0 1 0\n",
+                       "Ns\nNs many\nfoo 1\nmap_Ks a.png\nmap_Ks b.png\nTf 0.5 0 0\nKd 0 1 0\n",
                        {"a.mtl:1: 'Kd' before the first newmtl is skipped",
                         "a.mtl:3: 'x', a colour, is not a number: skipped",
                         "a.mtl:4: a colour of 2 components is skipped",
@@ -177,9 +178,29 @@ TEST(mtl_file, notes_what_it_cannot_read_and_goes_on) {
                         "a.mtl:8: Ns without a number is skipped",
                         "a.mtl:9: Ns without a number is skipped",
                         "a.mtl:10: 'foo' begins no statement of an .mtl file",
-                        "a.mtl:11: statements 'map_Kd' are skipped",
+                        "a.mtl:11: statements 'map_Ks' are skipped",
                         "a.mtl:13: statements 'Tf' are skipped"}),
               (std::vector<l3d_named_material>{{"a", {.color = 0x00ff00}}}));
+}
+
+TEST(mtl_file, names_pictures_behind_options) {
+    const auto materials =
+        read_mtl("newmtl a\nmap_Kd -s 2 2 1 -blendu off -o 0.5 -clamp on  my wood.png\n"
+                 "newmtl b\nmap_Kd a.png\nmap_Kd -clamp off b.jpg\nnewmtl c\nmap_Kd -bm 2\n",
+                 {"a.mtl:2: the option '-s' of a picture is skipped",
+                  "a.mtl:7: 'map_Kd' without a name is skipped"});
+    ASSERT_EQ(materials.size(), 3u);
+    EXPECT_EQ(materials[0].picture, (l3d_mesh_picture{"my wood.png", "", false, false}));
+    EXPECT_EQ(materials[1].picture, (l3d_mesh_picture{"b.jpg"}));
+    EXPECT_EQ(materials[2].picture, l3d_mesh_picture());
+    l3d_polygon_mesh mesh;
+    mesh.materials = {"a", "b", "none", "b"};
+    l3d_give_looks(mesh, materials);
+    EXPECT_EQ(mesh.pictures.size(), 2u);
+    EXPECT_EQ(mesh.looks[0].picture, 0);
+    EXPECT_EQ(mesh.looks[1].picture, 1);
+    EXPECT_EQ(mesh.looks[2].picture, l3d_material::no_picture);
+    EXPECT_EQ(mesh.looks[3].picture, 1);
 }
 
 /// What every program writes says nothing; the rest makes a note for each kind.

@@ -102,9 +102,34 @@ TEST(obj_file, says_where_and_what_is_wrong) {
 }
 
 TEST(obj_file, notes_each_kind_of_statement_that_is_skipped_once) {
-    const std::vector<std::string> notes{"name:5: statements 'vt' are skipped",
+    const std::vector<std::string> notes{"name:5: statements 'call' are skipped",
                                          "name:8: statements 'curv' are skipped"};
-    EXPECT_EQ(read_after("vt 1 2\nvt 3 4\ns off\ncurv 0 1 1 2 3\nparm u 0 1\nend\n").notes, notes);
+    EXPECT_EQ(read_after("call 1 2\ncall 3\ns off\ncurv 0 1 1 2 3\nparm u 0 1\nend\n").notes,
+              notes);
+}
+
+TEST(obj_file, has_places_in_pictures_from_the_bottom_of_these) {
+    using places = std::vector<l3d_polygon_mesh::picture_place>;
+    const l3d_model_file file = read_after("vt 0.25 0.75\nvt 0.5\nvt 1 2 3\nf 1/1 2/-1/ 3/2\n"
+                                           "f 1 2/3 3\nf 1/4 2/x 3/1\nf 1/1 2/1\nf 1 2 3\n");
+    EXPECT_EQ(file.mesh.picture_places,
+              (places{{0.25F, 0.25F}, {1, -1}, {0.5F, 1}, {0, 0}, {1, -1}, {0, 0}, {0, 0}, {0, 0},
+                      {0.25F, 0.25F}, {0, 0}, {0, 0}, {0, 0}}));
+    EXPECT_TRUE(file.mesh.is_valid());
+    EXPECT_EQ(file.notes,
+              (std::vector<std::string>{
+                  "name:10: places in pictures that there are not are taken for (0, 0)",
+                  "name:11: a face of 2 corners is skipped"}));
+}
+
+/// Corners of one vertex with several normals become several vertices, each with its colour.
+TEST(obj_file, keeps_colours_of_vertices_that_normals_divide) {
+    const l3d_model_file file =
+        read("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nvn 0 1 0\n"
+             "f 1//1 2//1 3//1\nf 1//2 2//1 3//2\n");
+    ASSERT_EQ(file.mesh.vertices.size(), 5u);
+    EXPECT_EQ(file.mesh.vertex_colors,
+              (std::vector<std::uint32_t>{0xff0000, 0x00ff00, 0x0000ff, 0xff0000, 0x0000ff}));
 }
 
 /// The parameter file of a course's whiteboards.

@@ -109,6 +109,8 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
                 if (is_new) {
                     mesh.vertices.push_back(mesh.vertices[at]);
                     mesh.vertex_normals.emplace_back(0);
+                    if (!mesh.vertex_colors.empty())
+                        mesh.vertex_colors.push_back(mesh.vertex_colors[at]);
                 }
             }
             mesh.corners[corner] = to;

@@ -244,31 +244,50 @@ void gltf_document::read_buffers(const l3d_other_files& files) {
         }
 }
 
+std::string gltf_document::bytes_of(const gltf_value& uri, const l3d_other_files& files,
+                                    bool& is_file) {
+    const std::string& text = uri.text();
+    constexpr std::string_view base64 = ";base64,";
+    std::string bytes;
+    if (const std::size_t comma = text.find(base64);
+        text.starts_with("data:") && comma != text.npos) {
+        if (!decode_base64(std::string_view(text).substr(comma + base64.size()), bytes))
+            uri.fail("is no base64");
+        return bytes;
+    }
+    if (text.starts_with("data:"))
+        uri.fail("is data in another form than base64");
+    is_file = true;
+    std::string why = "cannot be read from a text alone", ignored;
+    auto read = files ? files(decoded_name(text), why) : std::nullopt;
+    if (!read && files) // some programs write names as they are
+        read = files(text, ignored);
+    if (!read)
+        uri.fail(l3d_detail::quoted(text) + ": " + why);
+    return *std::move(read);
+}
+
+std::string gltf_document::image_bytes(const gltf_value& image,
+                                       const l3d_other_files& files) const {
+    bool is_file = false;
+    if (image.has("uri"))
+        return bytes_of(image.at("uri"), files, is_file);
+    std::size_t stride = 0;
+    const std::string_view view = view_of(image.at("bufferView"), stride);
+    take_memory(view.size());
+    return std::string(view);
+}
+
 std::string_view gltf_document::read_buffer(std::size_t index, const l3d_other_files& files) {
     const gltf_value buffer = root().element("buffers", index);
     const std::uint64_t length = buffer.at("byteLength").whole();
     std::string& owned = owned_[index];
     std::string_view bytes = chunk_;
     if (buffer.has("uri")) {
-        const gltf_value uri = buffer.at("uri");
-        const std::string& text = uri.text();
-        constexpr std::string_view base64 = ";base64,";
-        if (const std::size_t comma = text.find(base64);
-            text.starts_with("data:") && comma != text.npos) {
-            if (!decode_base64(std::string_view(text).substr(comma + base64.size()), owned))
-                uri.fail("is no base64");
-        } else if (text.starts_with("data:")) {
-            uri.fail("is data in another form than base64");
-        } else {
-            std::string why = "cannot be read from a text alone", ignored;
-            auto read = files ? files(decoded_name(text), why) : std::nullopt;
-            if (!read && files) // some programs write names as they are
-                read = files(text, ignored);
-            if (!read)
-                uri.fail(l3d_detail::quoted(text) + ": " + why);
-            owned = *std::move(read);
+        bool is_file = false;
+        owned = bytes_of(buffer.at("uri"), files, is_file);
+        if (is_file)
             bytes_ += owned.size();
-        }
         bytes = owned;
     } else if (index > 0 || !has_chunk_) {
         buffer.fail("has no uri, and no chunk holds its bytes");

@@ -89,12 +89,16 @@ public:
     /// that names it. `is_index` asks for whole numbers that are not negative.
     gltf_numbers numbers(const gltf_value& at, std::string_view types, bool is_index) const;
 
+    /// The bytes of an element of `images`: of a file, of the text itself, or of a bufferView.
+    std::string image_bytes(const gltf_value& image, const l3d_other_files& files) const;
+
     /// Counts what is made of the file: it may name the same numbers again and again.
     void take_memory(std::size_t bytes) const;
 
 private:
     struct element_shape;
 
+    static std::string bytes_of(const gltf_value& uri, const l3d_other_files& files, bool& is_file);
     std::string_view read_buffer(std::size_t index, const l3d_other_files& files);
     void read_container(std::string_view text);
     std::string_view view_of(const gltf_value& index, std::size_t& stride) const;

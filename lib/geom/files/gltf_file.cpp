@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 namespace {
 
@@ -54,8 +56,10 @@ enum : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
 
 class gltf_reader {
 public:
-    gltf_reader(const gltf_document& document, l3d_model_file& model, std::string name)
-        : root_(document.root()), document_(document), model_(model), name_(std::move(name)) {}
+    gltf_reader(const gltf_document& document, l3d_model_file& model, std::string name,
+                const l3d_other_files& files)
+        : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
+          files_(files) {}
 
     /// Before the buffers, of which other versions think otherwise.
     void check_version() {
@@ -117,7 +121,6 @@ private:
 
     void note_what_is_skipped() {
         constexpr std::pair<const char*, const char*> skipped[] = {
-            {"textures", "textures are skipped: surfaces have the colours of their materials"},
             {"animations", "animations are skipped: nodes stay where they are"},
             {"skins", "skins are skipped: meshes have the shape they are stored in"},
             {"cameras", "cameras are skipped"}};
@@ -130,19 +133,93 @@ private:
         for (std::size_t i = 0; i < root_.count("materials"); ++i) {
             const gltf_value material = root_.element("materials", i);
             std::array<double, 4> color{1, 1, 1, 1};
+            picture_use picture;
+            const auto read_look = [&](const gltf_value& of, const char* factor,
+                                       const char* texture) {
+                read_array(of, factor, color);
+                if (of.has(texture))
+                    picture = picture_of(of.at(texture));
+            };
             if (material.has("pbrMetallicRoughness"))
-                read_array(material.at("pbrMetallicRoughness"), "baseColorFactor", color);
+                read_look(material.at("pbrMetallicRoughness"), "baseColorFactor",
+                          "baseColorTexture");
             if (material.has("extensions") && material.at("extensions").has(glossiness))
-                read_array(material.at("extensions").at(glossiness), "diffuseFactor", color);
+                read_look(material.at("extensions").at(glossiness), "diffuseFactor",
+                          "diffuseTexture");
+            sets_.push_back(picture.set);
+            note_other_textures(material);
             const bool is_blended = material.text_or("alphaMode", "") == "BLEND";
             const double alpha = is_blended ? std::clamp(color[3], 0.0, 1.0) : 1;
             shines_ = shines_ || says_more_than_color(material);
             mesh().materials.push_back(material.text_or("name", "material " + std::to_string(i)));
             mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]}),
-                                    .opacity = static_cast<float>(alpha)});
+                                    .opacity = static_cast<float>(alpha),
+                                    .picture = picture.place});
         }
+        if (has_other_textures_)
+            note("of textures, those of base colours are drawn alone");
+        if (has_transforms_)
+            note("'KHR_texture_transform' is skipped: pictures lie as they are");
         if (shines_)
             note("of materials, metalness, roughness, own light and cut-outs are skipped");
+    }
+
+    void note_other_textures(const gltf_value& material) {
+        const auto metal = [&] {
+            return material.has("pbrMetallicRoughness") &&
+                   material.at("pbrMetallicRoughness").has("metallicRoughnessTexture");
+        };
+        has_other_textures_ = has_other_textures_ || material.has("normalTexture") ||
+                              material.has("occlusionTexture") ||
+                              material.has("emissiveTexture") || metal();
+    }
+
+    /// A picture's place in the mesh, and which set of places on it corners have.
+    struct picture_use {
+        int place = l3d_material::no_picture;
+        std::uint64_t set = 0;
+    };
+
+    /// The picture of a texture that a material names. No model is lost for one: what is wrong is
+    /// noted.
+    picture_use picture_of(const gltf_value& use) {
+        try {
+            const gltf_value texture = root_.element("textures", use.at("index").whole());
+            has_transforms_ =
+                has_transforms_ ||
+                (use.has("extensions") && use.at("extensions").has("KHR_texture_transform"));
+            if (!texture.has("source"))
+                texture.fail("has no source of a kind that is read here");
+            return {picture_of_image(texture), use.whole_or("texCoord", 0)};
+        } catch (const gltf_error& error) {
+            note(std::string(error.what()).substr(1) +
+                 "; its faces have the colours of their materials");
+            return {};
+        }
+    }
+
+    /// Its place in the mesh. What is wrong with an image is said for the first of its textures.
+    int picture_of_image(const gltf_value& texture) {
+        constexpr std::uint64_t clamp = 33071, repeat = 10497;
+        bool repeats_u = true, repeats_v = true;
+        if (texture.has("sampler")) {
+            const gltf_value sampler = root_.element("samplers", texture.at("sampler").whole());
+            repeats_u = sampler.whole_or("wrapS", repeat) != clamp;
+            repeats_v = sampler.whole_or("wrapT", repeat) != clamp;
+        }
+        const std::uint64_t source = texture.at("source").whole();
+        const auto [found, is_new] = pictures_.try_emplace({source, repeats_u, repeats_v},
+                                                           l3d_material::no_picture);
+        if (is_new) {
+            const gltf_value image = root_.element("images", source);
+            std::string bytes = document_.image_bytes(image, files_);
+            if (bytes.empty())
+                image.fail("is empty");
+            found->second = static_cast<int>(mesh().pictures.size());
+            mesh().pictures.push_back(
+                {name_ + ": " + image.place(), std::move(bytes), repeats_u, repeats_v});
+        }
+        return found->second;
     }
 
     /// A material that says nothing of its metalness is of metal.
@@ -300,10 +377,17 @@ private:
         std::vector<std::uint32_t> indices = indices_of(primitive, count);
         check_places(attributes.at("POSITION"), indices);
         const std::size_t faces = mesh().faces();
+        const auto places = read_picture_places(primitive, attributes, count);
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
             if (mirrors)
                 std::swap(b, c);
             mesh().add_face({{first + indices[a], first + indices[b], first + indices[c]}});
+            if (places.empty())
+                return;
+            document_.take_memory(3 * sizeof(places[0]));
+            mesh().picture_places.resize(mesh().corners.size() - 3);
+            for (const std::size_t corner : {a, b, c})
+                mesh().picture_places.push_back(places[indices[corner]]);
         };
         if (mode == triangles && indices.size() % 3 != 0)
             primitive.fail("has " + std::to_string(indices.size()) +
@@ -325,6 +409,32 @@ private:
             mesh().face_materials.resize(faces, l3d_detail::face_materials::nothing);
             mesh().face_materials.resize(mesh().faces(), static_cast<std::uint32_t>(material));
         }
+    }
+
+    /// Those of each vertex in the picture of the primitive's material; none if it has no picture.
+    std::vector<l3d_polygon_mesh::picture_place>
+    read_picture_places(const gltf_value& primitive, const gltf_value& attributes,
+                        std::size_t vertices) {
+        std::vector<l3d_polygon_mesh::picture_place> result;
+        const std::uint64_t material = primitive.whole_or("material", mesh().looks.size());
+        if (material >= mesh().looks.size() ||
+            mesh().looks[material].picture == l3d_material::no_picture)
+            return result;
+        const std::string set = "TEXCOORD_" + std::to_string(sets_[material]);
+        if (!attributes.has(set.c_str())) {
+            lacks_places_ = true;
+            return result;
+        }
+        const gltf_value at = attributes.at(set.c_str());
+        const gltf_numbers numbers = document_.numbers(at, "VEC2", false);
+        check_count(at, numbers.count, vertices);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const auto& place = result.emplace_back(l3d_polygon_mesh::picture_place{
+                static_cast<float>(numbers.at(i)[0]), static_cast<float>(numbers.at(i)[1])});
+            if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+                result.back() = {};
+        }
+        return result;
     }
 
     /// Places, normals and colours of a primitive's vertices.
@@ -430,6 +540,8 @@ private:
             note("morph targets are skipped: meshes have the shape they are stored in");
         if (has_lines_)
             note("points, lines and what has no places are skipped");
+        if (lacks_places_)
+            note("meshes without places in their picture show one colour of it");
         if (has_odd_normals_)
             note(l3d_detail::odd_normals_note);
         if (has_odd_rotations_)
@@ -456,19 +568,24 @@ private:
             mesh().materials.clear();
             mesh().looks.clear();
         }
+        if (!mesh().picture_places.empty())
+            mesh().picture_places.resize(mesh().corners.size());
         colors_.finish(mesh());
-        if (!mesh().face_colors.empty())
-            note(l3d_detail::vertex_colors_note);
     }
 
     gltf_value root_;
     const gltf_document& document_;
     l3d_model_file& model_;
     std::string name_;
+    const l3d_other_files& files_;
+    /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
+    std::map<std::tuple<std::uint64_t, bool, bool>, int> pictures_;
+    std::vector<std::uint64_t> sets_; ///< of places on pictures, per material
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
     std::vector<std::size_t> odd_; ///< of the primitive's vertices, those that are nowhere
     bool has_morphs_ = false, has_lines_ = false, shines_ = false;
+    bool has_other_textures_ = false, has_transforms_ = false, lacks_places_ = false;
     bool has_odd_places_ = false, has_odd_normals_ = false, has_odd_rotations_ = false;
 };
 
@@ -480,7 +597,7 @@ std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_v
     try {
         gltf_document document(text);
         l3d_model_file model;
-        gltf_reader reader(document, model, called);
+        gltf_reader reader(document, model, called, files);
         reader.check_version();
         document.read_buffers(files);
         reader.read();

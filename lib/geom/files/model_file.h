@@ -101,7 +101,7 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
-/// As l3d_read_model, with the files that the model names: the buffers of glTF.
+/// As l3d_read_model, with the files that the model names: the buffers and pictures of glTF.
 /// Errors:  as those of l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,
@@ -133,17 +133,20 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
     l3d_material look; ///< its colour and highlights
+    /// What is laid on it, as the file names it; without a name there is nothing.
+    l3d_mesh_picture picture{};
 
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
 };
 
-/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d and Tr. Unreadable values are skipped,
-/// with a note "name:line: what" for each of the first 20 such lines: no model is lost for a
-/// colour.
+/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d, Tr and map_Kd. What cannot be read is
+/// skipped, with a note "name:line: what" for each of the first 20 such lines: no model is lost for
+/// a colour.
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 
-/// Gives a mesh's materials the looks of those that have their names; of equal names the last.
+/// Gives a mesh's materials the looks and pictures of those that have their names; of equal names
+/// the last.
 L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 
@@ -153,7 +156,7 @@ L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
 /// The text of an .obj file; reading it gives the same model, bit for bit, but for colours of
-/// faces and looks of materials, which have no place in it.
+/// faces and vertices, looks of materials, and pictures, which have no place in it.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;

@@ -67,7 +67,8 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
 
-/// Colours of vertices, which become those of faces: the means of their corners.
+/// Colours of vertices. A mesh gets them as those of its faces if each face has one, which is drawn
+/// faster.
 class vertex_colors {
 public:
     /// Gives the last vertex a colour. Expects: there is a vertex.
@@ -97,18 +98,22 @@ public:
         for (auto& color : colors_)
             for (float& component : color)
                 component = std::min(component / most, 1.0F);
-        mesh.face_colors.reserve(mesh.faces());
+        std::vector<std::uint32_t> words;
+        words.reserve(colors_.size());
+        for (const auto& color : colors_) {
+            std::uint32_t& word = words.emplace_back(0);
+            for (const float component : color)
+                word = 256 * word + static_cast<std::uint32_t>(std::lround(255 * component));
+        }
         for (std::size_t f = 0; f < mesh.faces(); ++f) {
-            std::array<double, 3> sum{};
-            const auto face = mesh.face(f);
-            for (const std::uint32_t corner : face)
-                for (std::size_t i = 0; i < sum.size(); ++i)
-                    sum[i] += double{colors_[corner][i]};
-            std::uint32_t word = 0;
-            for (const double component : sum)
-                word = 256 * word + static_cast<std::uint32_t>(std::lround(
-                                        255 * component / static_cast<double>(face.size())));
-            mesh.face_colors.push_back(word);
+            const std::uint32_t first = words[mesh.face(f)[0]];
+            if (!std::ranges::all_of(mesh.face(f),
+                                     [&](std::uint32_t v) { return words[v] == first; })) {
+                mesh.face_colors.clear();
+                mesh.vertex_colors = std::move(words);
+                return;
+            }
+            mesh.face_colors.push_back(first);
         }
     }
 
@@ -133,11 +138,7 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
     return word;
 }
 
-/// The note on such colours.
-inline constexpr const char* vertex_colors_note =
-    "the colours of vertices become those of faces, as means";
-
-/// The note on unused vertices that are not finite, or too far.
+/// What is said of vertices that are nowhere.
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 

@@ -3,6 +3,7 @@
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -15,7 +16,7 @@ using l3d_detail::text_cursor;
 
 /// Statements of things that are not drawn; their loss is noted once for each kind.
 constexpr std::string_view noted_statements[] = {
-    "map_Ka", "map_Kd", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",
+    "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",
     "disp",   "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
 /// Those whose loss few would see: what matters to reflections and refraction alone.
@@ -47,7 +48,7 @@ private:
     void read_statement(std::string_view word) {
         if (word == "newmtl") {
             finish_material();
-            materials_.push_back({std::string(text_.name_in_line()), {}});
+            materials_.push_back({std::string(text_.name_in_line()), {}, {}});
             has_highlights_ = true;
             opaque_ = clear_ = {};
             return;
@@ -55,7 +56,7 @@ private:
         const auto is_in = [word](const auto& list) {
             return std::ranges::find(list, word) != std::end(list);
         };
-        constexpr std::string_view read_statements[] = {"Kd", "Ks", "Ns", "illum", "d", "Tr"};
+        constexpr std::string_view read_statements[] = {"Kd", "Ks", "Ns", "illum", "d", "Tr", "map_Kd"};
         const bool is_read = is_in(read_statements);
         if (is_read && materials_.empty())
             text_.note(quoted(word) + " before the first newmtl is skipped");
@@ -91,6 +92,41 @@ private:
             has_highlights_ = value >= highlights_from;
         else if (word == "d" || word == "Tr")
             read_opacity(word, look);
+        else if (word == "map_Kd")
+            read_picture(materials_.back().picture);
+    }
+
+    /// Options, and the name of a file, which may have blanks. An option has a word or some numbers
+    /// behind it; "-clamp on" says that the picture's border goes on.
+    void read_picture(l3d_mesh_picture& picture) {
+        std::string_view line = text_.name_in_line();
+        const auto word = [&] { return line.substr(0, line.find_first_of(" \t")); };
+        const auto skip = [&] {
+            line.remove_prefix(word().size());
+            line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        };
+        const auto is_number = [](std::string_view text) {
+            double value = 0;
+            const char* const end = text.data() + text.size();
+            return std::from_chars(text.data(), end, value).ptr == end && !text.empty();
+        };
+        l3d_mesh_picture read;
+        while (line.starts_with('-')) {
+            const std::string_view option = word();
+            skip();
+            if (option == "-clamp")
+                read.repeats_u = read.repeats_v = word() != "on";
+            else
+                text_.note_once("the option " + quoted(option) + " of a picture is skipped");
+            if (!is_number(word()))
+                skip();
+            while (is_number(word()))
+                skip();
+        }
+        if (line.empty())
+            return text_.note("'map_Kd' without a name is skipped");
+        read.name = line;
+        picture = read;
     }
 
     /// "d" is how opaque a material is, "Tr" how clear; files have either, or both. With -halo,
@@ -166,11 +202,21 @@ std::vector<l3d_named_material> l3d_read_mtl(std::string_view text, std::string_
 }
 
 void l3d_give_looks(l3d_polygon_mesh& mesh, std::span<const l3d_named_material> materials) {
-    std::map<std::string_view, l3d_material> by_name;
+    std::map<std::string_view, const l3d_named_material*> by_name;
     for (const l3d_named_material& material : materials)
-        by_name[material.name] = material.look;
+        by_name[material.name] = &material;
     mesh.looks.resize(mesh.materials.size());
-    for (std::size_t i = 0; i < mesh.materials.size(); ++i)
-        if (const auto found = by_name.find(mesh.materials[i]); found != by_name.end())
-            mesh.looks[i] = found->second;
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
+        const auto found = by_name.find(mesh.materials[i]);
+        if (found == by_name.end())
+            continue;
+        mesh.looks[i] = found->second->look;
+        const l3d_mesh_picture& picture = found->second->picture;
+        if (picture.name.empty())
+            continue;
+        const auto same = std::ranges::find(mesh.pictures, picture);
+        mesh.looks[i].picture = static_cast<int>(same - mesh.pictures.begin());
+        if (same == mesh.pictures.end())
+            mesh.pictures.push_back(picture);
+    }
 }

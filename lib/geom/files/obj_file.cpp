@@ -6,6 +6,8 @@
 #include "geom/files/obj_surfaces_p.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace {
 
@@ -33,6 +35,8 @@ public:
         if (!surfaces_.finish())
             return false;
         vertex_colors_.finish(mesh()); // by the numbers that the file has
+        if (!mesh().picture_places.empty())
+            mesh().picture_places.resize(mesh().corners.size());
         finish_normals();
         if (!odd_.are_unused(text_, mesh(), is_control_point))
             return false;
@@ -49,6 +53,8 @@ private:
             return read_vertex() && skip_rest("a vertex");
         if (word == "vn")
             return read_normal() && skip_rest("a normal");
+        if (word == "vt")
+            return read_picture_place() && skip_rest("a place in a picture");
         if (word == "f" || word == "fo")
             return read_face();
         if (word == "g" || word == "o") {
@@ -186,12 +192,10 @@ private:
                 weights_.resize(mesh().vertices.size() - 1, 1);
                 weights_.push_back(more[0]);
             }
-        } else if (numbers > 1) {
-            if (!has_vertex_colors_)
-                text_.note(l3d_detail::vertex_colors_note);
-            has_vertex_colors_ = true;
-            if (numbers >= 3)
-                vertex_colors_.give(mesh(), numbers == 4 && more[0] == 1 ? more + 1 : more);
+        } else if (numbers == 2) {
+            text_.note_once("two numbers behind a vertex are skipped");
+        } else if (numbers > 2) {
+            vertex_colors_.give(mesh(), numbers == 4 && more[0] == 1 ? more + 1 : more);
         }
         return true;
     }
@@ -205,6 +209,23 @@ private:
         return true;
     }
 
+    /// From the picture's bottom left corner, in the file. What is left out is 0, and so is the
+    /// place of a corner that names none.
+    bool read_picture_place() {
+        double place[2] = {0, 0};
+        for (int i = 0; i < 2 && text_.next_in_line(); ++i)
+            if (!text_.any_number_in(text_.token(), place[i], "a place in a picture"))
+                return false;
+        const l3d_polygon_mesh::picture_place is{static_cast<float>(place[0]),
+                                                 static_cast<float>(1 - place[1])};
+        const bool is_finite = std::isfinite(is[0]) && std::isfinite(is[1]);
+        if (!is_finite)
+            text_.note_once("places in pictures that are not finite are taken for (0, 0)");
+        picture_places_.push_back(is_finite ? is : l3d_polygon_mesh::picture_place{});
+        text_.next_in_line(); // a third number is for pictures in three dimensions
+        return true;
+    }
+
     bool read_face() {
         const std::size_t begin = mesh().corners.size();
         while (text_.next_in_line())
@@ -213,6 +234,7 @@ private:
         if (const std::size_t corners = mesh().corners.size() - begin; corners < 3) {
             text_.note("a face of " + counted(corners, "corners") + " is skipped");
             mesh().corners.resize(begin);
+            mesh().picture_places.resize(std::min(mesh().picture_places.size(), begin));
             return true;
         }
         begin_part(mesh().parts, is_new_to_faces_, mesh().faces());
@@ -233,6 +255,9 @@ private:
             return false;
         mesh().corners.push_back(vertex);
         const std::size_t second = corner.find('/', std::min(first + 1, corner.size()));
+        if (const auto place = corner.substr(std::min(first + 1, corner.size()), second - first - 1);
+            !place.empty())
+            give_picture_place(place);
         if (second == corner.npos || second + 1 == corner.size())
             return true;
         std::uint32_t normal = 0;
@@ -241,6 +266,22 @@ private:
         if (!normals_.give_to_last_corner(mesh(), normal))
             text_.note_once(l3d_detail::odd_normals_note);
         return true;
+    }
+
+    /// No model is lost for a place in a picture.
+    void give_picture_place(std::string_view digits) {
+        if (picture_places_.empty())
+            return;
+        std::int64_t number = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        const auto count = static_cast<std::int64_t>(picture_places_.size());
+        number = number < 0 ? count + number : number - 1;
+        if (error != std::errc() || end != digits.data() + digits.size() || number < 0 ||
+            number >= count)
+            return text_.note_once("places in pictures that there are not are taken for (0, 0)");
+        mesh().picture_places.resize(mesh().corners.size() - 1);
+        mesh().picture_places.push_back(picture_places_[static_cast<std::size_t>(number)]);
     }
 
     void finish_normals() {
@@ -267,11 +308,15 @@ private:
             mesh().vertices[count] = mesh().vertices[i];
             if (!mesh().vertex_normals.empty())
                 mesh().vertex_normals[count] = mesh().vertex_normals[i];
+            if (!mesh().vertex_colors.empty())
+                mesh().vertex_colors[count] = mesh().vertex_colors[i];
             place[i] = count++;
         }
         mesh().vertices.resize(count);
         if (!mesh().vertex_normals.empty())
             mesh().vertex_normals.resize(count);
+        if (!mesh().vertex_colors.empty())
+            mesh().vertex_colors.resize(count);
         for (std::uint32_t& corner : mesh().corners)
             corner = place[corner];
     }
@@ -288,10 +333,10 @@ private:
     /// one.
     std::optional<std::uint64_t> group_;
     std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
+    std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< that corners may name
     std::vector<double> weights_; ///< per vertex; those left out at the end are 1
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
-    bool has_vertex_colors_ = false;
 };
 
 } // namespace

@@ -77,8 +77,6 @@ private:
             return text_.fail(l3d_detail::quoted(text_.token()) +
                               " has vertices of other than 3 coordinates");
         kind_ = *kind;
-        if (kind_.color)
-            text_.note(l3d_detail::vertex_colors_note);
         if (kind_.texture)
             text_.note("texture coordinates are skipped");
         return true;

@@ -67,8 +67,6 @@ private:
                        vertex->has(meaning::normal_z);
         has_colors_ = face && face->has_color();
         has_vertex_colors_ = !has_colors_ && vertex->has_color();
-        if (has_vertex_colors_)
-            text_.note(l3d_detail::vertex_colors_note);
         return true;
     }
 

@@ -2,6 +2,7 @@
 // l3d_pipeline_polygons: the stages of a frame, and the keys for polygons.
 #include "pipeline/polygons/pipeline_polygons.h"
 
+#include "pipeline/polygons/paint_gatherer_p.h"
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_wires.h"
 #include "geom/real.h"
@@ -109,13 +110,26 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     }
     assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool smooth = settings_.shade != l3d_shade::flat;
-    frame_->make(model_, view,
-                 {.cull = settings_.cull,
-                  .smooth = smooth,
-                  .antialias = shading.antialias,
-                  .parts = draws_parts(shading.antialias),
-                  .cull_hidden = true},
-                 workers_);
+    const l3d_frame_lights lights = settings_.headlight
+                                        ? l3d_headlight(camera_, settings_.lighting)
+                                        : l3d_frame_lights{settings_.light, settings_.lighting};
+    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
+    shading.antialias = settings_.antialias && is_solid;
+    shading.background = settings_.background;
+    if (is_solid && settings_.projection == l3d_projection::perspective)
+        shading.fog = settings_.fog;
+    l3d_polygon_frame::way how{.cull = settings_.cull,
+                               .smooth = smooth,
+                               .antialias = shading.antialias,
+                               .parts = draws_parts(shading.antialias),
+                               .cull_hidden = true};
+    l3d_face_paints paints;
+    if (is_solid && l3d_is_light(shading.mode)) {
+        l3d_detail::paint_gatherer gatherer(settings_, model_.materials().size(), paints);
+        how.first_painted = gatherer.add(model_, view, 0);
+        shading.paints = gatherer.paints();
+    }
+    frame_->make(model_, view, how, workers_);
     report.polygons = frame_->counts();
     const std::vector<l3d_material> repainted(settings_.material ? model_.materials().size() + 1
                                                                  : 0,

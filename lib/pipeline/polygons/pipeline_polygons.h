@@ -14,6 +14,7 @@
 #include "pipeline/polygons/polygon_view.h"
 #include "pipeline/viewer_controls.h"
 #include "raster/rasterizer_2d.h"
+#include "raster/textures/texture.h"
 #include "raster/parallel/workers.h"
 
 #include <memory>
@@ -63,8 +64,11 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// Which of these turns comes first.
     l3d_rotation_order rotation_order = l3d_rotation_order::xyz;
 
-    /// The material of all faces, whatever the model says.
+    /// The material of all faces, whatever the model says; its picture is not seen.
     std::optional<l3d_material> material{};
+
+    /// How pictures on faces are looked up; nothing if none are to be seen.
+    std::optional<l3d_texture_filter> textures = l3d_texture_filter::anisotropic;
 
     /// Faces that are seen from behind are left out. Else both sides of all faces are shown, with
     /// the normals turned to the eye. Faces that closed bodies hide then cost nothing, either.

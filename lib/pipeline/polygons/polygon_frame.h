@@ -47,6 +47,9 @@ public:
         bool cull_hidden = false;
         /// The place of the model's first material among those of the picture.
         std::uint32_t first_material = 0;
+        /// What the first triangle is called among materials, if each has a name of its own
+        /// (l3d_face_paints). Expects: the model has materials.
+        std::optional<std::uint32_t> first_painted{};
     };
 
     /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
@@ -109,6 +112,8 @@ private:
     bool hides_backs(const l3d_polygon_model& model, const l3d_polygon_view& view) const;
     void place_chunk(const frame_input& in, std::size_t index);
     static std::uint32_t material_of(const frame_input& in, std::size_t triangle) {
+        if (in.how.first_painted)
+            return *in.how.first_painted + static_cast<std::uint32_t>(triangle);
         return in.how.first_material + in.model.material_of(in.model.triangles()[triangle].face);
     }
     static bool has_vertex_normals(const frame_input& in) {

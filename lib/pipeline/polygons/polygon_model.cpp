@@ -6,6 +6,7 @@
 #include "scene/model_loader.h"
 #include "pipeline/polygons/crease_normals_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/read_textures.h"
 
 #include <algorithm>
 #include <cassert>
@@ -46,7 +47,9 @@ l3d_polygon_model::l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin, doub
     : contents_(std::make_shared<const contents>(std::move(mesh), to_origin, crease_angle)) {}
 
 l3d_polygon_model l3d_polygon_model::load(const std::string& file) {
-    return l3d_polygon_model(l3d_mesh_of(l3d_load_model(file, file), file, l3d_usual_facets));
+    std::vector<std::string> notes;
+    const l3d_polygon_model model(l3d_mesh_of(l3d_load_model(file, file), file, l3d_usual_facets));
+    return model.textured(l3d_read_textures(model.mesh(), notes));
 }
 
 l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, double crease_angle)
@@ -71,6 +74,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
         for (std::size_t f = 0; f < mesh.faces(); ++f)
             looks.push_back(mesh.look_of(f));
     make_materials(looks);
+    make_painted();
 }
 
 /// Measures the box of the vertices in use; the others may be anywhere.
@@ -100,15 +104,17 @@ void l3d_polygon_model::contents::measure() {
 void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> looks) {
     materials.clear();
     materials_of_faces.clear();
-    using key = std::tuple<std::uint32_t, std::uint32_t, int>;
+    using key = std::tuple<std::uint32_t, std::uint32_t, int, int>;
     std::map<key, std::uint32_t> places;
     materials.emplace_back();
-    places[key(materials[0].color, materials[0].highlight, materials[0].sharpness)] = 0;
+    const auto key_of = [](const l3d_material& look) {
+        return key(look.color, look.highlight, look.sharpness, look.picture);
+    };
+    places[key_of(materials[0])] = 0;
     for (std::size_t f = 0; f < looks.size(); ++f) {
         const l3d_material& look = looks[f];
         const auto next = static_cast<std::uint32_t>(materials.size());
-        const auto [place, is_new] =
-            places.try_emplace({look.color, look.highlight, look.sharpness}, next);
+        const auto [place, is_new] = places.try_emplace(key_of(look), next);
         if (is_new)
             materials.push_back(look);
         if (place->second == 0 && materials_of_faces.empty())
@@ -117,8 +123,44 @@ void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> l
         materials_of_faces.push_back(place->second);
     }
     materials_of_faces.resize(materials_of_faces.empty() ? 0 : mesh.faces());
-    if (materials_of_faces.empty())
+    if (materials_of_faces.empty() && mesh.vertex_colors.empty())
         materials.clear();
+}
+
+/// Pictures that nobody has read are no reason to look at each pixel.
+void l3d_polygon_model::contents::make_painted() {
+    painted.clear();
+    const bool has_texture = std::ranges::any_of(materials, [&](const l3d_material& material) {
+        return material.picture >= 0 &&
+               static_cast<std::size_t>(material.picture) < textures.size() &&
+               textures[static_cast<std::size_t>(material.picture)];
+    });
+    if (mesh.vertex_colors.empty() && !has_texture)
+        return;
+    painted.reserve(triangles.size());
+    for (const l3d_model_triangle& triangle : triangles)
+        painted.push_back(painted_triangle(triangle));
+}
+
+l3d_painted_triangle
+l3d_polygon_model::contents::painted_triangle(const l3d_model_triangle& triangle) const {
+    l3d_painted_triangle result{.corners = triangle.corners};
+    if (!materials_of_faces.empty())
+        result.material = materials_of_faces[triangle.face];
+    const auto face = mesh.face(triangle.face);
+    const std::size_t end = mesh.face_ends[triangle.face], begin = end - face.size();
+    const bool has_colors =
+        !mesh.vertex_colors.empty() && (repainted.empty() || !repainted[triangle.face]);
+    for (std::size_t k = 0; k < triangle.corners.size(); ++k) {
+        if (has_colors)
+            result.colors[k] = mesh.vertex_colors[triangle.corners[k]];
+        if (mesh.picture_places.empty())
+            continue;
+        const auto corner = std::ranges::find(face, triangle.corners[k]);
+        result.picture_places[k] =
+            mesh.picture_places[begin + static_cast<std::size_t>(corner - face.begin())];
+    }
+    return result;
 }
 
 void l3d_polygon_model::contents::keep_triangles(const std::vector<bool>& of_faces) {
@@ -266,7 +308,22 @@ l3d_polygon_model l3d_polygon_model::part_painted(std::size_t part,
             looks[f] = materials()[material_of(f)];
     l3d_polygon_model result = *this;
     const auto made = std::make_shared<contents>(*contents_);
+    made->repainted.resize(looks.size());
+    for (std::size_t f = 0; f < looks.size(); ++f)
+        if (parts().of(f) == part)
+            made->repainted[f] = true;
     made->make_materials(looks);
+    made->make_painted();
+    result.contents_ = made;
+    return result;
+}
+
+l3d_polygon_model
+l3d_polygon_model::textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const {
+    l3d_polygon_model result = *this;
+    const auto made = std::make_shared<contents>(*contents_);
+    made->textures = std::move(textures);
+    made->make_painted();
     result.contents_ = made;
     return result;
 }
@@ -275,6 +332,7 @@ l3d_polygon_model l3d_polygon_model::shown(const std::vector<bool>& faces) const
     l3d_polygon_model result = *this;
     const auto made = std::make_shared<contents>(*contents_);
     made->keep_triangles(faces);
+    made->make_painted();
     result.contents_ = made;
     return result;
 }
@@ -294,6 +352,7 @@ std::size_t l3d_polygon_model::bytes() const {
            facing_blocks().size() * sizeof(l3d_facing_block) +
            materials().size() * sizeof(l3d_material) +
            contents_->materials_of_faces.size() * sizeof(std::uint32_t) +
+           painted().size() * sizeof(l3d_painted_triangle) +
            contents_->crease_corners.size() * sizeof(contents_->crease_corners[0]) +
            (face_normals().size() + vertex_normals().size() + contents_->crease_normals.size()) *
                sizeof(direction);

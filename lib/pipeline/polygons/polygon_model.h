@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/polygon_mesh.h"
+#include "raster/textures/face_paints.h"
 
 #include <array>
 #include <cstddef>
@@ -124,13 +125,27 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain.
+    /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain and no
+    /// vertex has a colour.
     std::span<const l3d_material> materials() const { return contents_->materials; }
     /// The place of a face's material in materials(); 0 if there are none. Expects: face <
     /// mesh().faces().
     std::uint32_t material_of(std::size_t face) const {
-        return contents_->materials.empty() ? 0 : contents_->materials_of_faces[face];
+        return contents_->materials_of_faces.empty() ? 0 : contents_->materials_of_faces[face];
     }
+
+    /// The same faces with pictures on those whose materials name any: mesh().pictures in their
+    /// order. Where a pointer is null or missing, faces have the colours of their materials.
+    l3d_polygon_model
+    textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
+    /// Those pictures.
+    std::span<const std::shared_ptr<const l3d_texture>> textures() const {
+        return contents_->textures;
+    }
+
+    /// For each triangle, what is blended over it; none if no vertex has a colour and no material a
+    /// texture.
+    std::span<const l3d_painted_triangle> painted() const { return contents_->painted; }
 
     /// The corner of the model's box with the smallest x, y and z.
     const vector& least() const { return contents_->least; }
@@ -162,6 +177,8 @@ private:
         void turn_normals_to_faces();
         void make_materials(std::span<const l3d_material> looks);
         void keep_triangles(const std::vector<bool>& of_faces);
+        void make_painted();
+        l3d_painted_triangle painted_triangle(const l3d_model_triangle& triangle) const;
 
         l3d_polygon_mesh mesh;
         l3d_parts parts;
@@ -173,7 +190,10 @@ private:
         /// none.
         std::vector<std::array<std::uint32_t, 3>> crease_corners;
         std::vector<l3d_material> materials;
-        std::vector<std::uint32_t> materials_of_faces; ///< places in `materials`
+        std::vector<std::uint32_t> materials_of_faces; ///< places in these
+        std::vector<std::shared_ptr<const l3d_texture>> textures;
+        std::vector<l3d_painted_triangle> painted;
+        std::vector<bool> repainted; ///< faces that vertices' colours do not count for; or empty
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
     };

@@ -7,7 +7,7 @@
 #include <utility>
 
 l3d_object::l3d_object(const l3d_object& other)
-    : name(other.name), mesh_(other.mesh_), vertices_(other.vertices_),
+    : name(other.name), mesh_(other.mesh_), textures_(other.textures_), vertices_(other.vertices_),
       transforms_(other.transforms_), product_(other.product_),
       product_is_old_(other.product_is_old_), model_(other.model_) {
     set_parent(other.parent_);
@@ -19,9 +19,11 @@ l3d_object::~l3d_object() {
         child->parent_ = nullptr;
 }
 
-void l3d_object::set_mesh(l3d_polygon_mesh mesh) {
+void l3d_object::set_mesh(l3d_polygon_mesh mesh,
+                          std::vector<std::shared_ptr<const l3d_texture>> textures) {
     assert(mesh.is_valid());
     mesh_ = std::move(mesh);
+    textures_ = std::move(textures);
     model_.reset();
     vertices_.clear();
     vertices_.reserve(mesh_.vertices.size());
@@ -31,7 +33,7 @@ void l3d_object::set_mesh(l3d_polygon_mesh mesh) {
 
 const l3d_polygon_model& l3d_object::model() const {
     if (!model_)
-        model_.emplace(mesh_);
+        model_.emplace(l3d_polygon_model(mesh_).textured(textures_));
     return *model_;
 }
 

@@ -61,8 +61,10 @@ public:
 
     std::string name; ///< for messages; need not differ from others
 
-    /// Replaces its polygons. Expects: mesh.is_valid().
-    void set_mesh(l3d_polygon_mesh mesh);
+    /// Replaces its polygons, and the pictures on them (l3d_read_textures), which only what is
+    /// filled by depth shows. Expects: mesh.is_valid().
+    void set_mesh(l3d_polygon_mesh mesh,
+                  std::vector<std::shared_ptr<const l3d_texture>> textures = {});
     /// The polygons, in the object's own coordinates.
     const l3d_polygon_mesh& mesh() const { return mesh_; }
 
@@ -114,6 +116,7 @@ private:
     virtual std::unique_ptr<l3d_object> do_clone() const;
 
     l3d_polygon_mesh mesh_;
+    std::vector<std::shared_ptr<const l3d_texture>> textures_;
     std::vector<l3d_point<real>> vertices_;
     std::vector<l3d_matrix<real>> transforms_;
     mutable l3d_matrix<real> product_ = l3d_identity<real>();

@@ -2,6 +2,7 @@
 // l3d_world_surfaces: places objects that may be seen, and fills them in one call.
 #include "pipeline/worlds/world_surfaces.h"
 
+#include "pipeline/polygons/paint_gatherer_p.h"
 #include "pipeline/wire_p.h"
 #include "raster/lines/hidden_lines.h"
 
@@ -40,20 +41,23 @@ bool is_rigid(const l3d_matrix<double>& placement) {
 
 /// The mesh with all vertices and normals taken through the linear part of a matrix. A mirror turns
 /// faces round, too, so that their corners' order still tells which side is outside.
-l3d_polygon_model reshaped(const l3d_polygon_mesh& mesh, const l3d_matrix<double>& shape) {
-    l3d_polygon_mesh result = mesh;
+l3d_polygon_model reshaped(const l3d_polygon_model& model, const l3d_matrix<double>& shape) {
+    l3d_polygon_mesh result = model.mesh();
     for (vector& v : result.vertices)
         v = l3d_transformed(shape, v);
     for (vector& normal : result.vertex_normals)
         normal = l3d_transformed_normal(shape, normal).value_or(vector(0.0));
     if (l3d_determinant(shape) < 0)
         for (std::size_t face = 0; face < result.faces(); ++face) {
-            const std::size_t begin = face == 0 ? 0 : result.face_ends[face - 1];
-            std::reverse(result.corners.begin() + static_cast<std::ptrdiff_t>(begin),
-                         result.corners.begin() +
-                             static_cast<std::ptrdiff_t>(result.face_ends[face]));
+            const auto begin = static_cast<std::ptrdiff_t>(face == 0 ? 0 : result.face_ends[face - 1]);
+            const auto end = static_cast<std::ptrdiff_t>(result.face_ends[face]);
+            std::reverse(result.corners.begin() + begin, result.corners.begin() + end);
+            if (!result.picture_places.empty())
+                std::reverse(result.picture_places.begin() + begin,
+                             result.picture_places.begin() + end);
         }
-    return l3d_polygon_model(std::move(result));
+    const auto textures = model.textures();
+    return l3d_polygon_model(std::move(result)).textured({textures.begin(), textures.end()});
 }
 
 } // namespace
@@ -118,6 +122,8 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
     if (settings.style == l3d_polygon_style::wireframe)
         return draw_wires(in, target);
     gather_materials(settings);
+    if (settings.style == l3d_polygon_style::solid && l3d_is_light(in.shading.mode))
+        in.shading.paints = gather_paints(settings);
     make_frames(in, *target.workers);
     return fill(in, target);
 }
@@ -164,8 +170,10 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
             for (int k = 0; k < 3; ++k)
                 rest(i, k) = i == k;
         }
-        to.shaped = reshaped(model.mesh(), shape);
-        to.unshape = l3d_inverted(shape).value_or(l3d_identity<double>());
+        if (!to.shaped || !(shape == to.shape)) {
+            to.shaped = reshaped(model, shape);
+            to.shape = shape;
+        }
     }
     const l3d_matrix<double> ours = mirror * rest;
     const vector c = to.model().centre();
@@ -200,6 +208,14 @@ void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) 
     }
 }
 
+/// Expects: the materials are gathered.
+const l3d_face_paints* l3d_world_surfaces::gather_paints(const l3d_polygon_settings& settings) {
+    l3d_detail::paint_gatherer gatherer(settings, materials_.size(), paints_);
+    for (placed* p : seen_)
+        p->first_painted = gatherer.add(p->model(), *p->view, p->first_material);
+    return gatherer.paints();
+}
+
 void l3d_world_surfaces::make_frames(const frame_input& in, l3d_workers& workers) {
     while (alone_.size() < static_cast<std::size_t>(workers.count()))
         alone_.push_back(std::make_unique<l3d_workers>(1));
@@ -210,7 +226,8 @@ void l3d_world_surfaces::make_frames(const frame_input& in, l3d_workers& workers
                       .antialias = in.shading.antialias,
                       .parts = true,
                       .cull_hidden = true,
-                      .first_material = p.first_material},
+                      .first_material = p.first_material,
+                      .first_painted = in.shading.paints ? p.first_painted : std::nullopt},
                      by);
     };
     const auto is_large = [](const placed& p) { return p.model().triangles().size() > large; };

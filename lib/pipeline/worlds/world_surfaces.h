@@ -41,6 +41,7 @@ private:
         l3d_polygon_frame frame;
         l3d_polygon_wires wires;
         std::uint32_t first_material = 0;
+        std::optional<std::uint32_t> first_painted; ///< as l3d_polygon_frame::way has it
 
         const l3d_polygon_model& model() const { return shaped ? *shaped : *plain; }
     };
@@ -50,6 +51,7 @@ private:
     void place_all(const frame_input& in, std::span<const std::unique_ptr<l3d_object>> objects);
     bool place(const frame_input& in, const l3d_object& object, placed& to) const;
     void gather_materials(const l3d_polygon_settings& settings);
+    const l3d_face_paints* gather_paints(const l3d_polygon_settings& settings);
     void make_frames(const frame_input& in, l3d_workers& workers);
     std::size_t draw_wires(const frame_input& in, const l3d_world_target& target);
     std::size_t fill(const frame_input& in, const l3d_world_target& target);
@@ -57,6 +59,7 @@ private:
     std::vector<std::unique_ptr<placed>> placed_; ///< one an object, in their order
     std::vector<placed*> seen_;                   ///< those that this frame may show
     std::vector<l3d_material> materials_;
+    l3d_face_paints paints_;
     std::vector<const l3d_surface_part*> parts_;
     std::vector<l3d_painter_triangle> triangles_, of_object_; ///< for hidden lines
     std::vector<std::unique_ptr<l3d_workers>> alone_;         ///< one a thread, for small objects

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -84,10 +85,13 @@ attribute_planes<Count> planes_of(const fragment_polygon& polygon, const Numbers
 /// The light of a band's polygons behind fog. Lives: borrows the polygons and the shading.
 template <class Shader> class polygon_light {
 public:
-    polygon_light(const Shader& shader, const l3d_shading& shading, bool has_color, int height,
+    polygon_light(const Shader& shader, const l3d_shading& shading,
+                  std::span<const l3d_material> materials, bool has_color, int height,
                   std::span<const fragment_polygon> polygons)
         : shader_(shader), shading_(shading), has_color_(has_color), height_(height),
           polygons_(polygons) {
+        if (has_color && shading.paints)
+            painter_.emplace(*shading.paints, materials);
         if constexpr (has_bends<Shader>)
             for (const fragment_polygon& polygon : polygons)
                 levels_.emplace_back(polygon);
@@ -124,9 +128,14 @@ private:
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(level_of(seen), polygon.color);
+            return of_level(levels_[seen.polygon].at(seen.x, seen.y), color_of(polygon, seen));
         else
-            return of_word(word_at(polygon, double{seen.x}, double{seen.y}), polygon.color);
+            return of_word(word_at(polygon, double{seen.x}, double{seen.y}), color_of(polygon, seen));
+    }
+
+    std::uint32_t color_of(const fragment_polygon& polygon, const seen_fragment& seen) {
+        return painter_ ? painter_->color(polygon.color, double{seen.x}, double{seen.y})
+                        : polygon.color;
     }
 
     light_sum of_level(float lit, std::uint32_t color) const {
@@ -176,6 +185,7 @@ private:
     bool has_color_;
     int height_; ///< of the picture
     std::span<const fragment_polygon> polygons_;
+    std::optional<face_painter> painter_; ///< if polygons have names in place of colours
     std::vector<level_surface> levels_; ///< of the polygons, if the shader takes levels
 };
 
@@ -204,7 +214,7 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
     constexpr float part = 1.0f / sample_places::count;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
-        polygon_light light(shader, shading, has_color, target.height, band.polygons());
+        polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
         const bool is_grey = light.is_grey();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             light_sum sum;

@@ -31,14 +31,19 @@ struct lit_material {
         constexpr float least = 0x1p-12F, e = 11.1F;
         const float cosine = std::max(least, 1 - e / static_cast<float>(sharpness));
         least_square = cosine * cosine;
-        for (std::size_t i = 0; i < color.size(); ++i) {
-            const std::size_t shift = 16 - 8 * i;
-            color[i] = static_cast<float>(from.color >> shift & 255);
-            highlight[i] = static_cast<float>(from.highlight >> shift & 255);
-        }
+        color = levels(from.color);
+        highlight = levels(from.highlight);
     }
 
+    void use_color(std::uint32_t word) { color = levels(word); }
+
     bool shines() const { return highlight != vector3{}; }
+
+private:
+    static vector3 levels(std::uint32_t word) {
+        return {static_cast<float>(word >> 16 & 255), static_cast<float>(word >> 8 & 255),
+                static_cast<float>(word & 255)};
+    }
 };
 
 /// The colour of a surface by l3d_lighting. In mode `flat` a polygon has one normal, the sum of its
@@ -93,6 +98,9 @@ public:
             look[i] = shading.look[i] + y * shading.look_down[i] + x * shading.look_right[i];
         return look;
     }
+
+    /// Another colour than the material's, 0x00RRGGBB, until the material is set again.
+    void use_color(std::uint32_t color) { material_.use_color(color); }
 
     /// lit_words does the same in lanes, operation by operation.
     std::uint32_t word(const float* at) const {

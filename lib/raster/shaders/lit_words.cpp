@@ -90,7 +90,7 @@ public:
         against_ = dot_of(look, normal_);
     }
 
-    HWY_INLINE word_vec word(const lit_material& material) const {
+    HWY_INLINE word_vec word(const lit_material& material, const word_vec* colors) const {
         const l3d_lighting& lighting = shading_.lighting;
         light_amounts<Channels> scattered(lighting.ambient), mirrored({0, 0, 0});
         const bool shines = material.shines();
@@ -99,7 +99,8 @@ public:
             peaks |= add(lighting.lights[i], material, shines, scattered, mirrored);
         word_vec result = hn::Zero(words());
         for (std::size_t i = 0; i < 3; ++i) {
-            float_vec level = hn::Mul(set(material.color[i]), scattered[i]);
+            const float_vec color = colors ? channel(*colors, i) : set(material.color[i]);
+            float_vec level = hn::Mul(color, scattered[i]);
             if (peaks)
                 level = hn::Add(level, hn::Mul(set(material.highlight[i]), mirrored[i]));
             result = hn::Or(hn::ShiftLeft<8>(result), whole(level));
@@ -138,6 +139,13 @@ private:
         return true;
     }
 
+    static HWY_INLINE float_vec channel(word_vec colors, std::size_t i) {
+        const word_vec level = hn::ShiftRightSame(colors, static_cast<int>(16 - 8 * i));
+        const hn::RebindToSigned<floats> d;
+        return hn::ConvertTo(floats(),
+                             hn::BitCast(d, hn::And(level, hn::Set(words(), 0xffu))));
+    }
+
     static HWY_INLINE word_vec whole(float_vec level) {
         const float_vec held = hn::Min(hn::Max(level, hn::Zero(floats())), set(255));
         const hn::RebindToSigned<floats> d;
@@ -160,6 +168,7 @@ struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
+    const std::uint32_t* colors; ///< or null, as lit_pixels has them
     lane_vector look;       ///< in column 0 of the picture
     lane_vector look_right; ///< what a column adds
 };
@@ -167,20 +176,20 @@ struct pixel_row {
 /// The words of filled pixels, a material after the other. Mostly there is one.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
-                                 word_vec there, float_mask filled) {
+                                 const word_vec* colors, word_vec there, float_mask filled) {
     const words dw;
     const word_vec material = hn::And(there, hn::Set(dw, 0xffffu));
     const std::uint32_t first = hn::GetLane(material);
     const auto others = hn::Ne(material, hn::Set(dw, first));
     if (HWY_LIKELY(hn::AllFalse(dw, others) && hn::AllTrue(floats(), filled)))
-        return light.word(materials[first]);
+        return light.word(materials[first], colors);
     HWY_ALIGN std::uint32_t each[hn::MaxLanes(words())];
     hn::Store(material, dw, each);
     word_vec result = there;
     for (auto left = hn::RebindMask(dw, filled); !hn::AllFalse(dw, left);) {
         const std::uint32_t next = each[hn::FindKnownFirstTrue(dw, left)];
         const auto same = hn::And(left, hn::Eq(material, hn::Set(dw, next)));
-        result = hn::IfThenElse(same, light.word(materials[next]), result);
+        result = hn::IfThenElse(same, light.word(materials[next], colors), result);
         left = hn::AndNot(same, left);
     }
     return result;
@@ -200,7 +209,9 @@ HWY_INLINE void color_vector(const l3d_shading& shading, const lit_material* mat
     const lane_light<Channels> light(
         shading, raw,
         {hn::Add(row.look.x, along.x), hn::Add(row.look.y, along.y), hn::Add(row.look.z, along.z)});
-    hn::StoreU(by_materials(light, materials, there, filled), dw, row.words + i);
+    const word_vec colors = row.colors ? hn::LoadU(dw, row.colors + i) : hn::Zero(dw);
+    hn::StoreU(by_materials(light, materials, row.colors ? &colors : nullptr, there, filled), dw,
+               row.words + i);
 }
 
 /// The last pixels of a row that are not a whole vector.
@@ -208,13 +219,16 @@ template <std::size_t Channels>
 HWY_NOINLINE void color_last(const l3d_shading& shading, const lit_material* materials,
                              const pixel_row& row, std::size_t from, std::size_t end, float_vec x) {
     constexpr std::size_t lanes = hn::MaxLanes(floats());
-    HWY_ALIGN std::uint32_t of_words[lanes] = {}, normals[lanes] = {};
+    HWY_ALIGN std::uint32_t of_words[lanes] = {}, normals[lanes] = {}, colors[lanes] = {};
     HWY_ALIGN float depths[lanes] = {};
     std::copy(row.words + from, row.words + end, of_words);
     std::copy(row.normals + from, row.normals + end, normals);
     std::copy(row.depths + from, row.depths + end, depths);
-    color_vector<Channels>(shading, materials,
-                           {of_words, depths, normals, row.look, row.look_right}, 0, x);
+    if (row.colors)
+        std::copy(row.colors + from, row.colors + end, colors);
+    color_vector<Channels>(
+        shading, materials,
+        {of_words, depths, normals, row.colors ? colors : nullptr, row.look, row.look_right}, 0, x);
     std::copy_n(of_words, end - from, row.words + from);
 }
 
@@ -231,6 +245,7 @@ HWY_INLINE void light_by(const l3d_shading& shading, const lit_material* materia
             pixels.words + row * pixels.word_pitch,
             pixels.depths + row * pixels.depth_pitch,
             pixels.normals + row * pixels.depth_pitch,
+            pixels.colors,
             {hn::Add(look.x, along.x), hn::Add(look.y, along.y), hn::Add(look.z, along.z)},
             broadcast(shading.look_right)};
         std::size_t i = 0;

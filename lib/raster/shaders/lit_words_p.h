@@ -23,6 +23,8 @@ struct lit_pixels {
     std::ptrdiff_t depth_pitch; ///< of normals, too
     std::int32_t left, top;     ///< the first pixel's place in the picture
     std::int32_t width, height;
+    /// Those of a single row's pixels, where materials do not say them.
+    const std::uint32_t* colors = nullptr;
 };
 
 /// The materials of a frame whose lanes leave normals. Lives: kept for its memory.

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
 #define L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
 
+#include "raster/shaders/face_painter_p.h"
 #include "raster/shaders/inspection_shader_p.h"
 #include "raster/shaders/levels_shader_p.h"
 #include "raster/shaders/lit_shader_p.h"
@@ -63,7 +64,8 @@ template <class Action>
 void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
                  std::uint32_t error_color, const Action& action) {
     if (shading.is_lit(materials))
-        return action(lit_shader(shading, materials));
+        return shading.paints ? action(painted_lit_shader(shading, materials))
+                              : action(lit_shader(shading, materials));
     if (l3d_is_inspection(shading.mode))
         return action(inspection_shader(shading));
     if (shading.mode == l3d_shade::own)

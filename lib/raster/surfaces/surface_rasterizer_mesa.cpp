@@ -108,7 +108,7 @@ void l3d_surface_rasterizer_mesa::do_begin(l3d_pixels target, l3d_depth_buffer* 
         gl.Uniform2f(gl_target_.uniform("middle"), static_cast<float>(gl_target_.middle_x()),
                      static_cast<float>(gl_target_.middle_y()));
     }
-    by_cpu_ = !fits_ || shading.is_lit(materials());
+    by_cpu_ = !fits_ || shading.is_lit(materials()) || shading.paints;
     if (!depth && (counts_pixels() || by_cpu_))
         own_depth_.resize(target.size());
     if (by_cpu_) {

@@ -2,6 +2,7 @@
 // l3d_surface_rasterizer_scalar: a picture as one band.
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
+#include "raster/shaders/face_painter_p.h"
 #include "raster/shaders/fog_words_p.h"
 
 #include <algorithm>
@@ -51,7 +52,9 @@ void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* co
 void l3d_surface_rasterizer_scalar::do_finish() {
     const material_pixels pixels{drawn_.words,    drawn_.stride, depth_->data(),
                                  depth_->pitch(), drawn_.width,  drawn_.height};
-    if (materials_.wanted())
+    if (materials_.wanted() && shading_.paints)
+        paint_words(pixels, 0, 0, {*shading_.paints, materials()});
+    else if (materials_.wanted())
         materials_.color_slowly(pixels);
     if (shading_.fog.is_on())
         put_fog(shading_, pixels, 0, drawn_.height);

@@ -4,6 +4,7 @@
 
 #include "raster/refine/picture_refiner_p.h"
 #include "raster/surfaces/band_painter_p.h"
+#include "raster/shaders/face_painter_p.h"
 #include "raster/shaders/fog_words_p.h"
 #include "raster/shaders/lit_words_p.h"
 #include "raster/shaders/material_words_p.h"
@@ -36,7 +37,8 @@ using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 
 /// In mode `flat` a polygon has one normal, which the lanes do not make.
 bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
-    return shading.mode != l3d_shade::flat && materials.size() <= fill_words::most_lit_materials;
+    const std::size_t names = shading.paints ? shading.paints->end() : materials.size();
+    return shading.mode != l3d_shade::flat && names <= fill_words::most_lit_materials;
 }
 
 /// The tiles that a box meets, so far as they are in the picture.
@@ -271,12 +273,21 @@ void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
         std::uint32_t* const words = band.words + row * band.word_pitch + box.left;
         const std::ptrdiff_t at = row * band.depth_pitch + box.left;
         const std::int32_t width = box.right - box.left, height = box.bottom - box.top;
-        if (band.normals)
-            work_->lights.color({words, band.word_pitch, band.depths + at, band.normals + at,
-                                 band.depth_pitch, box.left, box.top, width, height});
+        const l3d_face_paints* const paints = shading.paints;
+        const std::span<const l3d_material> materials = work_->frame.materials;
+        if (band.normals) {
+            const lit_pixels lit{words,    band.word_pitch, band.depths + at, band.normals + at,
+                                 band.depth_pitch, box.left, box.top, width, height};
+            if (paints)
+                light_painted(work_->lights, lit, {*paints, materials});
+            else
+                work_->lights.color(lit);
+        }
         const material_pixels pixels{words, band.word_pitch, band.depths + at, band.depth_pitch,
                                      width, height};
-        if (work_->materials.wanted())
+        if (work_->materials.wanted() && paints)
+            paint_words(pixels, box.left, box.top, {*paints, materials});
+        else if (work_->materials.wanted())
             work_->materials.color(pixels);
         if (shading.fog.is_on())
             put_fog(shading, pixels, box.top, target_.height);

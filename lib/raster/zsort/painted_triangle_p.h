@@ -34,6 +34,9 @@ struct alignas(64) painting {
     open_pixels open; ///< if it is painted from front to back
     std::vector<placed_cut> cuts;
     std::uint32_t color = white; ///< of the material
+    /// What finds the colours of names, if triangles have these; and the name of what is painted.
+    std::optional<face_painter> painter{};
+    std::uint32_t name = 0;
     std::int64_t written = 0;
     /// All rows of one triangle.
     wide_runs found;
@@ -48,7 +51,9 @@ struct alignas(64) painting {
     static constexpr std::uint32_t white = wide_polygon::white;
 
     /// Whether rows are filled in lanes, if the shader has them: pixel by pixel the same bits.
-    bool by_lanes() const { return target.width >= fill_least_width && foggy == nullptr; }
+    bool by_lanes() const {
+        return target.width >= fill_least_width && foggy == nullptr && !painter;
+    }
 
     void paint_to(l3d_pixels picture) {
         target = picture;
@@ -113,8 +118,15 @@ void paint_row(painting& to, Shader& shader, const attribute_planes<1 + Shader::
         std::array<float, count> here;
         for (std::size_t i = 1; i < count; ++i)
             here[i] = value[i] + step[i] * k;
-        const std::uint32_t word = shader.word(here.data() + 1);
-        words[x] = l3d_product_of_colors(to.color, word);
+        std::uint32_t word = 0, color = to.color;
+        if constexpr (has_places<Shader>) {
+            word = shader.word_at(here.data() + 1, x + 0.5, row + 0.5);
+        } else {
+            word = shader.word(here.data() + 1);
+            if (to.painter)
+                color = to.painter->color(to.name, x + 0.5, row + 0.5);
+        }
+        words[x] = l3d_product_of_colors(color, word);
         if (to.foggy) {
             const float inv_w = std::clamp(value[0] + step[0] * k, range.first, range.second);
             words[x] = to.foggy->fogged(words[x], fog, inv_w);

@@ -78,6 +78,7 @@ struct l3d_painter::work_space {
             to.from_front = from_front;
             to.written = 0;
             to.foggy = nullptr;
+            to.painter.reset();
             to.color = painting::white;
         }
     }
@@ -214,8 +215,10 @@ template <class Shader> struct shaded_paint {
                     painting& to) {
         if constexpr (std::is_same_v<Shader, own_color_shader>)
             shader.color = triangle.color;
-        if constexpr (std::is_same_v<Shader, lit_shader>)
+        if constexpr (has_materials<Shader>)
             shader.use_material(triangle.material);
+        else if (to.painter)
+            to.name = triangle.material;
         else if (!materials.empty())
             to.color = materials[triangle.material].color;
         if constexpr (has_lanes<Shader>)
@@ -256,7 +259,8 @@ template <class Visit>
 void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
                  const Visit& visit) {
     if (shading.is_lit(materials))
-        return visit(lit_shader(shading, materials));
+        return shading.paints ? visit(painted_lit_shader(shading, materials))
+                              : visit(lit_shader(shading, materials));
     switch (shading.mode) {
     case l3d_shade::lambert:
         return visit(lambert_shader(shading));
@@ -285,9 +289,12 @@ void l3d_painter::paint(l3d_pixels target, const l3d_shading& shading,
                         std::span<const l3d_painter_piece> pieces,
                         std::span<const l3d_painter_cut> cuts) {
     work_->begin(target, has_overdraw(triangles, pieces));
-    for (painting& to : work_->of_worker)
+    for (painting& to : work_->of_worker) {
         if (shading.fog.is_on())
             to.foggy = &shading;
+        if (shading.paints)
+            to.painter.emplace(*shading.paints, materials);
+    }
     const std::span<const l3d_material> of_light =
         l3d_is_light(shading.mode) ? materials : std::span<const l3d_material>();
     with_shader(shading, materials, [&](const auto& shader) {

@@ -4,6 +4,8 @@
 
 #include "base/printable_p.h"
 #include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/read_textures.h"
+#include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/long_work_p.h"
 
@@ -11,8 +13,10 @@
 #include <array>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -47,6 +51,10 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
     options.add("--crease-angle", crease_angle_,
                 "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
+    options.add_choice<l3d_texture_filter>(
+        "--texture-filter", texture_filter_, "how pictures on polygons are looked up",
+        {l3d_texture_filter_names.begin(), l3d_texture_filter_names.end()});
+    options.add("--no-textures", no_textures_, "polygons without the pictures on them");
     options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
                 l3d_most_facets);
 }
@@ -79,8 +87,14 @@ l3d_polygon_model l3d_polygon_options::model() const {
         std::cerr << l3d_detail::printable(name)
                   << ": transparent materials are opaque here; only patches are seen through, by "
                      "--pipeline afd\n";
-    const auto work = l3d_detail::tell_work("preparing", name);
-    return l3d_polygon_model(std::move(mesh), to_origin_, crease_angle_);
+    const l3d_polygon_model plain(std::move(mesh), to_origin_, crease_angle_);
+    if (no_textures_)
+        return plain;
+    std::vector<std::string> notes;
+    l3d_polygon_model model = plain.textured(l3d_read_textures(plain.mesh(), notes));
+    for (const std::string& note : notes)
+        std::cerr << note << '\n';
+    return model;
 }
 
 void l3d_polygon_options::refuse_for_patches() const {
@@ -92,6 +106,8 @@ void l3d_polygon_options::refuse_for_patches() const {
         {"--rotate-order", rotation_order_ != usual.rotation_order},
         {"--to-origin", to_origin_},
         {"--crease-angle", crease_angle_ != l3d_usual_crease_angle},
+        {"--texture-filter", texture_filter_ != *usual.textures},
+        {"--no-textures", no_textures_},
         {"--facets", facets_ != l3d_usual_facets}};
     for (const auto& [option, is_given] : of_polygons)
         if (is_given)
@@ -143,6 +159,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         settings.light =
             l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }
+    settings.textures = no_textures_ ? std::nullopt : std::optional(texture_filter_);
     settings.rotation = rotation_;
     settings.rotation_order = rotation_order_;
     settings.cull = shared.one_sided;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// color_between: colours where an edge is cut.
+#ifndef L3D_GEOM_COLOR_BETWEEN_P_H
+#define L3D_GEOM_COLOR_BETWEEN_P_H
+
+#include <cstdint>
+
+namespace l3d_detail {
+
+/// A colour on the way from one encoded colour to another, channel by channel; 0 is the first and 1
+/// the second. Expects: a share of 0 to 1.
+constexpr std::uint32_t color_between(std::uint32_t a, std::uint32_t b, double share) {
+    std::uint32_t result = 0;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+        const double from = a >> shift & 255, to = b >> shift & 255;
+        result = result << 8 | static_cast<std::uint32_t>(from + (to - from) * share + 0.5);
+    }
+    return result;
+}
+
+} // namespace l3d_detail
+
+#endif

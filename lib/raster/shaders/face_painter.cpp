@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// face_painter: planes of triangles in homogeneous space, and what they say of a pixel.
+#include "raster/shaders/face_painter_p.h"
+
+#include "raster/color/linear_light_p.h"
+
+#include <algorithm>
+
+namespace l3d_detail {
+
+namespace {
+
+using vector = std::array<double, 3>;
+
+vector cross(const vector& a, const vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const vector& a, const vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A vertex in the picture: x and y in pixels times w, and w.
+vector placed(const l3d_matrix<double>& m, const l3d_vector<double, 3>& v) {
+    vector result;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const int row = i == 2 ? 3 : static_cast<int>(i);
+        result[i] = m(row, 0) * v[0] + m(row, 1) * v[1] + m(row, 2) * v[2] + m(row, 3);
+    }
+    return result;
+}
+
+l3d_light_color light_of(std::uint32_t color) {
+    const linear_light& tables = linear_light_tables();
+    return {tables.light(color >> 16 & 255), tables.light(color >> 8 & 255),
+            tables.light(color & 255)};
+}
+
+l3d_light_color product(const l3d_light_color& a, const l3d_light_color& b) {
+    return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+
+} // namespace
+
+void face_painter::begin(std::uint32_t name) {
+    name_ = name;
+    triangle_ = nullptr;
+    if (name < materials_.size()) {
+        material_ = name;
+        flat_color_ = materials_[name].color;
+        return;
+    }
+    const auto behind = std::ranges::upper_bound(paints_->models, name, {},
+                                                 [](const auto& model) { return model.first; });
+    const l3d_painted_model& model = *(behind - 1);
+    begin_triangle(model, model.triangles[name - model.first]);
+}
+
+/// A place in the picture is a direction (x, y, 1) in the space of x w, y w and w. The plane
+/// through it and two corners is 0 on the side between them. So a corner's share of what is seen
+/// there is its distance from that plane, over the sum of all three. No corner need be visible.
+void face_painter::begin_triangle(const l3d_painted_model& model,
+                                  const l3d_painted_triangle& triangle) {
+    triangle_ = &triangle;
+    material_ = model.first_material + triangle.material;
+    const l3d_material& material = materials_[material_];
+    const l3d_light_color light = light_of(material.color);
+    const auto picture = static_cast<std::size_t>(material.picture);
+    texture_ = material.picture >= 0 && picture < model.textures.size()
+                   ? model.textures[picture].get()
+                   : nullptr;
+    std::array<vector, 3> at;
+    for (std::size_t k = 0; k < at.size(); ++k)
+        at[k] = placed(model.to_picture, model.vertices[triangle.corners[k]]);
+    const double turn = dot(at[0], cross(at[1], at[2])) < 0 ? -1 : 1;
+    u_ = v_ = all_ = {};
+    for (std::size_t k = 0; k < at.size(); ++k) {
+        sides_[k] = cross(at[(k + 1) % 3], at[(k + 2) % 3]);
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            sides_[k][i] *= turn;
+            u_[i] += double{triangle.picture_places[k][0]} * sides_[k][i];
+            v_[i] += double{triangle.picture_places[k][1]} * sides_[k][i];
+            all_[i] += sides_[k][i];
+        }
+        corners_[k] = product(light, light_of(triangle.colors[k]));
+    }
+    blends_ = triangle.colors[0] != triangle.colors[1] || triangle.colors[1] != triangle.colors[2];
+}
+
+/// With u the quotient of two linear numbers n / d, a step in x changes it by (n_x - u d_x) / d.
+/// Expects: shares that add up to d.
+l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) const {
+    const double over = 1 / (shares[0] + shares[1] + shares[2]);
+    const auto& places = triangle_->picture_places;
+    l3d_texture_place place;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        place.u += shares[k] * over * double{places[k][0]};
+        place.v += shares[k] * over * double{places[k][1]};
+    }
+    place.u_right = (u_[0] - place.u * all_[0]) * over;
+    place.v_right = (v_[0] - place.v * all_[0]) * over;
+    place.u_down = (u_[1] - place.u * all_[1]) * over;
+    place.v_down = (v_[1] - place.v * all_[1]) * over;
+    return place;
+}
+
+/// Corners are drawn where 1/256 of a pixel is. So a pixel at a side may lie beside the exact
+/// triangle, and has no negative shares then.
+std::uint32_t face_painter::painted(double x, double y) const {
+    std::array<double, 3> shares;
+    for (std::size_t k = 0; k < shares.size(); ++k)
+        shares[k] = std::max(sides_[k][0] * x + sides_[k][1] * y + sides_[k][2], 0.0);
+    const double all = shares[0] + shares[1] + shares[2];
+    // Less is no triangle but a line, as far as numbers tell.
+    if (!(all > 0x1p-1000))
+        shares = {1, 0, 0};
+    l3d_light_color light = corners_[0];
+    if (blends_)
+        for (std::size_t c = 0; c < light.size(); ++c)
+            light[c] = static_cast<float>(
+                (shares[0] * double{corners_[0][c]} + shares[1] * double{corners_[1][c]} +
+                 shares[2] * double{corners_[2][c]}) /
+                (shares[0] + shares[1] + shares[2]));
+    if (texture_)
+        light = product(light, texture_->light(paints_->filter, place_at(shares)));
+    const linear_light& tables = linear_light_tables();
+    return tables.level(light[0]) << 16 | tables.level(light[1]) << 8 | tables.level(light[2]);
+}
+
+void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
+                 face_painter painter) {
+    for (std::int32_t row = 0; row < pixels.height; ++row)
+        for (std::int32_t column = 0; column < pixels.width; ++column) {
+            std::uint32_t& word = pixels.words[row * pixels.word_pitch + column];
+            if (pixels.depths[row * pixels.depth_pitch + column] > 0)
+                word = color_of_level(painter.color(word >> 8, left + column + 0.5, top + row + 0.5),
+                                      word & 0xff);
+        }
+}
+
+void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter painter) {
+    std::array<std::uint32_t, 64> colors{}; // some of a row at a time
+    constexpr auto most = static_cast<std::int32_t>(colors.size());
+    for (std::int32_t row = 0; row < pixels.height; ++row)
+        for (std::int32_t begin = 0; begin < pixels.width; begin += most) {
+            lit_pixels some = pixels;
+            some.words += row * pixels.word_pitch + begin;
+            some.depths += row * pixels.depth_pitch + begin;
+            some.normals += row * pixels.depth_pitch + begin;
+            some.left += begin;
+            some.top += row;
+            some.width = std::min(pixels.width - begin, most);
+            some.height = 1;
+            for (std::int32_t i = 0; i < some.width; ++i) {
+                if (!(some.depths[i] > 0))
+                    continue;
+                const std::uint32_t name = some.words[i] & 0xffff;
+                colors[static_cast<std::size_t>(i)] =
+                    painter.color(name, some.left + i + 0.5, some.top + 0.5);
+                some.words[i] = (some.words[i] & 0xffff0000) | painter.material(name);
+            }
+            some.colors = colors.data();
+            lights.color(some);
+        }
+}
+
+} // namespace l3d_detail

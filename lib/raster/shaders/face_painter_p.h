@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// face_painter: the colour of a painted triangle in each pixel.
+#ifndef L3D_RASTER_SHADERS_FACE_PAINTER_P_H
+#define L3D_RASTER_SHADERS_FACE_PAINTER_P_H
+
+#include "geom/material.h"
+#include "raster/shaders/lit_shader_p.h"
+#include "raster/shaders/lit_words_p.h"
+#include "raster/shaders/material_words_p.h"
+#include "raster/textures/face_paints.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// Finds colours by name: those of l3d_face_paints, or materials. It keeps the last triangle's
+/// planes, since neighbours mostly share it.
+/// Lives: borrows both; of one worker.
+class face_painter {
+public:
+    face_painter(const l3d_face_paints& paints, std::span<const l3d_material> materials)
+        : paints_(&paints), materials_(materials) {}
+
+    /// The colour of a name at a place of the picture, 0x00RRGGBB. Units: pixels from the top left
+    /// corner. Beside the triangle, it is the one at its nearest side.
+    std::uint32_t color(std::uint32_t name, double x, double y) {
+        if (name != name_)
+            begin(name);
+        return triangle_ ? painted(x, y) : flat_color_;
+    }
+
+    /// The material of a name.
+    std::uint32_t material(std::uint32_t name) {
+        if (name != name_)
+            begin(name);
+        return material_;
+    }
+
+private:
+    /// A number that is linear in the picture. Shape: of x, of y, and at (0, 0).
+    using plane = std::array<double, 3>;
+    static constexpr std::uint32_t no_name = ~std::uint32_t{0};
+
+    void begin(std::uint32_t name);
+    void begin_triangle(const l3d_painted_model& model, const l3d_painted_triangle& triangle);
+    std::uint32_t painted(double x, double y) const;
+    l3d_texture_place place_at(const std::array<double, 3>& shares) const;
+
+    const l3d_face_paints* paints_;
+    std::span<const l3d_material> materials_;
+    std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
+    const l3d_painted_triangle* triangle_ = nullptr;
+    const l3d_texture* texture_ = nullptr;
+    bool blends_ = false;                      ///< corners differ in colour
+    std::array<plane, 3> sides_{};             ///< 0 on the side opposite of a corner
+    plane u_{}, v_{}, all_{};                  ///< u and v times `all`, and the sum of the sides
+    std::array<l3d_light_color, 3> corners_{}; ///< the light of their colours and the material's
+};
+
+/// lit_shader for painted triangles beside others.
+class painted_lit_shader : public lit_shader {
+public:
+    /// Lives: borrows both.
+    painted_lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
+        : lit_shader(shading, materials), painter_(*shading.paints, materials) {}
+
+    /// What polygons are made of from now on: a name.
+    void use_material(std::uint32_t name) {
+        name_ = name;
+        lit_shader::use_material(painter_.material(name));
+    }
+
+    /// The word of a place in the picture. Units: pixels from its top left corner.
+    std::uint32_t word_at(const float* values, double x, double y) {
+        use_color(painter_.color(name_, x, y));
+        return lit_shader::word(values);
+    }
+    std::uint32_t word_around(const float* values, double x, double y) {
+        return word_at(values, x, y);
+    }
+
+private:
+    face_painter painter_;
+    std::uint32_t name_ = 0;
+};
+
+/// Gives the levels of painted triangles and materials their colours, as material_words::color
+/// does without paints. (left, top) is the first pixel's place in the picture.
+void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
+                 face_painter painter);
+
+/// Lights normals of painted triangles and materials, as lit_words::color does without paints.
+void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter painter);
+
+} // namespace l3d_detail
+
+#endif
