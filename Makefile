@@ -35,9 +35,9 @@ include config.mk
 include make/variant.mk
 include make/tree.mk
 include make/build.mk
+include make/lab.mk
 include make/test.mk
 include make/lint.mk
-include make/lab.mk
 include packaging/install.mk
 
 # A change of a list of objects makes anew what is linked of them.

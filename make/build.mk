@@ -39,7 +39,7 @@ packages-%:
 comma   := ,
 quoted   = "$(subst ",\",$(subst \,\\,$(strip $(1))))"
 compiled = {"directory": $(call quoted,$(CURDIR)), "file": $(call quoted,$(1)), "command": $(call quoted,$(CXX) $(FLAGS) \
-           $(FLAGS_$(call kind,$(1))) $(call include_paths,$(1)) -c $(1))}
+           $(FLAGS_$(call kind,$(1))) $(call less_optimised,$(1)) $(call include_paths,$(1)) -c $(1))}
 compile_commands.json: $(DOOR) FORCE ## how each source is compiled, for clangd and editors; of the variant that is named
 	$(file >$@,[$(subst } {,}$(comma) {,$(foreach s,$(SOURCES),$(call compiled,$(s))))])
 	@echo $@
@@ -63,12 +63,12 @@ help: ## this list
 dry_run  = $(findstring n,$(firstword -$(MAKEFLAGS)))
 is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x)
 remember = $(if $(and $(dry_run),$(wildcard $(1))),,$(if $(is_new),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2)))))
-$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_test)))
+$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(call less_optimised,_test.cpp)))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags $$(call precompiled,$$*.cpp).gch | packages-build
 	$(call say,C++,$@)
 	$(call compile)
-compile = $(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$*.cpp)) $(call include_paths,$*.cpp) \
+compile = $(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$*.cpp)) $(call less_optimised,$*.cpp) $(call include_paths,$*.cpp) \
     -include $(call precompiled,$*.cpp) $(1) -MD -MP -c $< -o $@
 
 # Compilers find NAME.gch beside NAME.

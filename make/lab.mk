@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
 # The lab measures the product: benchmarks, reports, hard cases, other programs, servers, random input.
 
-.PHONY: faults models displays stability pictures bench report report-pages fuzz fuzz-each
+.PHONY: lab faults models displays stability pictures bench report report-pages fuzz fuzz-each
 
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
                      tests/scene/bodies.cpp tests/dice/scene.cpp)
 objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
+# Sources that only the lab compiles, and tests WITH=lab.
+LAB       := tests/stability/% tests/models/%
 STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
+
+lab: packages-stability ## a sample of `make stability` as a test, seconds long (make test WITH=lab adds it)
+	+@$(call judge,$(OUT)/log/stability.log)
 
 faults: packages-faults $(OUT)/bin/teapot_afd ## batches killed, out of disk or without power at each call that writes
 	L3D_BIN=$(abspath $(OUT)/bin) tests/faults/batch_faults.py

@@ -8,10 +8,10 @@ LINT_LOGS := $(CHECKS:%=$(OUT)/log/%.log) $(OUT)/log/x11/docs_test.py.log $(OUT)
 LONE      := $(HEADERS:%=$(OUT)/%.ok)
 
 lint: packages-lint packages-test packages-tidy ## the documents' commands, clang-tidy, and:
-	+@$(call judge,$(LINT_LOGS))
+	+@$(call judge,$(LINT_LOGS),WITH=lab)
 
 $(CHECKS): packages-lint packages-test ## one check alone
-	+@$(call judge,$(OUT)/log/$@.log)
+	+@$(call judge,$(OUT)/log/$@.log,WITH=lab)
 
 tidy: packages-tidy ## clang-tidy, warnings are errors
 	+@$(again) -k $(LINTED:%.cpp=$(OUT)/%.tidy)

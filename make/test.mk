@@ -19,14 +19,15 @@ $(foreach l,$(tested),$(eval objects_tests/$(l) := \
     $(foreach h,$(filter-out reference,$(l)) $(helped_$(l)),$(call helpers,$(h))) \
     $(patsubst %,$(OUT)/%.o,$(call parts,$(l),$(sort $(wildcard tests/$(l)/*_test.cpp))))))
 UNITS     := $(patsubst unit_%,$(OUT)/%.cpp,$(filter unit_%,$(.VARIABLES)))
-OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp,$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))))
+OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))))
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-stress.log
 # What is tested is made before anything is run, and what runs longest is begun first.
-MADE_FIRST = $(TESTERS) $(STABILITY) $(APPS) $(PLUGINS) $(DATA) \
+MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(DATA) \
+             $(if $(filter lab,$(WITH)),$(STABILITY)) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
 LONGEST   := pipeline dice
 TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
@@ -34,17 +35,18 @@ TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
              $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) \
              $(patsubst %,$(OUT)/log/%.log,$(filter-out $(LONGEST),$(tested))) \
-             $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/stability.log $(OUT)/log/layers.log \
+             $(if $(filter lab,$(WITH)),$(OUT)/log/stability.log) \
+             $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/layers.log \
              $(OUT)/log/fail.log $(OUT)/log/front-door.log $(OUT)/log/sentences.log
 judge = $(if $(dry_run),: $(1),\
-        rm -f $(1); $(MAKE) $(call jobs,2) -k $(1) || true; awk -f tests/lint/summary.awk $(1))
+        rm -f $(1); $(MAKE) $(call jobs,2) -k $(2) $(1) || true; awk -f tests/lint/summary.awk $(1))
 
 test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	+@$(if $(filter install,$(WITH)),$(build_other) || true)
 	+@$(call judge,$(TEST_LOGS))
 
-stress: packages-test ## what takes minutes: servers that die, a million shapes (make test WITH=stress adds all)
+stress: packages-test ## what takes minutes: servers that die, a million shapes (make test WITH="stress lab" adds all)
 	+@$(call judge,$(STRESS_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom

@@ -43,9 +43,9 @@ kind = $(if $(filter lib/%,$(1)),lib,$(if $(filter %_test.cpp,$(1)),test,rest))
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 # L3D_PUBLIC marks what the shared library exports.
 FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden
-# Tests take longer to compile than to run: they are optimised less. The files beside them that do
-# the work, such as judges of pictures, are not.
-FLAGS_test := $(if $(filter release,$(MODE)),-O1)
+# Tests take longer to compile than to run, and what a program does once need not be fast: both are optimised
+# less. The files beside tests that do the work, such as judges of pictures, are not.
+less_optimised = $(if $(filter lib/system/% apps/% %_test.cpp,$(1)),$(if $(filter release,$(MODE)),-O1))
 # The standard library's headers are half of what a source takes to compile: each kind has them
 # precompiled. A source includes what it uses all the same, as `make tidy` sees.
 headers_lib  := lib/base/precompiled.h

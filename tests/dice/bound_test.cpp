@@ -16,9 +16,6 @@ namespace {
 
 template <class T> class bound_of : public ::testing::Test {};
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 TYPED_TEST_SUITE(bound_of, number_types, type_names);
 
 /// Dices and measures; what must hold in every frame.
@@ -58,9 +55,6 @@ TYPED_TEST(bound_of, the_teapot_holds_in_every_view_size_and_tolerance) {
                             result.largest, result.mean(), static_cast<long>(result.samples));
             }
 }
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
 
 /// The common part of random scenes: a seed to find them again, and a summary.
 template <class T> class random_scenes {

@@ -13,14 +13,8 @@
 namespace dice_tests {
 namespace {
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 template <class T> class dicer_cost : public ::testing::Test {};
 TYPED_TEST_SUITE(dicer_cost, number_types, type_names);
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
 
 /// Checks that vertices are in the rasterizer's range, and forgets them.
 class range_sink {

@@ -13,13 +13,6 @@
 namespace dice_tests {
 namespace {
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
-
 /// The finest tolerance that is kept: some 0.0075 of it is what snapping takes.
 constexpr double finest_kept = 0.01;
 
@@ -33,8 +26,7 @@ template <class T> l3d_dice_counts counts_of(const scene& s, double tolerance) {
 }
 
 template <class T> class in_lanes : public ::testing::Test {};
-using register_types = ::testing::Types<float, double, fixed>;
-TYPED_TEST_SUITE(in_lanes, register_types, type_names);
+TYPED_TEST_SUITE(in_lanes, product_types, type_names);
 
 /// One strip of more than 32 steps, or one walk too long for a float, made a patch slow.
 TYPED_TEST(in_lanes, is_all_of_what_is_in_front_at_any_tolerance) {

@@ -23,14 +23,7 @@ namespace {
 
 template <class T> class lane_dicer : public ::testing::Test {};
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
-using register_types = ::testing::Types<float, double, fixed>;
-TYPED_TEST_SUITE(lane_dicer, register_types, type_names);
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
+TYPED_TEST_SUITE(lane_dicer, product_types, type_names);
 
 struct named_kind {
     reference::patch_kind kind;

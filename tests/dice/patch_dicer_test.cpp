@@ -11,14 +11,8 @@
 namespace dice_tests {
 namespace {
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 template <class T> class patch_dicer : public ::testing::Test {};
 TYPED_TEST_SUITE(patch_dicer, number_types, type_names);
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
 
 /// A nearly flat patch that fills the rectangle x0..x1, y0..y1 of the picture at distance w.
 reference::patch seen_at(double x0, double y0, double x1, double y1, double w) {

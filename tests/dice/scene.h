@@ -24,7 +24,18 @@ using fixed = l3d_fixed<std::int64_t, 32>;
 /// The slow twin in number type T; T itself stands for the product.
 template <class T> struct slow {};
 
-using number_types = ::testing::Types<float, double, fixed, slow<float>, slow<fixed>>;
+/// The product's number types, and these with the slow twins, as they are tested in this build: float has fixed
+/// beside it, and the builds of double and fixed have the twins. `make matrix` makes all three builds.
+#if defined(L3D_REAL_FLOAT)
+using product_types = ::testing::Types<float, fixed>;
+using number_types = product_types;
+#elif defined(L3D_REAL_DOUBLE)
+using product_types = ::testing::Types<double>;
+using number_types = ::testing::Types<double, slow<float>>;
+#else
+using product_types = ::testing::Types<fixed>;
+using number_types = ::testing::Types<fixed, slow<fixed>>;
+#endif
 
 template <class T> struct way_of {
     using real = T;
@@ -41,6 +52,14 @@ template <class T> constexpr const char* name_of() {
         return std::is_same_v<real, float> ? "slow_float" : "slow_fixed";
     return std::is_same_v<T, float> ? "float" : std::is_same_v<T, double> ? "double" : "fixed";
 }
+
+struct type_names {
+    template <class T> static std::string GetName(int) { return name_of<T>(); }
+};
+
+/// A slanting view, and the size of a picture that no block or tile divides.
+inline constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
+inline constexpr l3d_size odd{317, 241};
 
 /// Patches, a camera and a picture size, for the library and for the reference.
 struct scene {

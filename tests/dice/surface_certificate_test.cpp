@@ -21,9 +21,6 @@ namespace {
 /// measured here.
 constexpr double rounding = 0.5;
 
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
-constexpr l3d_size odd{317, 241};
-
 /// The common part of scenes of one kind: a summary of their ratios.
 template <class T> class surface_scenes {
 public:
@@ -95,9 +92,6 @@ private:
 
 template <class T> class surface_bound_of : public ::testing::Test {};
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 TYPED_TEST_SUITE(surface_bound_of, number_types, type_names);
 
 TYPED_TEST(surface_bound_of, the_teapot_holds_in_every_view) {

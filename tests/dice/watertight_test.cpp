@@ -14,13 +14,8 @@
 namespace dice_tests {
 namespace {
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 template <class T> class watertight : public ::testing::Test {};
 TYPED_TEST_SUITE(watertight, number_types, type_names);
-
-constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
 
 /// Pixels to fill in a test: `usual`, or what L3D_TEST_PIXELS says, shared by the number types.
 std::int64_t pixels_to_fill(std::int64_t usual) {

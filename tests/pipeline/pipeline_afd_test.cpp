@@ -349,9 +349,6 @@ TEST(pipeline_afd, draws_what_the_slow_twins_draw) {
     }
 }
 
-struct type_names {
-    template <class T> static std::string GetName(int) { return name_of<T>(); }
-};
 template <class T> class steady_dicer : public ::testing::Test {};
 TYPED_TEST_SUITE(steady_dicer, number_types, type_names);
 
