@@ -66,7 +66,7 @@ private:
     bool is_one_look_ = true, is_known_ = true;
     l3d_light_bounds light_; ///< light of all of them
     light_ranges ranges_,
-        beside_; ///< ranges of numbers, and of distances from the best lines
+        beside_; ///< ranges of numbers; of distances from the best piece
 };
 
 } // namespace l3d_detail
