@@ -142,7 +142,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
                                                  std::span<const double> weights) {
     assert(points.size() == u.points() * v.points());
     assert(weights.empty() || weights.size() == points.size());
-    const auto columns = static_cast<std::size_t>(u.degree) + 1; // of a patch
+    const auto columns = static_cast<std::size_t>(u.degree) + 1; // points across a patch
     const auto rows = static_cast<std::size_t>(v.degree) + 1;
     const std::size_t width = u.segments() * columns;
     const std::size_t height = v.segments() * rows;

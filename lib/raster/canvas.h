@@ -17,8 +17,7 @@
 /// Lives:   owns the screen, shares the factory.
 struct L3D_PUBLIC l3d_canvas {
     std::unique_ptr<l3d_screen> screen; ///< shows the pictures; its pixels are drawn into
-    std::shared_ptr<const l3d_rasterizer_factory>
-        rasterizers; ///< makes the rasterizers for its pixels
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< for its pixels
     l3d_font font{}; ///< the letters of panels and status lines
     /// Whether lessons draw as the book does: hard edges, letters of dots, a black ground.
     bool is_classic = false;

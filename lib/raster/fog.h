@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Fog, or depth cueing if its colour is black. What is nearer than `near` looks as without fog,
-/// and what is from `far` on has its colour. Between the two, fog grows in proportion to the
+/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` look as without fog;
+/// those from `far` on have the fog's colour. Between the two, fog grows in proportion to the
 /// distance. By default there is none.
 ///
 /// Units: distances along the view axis, in world units.

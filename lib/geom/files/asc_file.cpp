@@ -362,9 +362,9 @@ private:
     bool is_camera_ = false; ///< the current object, the last of cameras_
     l3d_detail::face_materials materials_;
     std::string object_;                    ///< the name of the current object
-    bool has_new_name_ = false;             ///< that nothing has been given yet
-    std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
-    std::size_t base_ = 0, first_face_ = 0; ///< where it begins
+    bool has_new_name_ = false;             ///< whether no object bears the name yet
+    std::int64_t vertices_ = 0, faces_ = 0; ///< promised by the current mesh
+    std::size_t base_ = 0, first_face_ = 0; ///< the mesh's first vertex and face
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

@@ -61,7 +61,7 @@ l3d_polygon_model reshaped(const l3d_polygon_mesh& mesh, const l3d_matrix<double
 /// The input that all objects of a frame share.
 struct l3d_world_surfaces::frame_input {
     l3d_camera camera; ///< right-handed
-    vector forward;    ///< of the camera
+    vector forward;    ///< direction of the camera's view
     l3d_size size;
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;
