@@ -16,7 +16,7 @@ namespace l3d_detail {
 /// Finds out which borders of a band's parts are contours. Two parts that share an edge have the
 /// same vertices there, bit by bit. If both lie on the same side of it, the surface folds over.
 /// If they lie on either side, it goes on, and there is nothing to see unless their levels differ.
-/// Lives: of one worker, kept for its memory.
+/// Lives: one per worker, kept for its memory.
 class border_edges {
 public:
     /// Starts pixel rows [top, bottom).

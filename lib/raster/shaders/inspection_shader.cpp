@@ -75,7 +75,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
         const parameter_steps steps(place, ray);
         if (at.is_solved || !steps.exists())
             break;
-        // What is drawn beside a border may stand for the border itself.
+        // A pixel beside a border may stand for the border itself.
         const patch_parameters next{std::clamp(at.u - steps.of_u(off.x, off.y), 0.0, 1.0),
                                     std::clamp(at.v - steps.of_v(off.x, off.y), 0.0, 1.0)};
         const bool is_border = next.u == at.u || next.v == at.v;
@@ -90,12 +90,12 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
     return at.is_solved && is_near ? at : guess;
 }
 
-/// What the eye sees of a patch, and how it changes from a pixel to the next ones.
+/// The eye's view of a patch, and its change from a pixel to the next ones.
 struct inspection_shader::sight {
     vector ray;                       ///< unit
     std::array<vector, 2> ray_change; ///< a pixel to the right, and one down
     l3d_patch_bend bend;              ///< its normal turned to the eye
-    std::array<vector, 2> turn;       ///< of the normal, likewise
+    std::array<vector, 2> turn;       ///< change of the normal, likewise
 };
 
 /// Nothing where the surface has no normal.

@@ -29,8 +29,8 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// What shaders that look at exact patches have in common. Only the pixel's place and a guess of
-/// its parameters come from the vertices.
+/// The common part of shaders that look at exact patches. Only the pixel's place and a guess of its
+/// parameters come from the vertices.
 class patch_shader {
 public:
     /// The parameters u and v.
@@ -73,7 +73,7 @@ protected:
     std::int64_t unsolved_ = 0;
 
 private:
-    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
+    std::array<float, components> least_{}, most_{}; ///< bounds of the polygon's corners
 };
 
 /// Shows a number, or stripes, of the exact patch in each pixel.

@@ -90,7 +90,7 @@ private:
     }
 
     const std::uint32_t* colors_;
-    word_vec material_; ///< of the last vector, and its colour
+    word_vec material_; ///< the last vector's material, and its colour
     color_halves color_;
 };
 #endif

@@ -25,9 +25,9 @@ struct band_item {
     l3d_pixel_box box{}; ///< the pixels it may cover, of those in the window
     float nearest = 0;   ///< no pixel of it has a larger inv_w
     grid_cells cells{};
-    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
-    std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
-    std::uint32_t levels_at = 0; ///< where its vertices' grey levels begin in the list
+    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles
+    std::uint32_t rows_at = 0;   ///< beginning of its cells' rows in the list
+    std::uint32_t levels_at = 0; ///< beginning of its vertices' grey levels in the list
 };
 
 /// Items, sorted front to back, and which bands they touch.
@@ -43,7 +43,7 @@ public:
     /// The picture's part that is drawn, and which pixels a polygon in it belongs to.
     struct frame {
         l3d_pixel_box window;
-        int rows = 1;         ///< of a band; >= 1
+        int rows = 1;         ///< rows of a band; >= 1
         bool squares = false; ///< pixels whose squares it reaches, not only those of its centres
 
         l3d_pixel_box pixels(const l3d_subpixel_box& box) const {

@@ -28,7 +28,7 @@ inline l3d_pixel_box tiles_of(const fill_band& band) {
 
 /// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
 struct tile_pixels {
-    std::ptrdiff_t words_at, depths_at; ///< of the first, in the band
+    std::ptrdiff_t words_at, depths_at; ///< the first pixel's places, in the band
     std::int32_t width, height;
 
     tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
