@@ -32,9 +32,9 @@ struct corner_run {
 /// leaves.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
-    double left, right; ///< all of it lies between
+    double left, right; ///< the piece lies between
     l3d_point_2d enters, leaves;
-    corner_run corners;    ///< in between
+    corner_run corners;    ///< corners between its ends
     std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
     std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
 

@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// A way from one vertex to another; the surface lies on its right, seen in the picture, and what
-/// is behind the surface on its left.
+/// An edge from one vertex to another; in the picture the surface lies on its right, and things
+/// behind the surface on its left.
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
     float nearest = 0;   ///< larger inv_w of both vertices

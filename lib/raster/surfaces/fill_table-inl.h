@@ -67,7 +67,7 @@ struct fill_row_normal {
     lane_array<float> y, z;
 };
 
-/// The data that the pixel loops need. The data of the pixel loops.
+/// The data that the pixel loops need. Arrays for greys are only those that the shape needs.
 ///
 /// A row's first run begins at its first covered pixel, the others follow. At the edge of the
 /// picture, a run that would not fit begins further left.
