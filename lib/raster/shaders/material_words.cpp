@@ -34,7 +34,7 @@ HWY_INLINE half_vec products(half_vec levels, half_vec colors) {
     return hn::Add(x, hn::ShiftRight<8>(x));
 }
 
-/// Colours of a vector of words, apart: where red and blue are, and where green is.
+/// Colours of a vector of words, apart: red and blue, and green.
 struct color_halves {
     half_vec red_blue, green;
 
