@@ -161,8 +161,7 @@ std::int64_t covered(const tile_table& table, const fill_band& band) {
     return rest + static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(bits, in_lanes)));
 }
 
-/// A tile's farthest depth, or a depth below `limit` if there is one: then there is no need to
-/// know.
+/// A tile's farthest depth, or any depth below `limit`, which is enough to know.
 float find(std::int32_t column, std::int32_t row, const fill_band& band, float limit) {
     const tile_pixels p(column, column + 1, row, band);
     const float* depths = band.depths + p.depths_at;
