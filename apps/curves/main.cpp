@@ -49,7 +49,7 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
 /// An adaptive walk beside equal steps: how long steps are, and how far off they end.
 struct walk_seen {
     l3d_step_counts counts;
-    std::vector<l3d_point_2d> places; ///< of both ends of all steps
+    std::vector<l3d_point_2d> places; ///< both ends of all steps
     double longest = 0;               ///< how far a step moves the larger coordinate, in pixels
     double worst = 0;                 ///< how far a place is from the exact one, in pixels
 
@@ -293,9 +293,9 @@ private:
         }
     }
 
-    /// What thin lines and letters are multiplied by: windows of 480 x 320 pixels have 1, larger
-    /// ones more, but less than they are larger. A fine display counts by its text: its windows
-    /// look as they do elsewhere.
+    /// The factor on thin lines and letters: 1 in windows of 480 x 320 pixels. In larger windows it
+    /// grows more slowly than they do. A fine display counts by its text: its windows look as they
+    /// do elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;

@@ -10,11 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What an adaptive walk did.
+/// Counts of an adaptive walk.
 struct l3d_step_counts {
     std::int64_t steps = 0;     ///< steps taken, each of three additions a coordinate
-    std::int64_t halvings = 0;  ///< how often the step was halved
-    std::int64_t doublings = 0; ///< how often it was doubled
+    std::int64_t halvings = 0;  ///< halvings of the step
+    std::int64_t doublings = 0; ///< doublings of the step
 };
 
 /// Walks a curve to its end. Before a step that would move a coordinate by more than a pixel, the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_bezier_curve: a cubic Bezier curve with exact evaluation, the slow and obvious twin of
+// l3d_bezier_curve: a cubic Bezier curve with direct evaluation, the slow and obvious twin of
 // forward differencing.
 #ifndef L3D_GEOM_BEZIER_CURVE_H
 #define L3D_GEOM_BEZIER_CURVE_H

@@ -24,7 +24,7 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
     using curve = l3d_bezier_curve<T, N>;
     std::array<point, 16> points; ///< the control net, row by row
 
-    /// Where a control point is in `points`. Expects: 0 <= row, column < 4.
+    /// The index of a control point in `points`. Expects: 0 <= row, column < 4.
     static constexpr std::size_t index(int row, int column) {
         return 4 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
     }

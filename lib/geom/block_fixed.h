@@ -9,10 +9,10 @@
 /// Fraction bits with which 32-bit integers hold the forward differences of cubics. Control values
 /// are at most `largest` in magnitude, and these bits leave them below 2^29.
 ///
-/// A difference that is used is a sum of values with binomial weights. The first is a sum of two
+/// Each difference in use is a sum of values with binomial weights. The first is a sum of two
 /// values, so it is below 2^30. The second is below 2^31. The third is only used after three steps.
 /// Then it is 6 / 27 of a third difference of control values, at most 6 / 27 8 2^29 < 2^30.
-/// Additions wrap around, so what leaves the range elsewhere does no harm.
+/// Additions wrap around, so numbers beyond the range do no harm elsewhere.
 /// Expects: largest >= 0, finite.
 inline int l3d_block_fraction_bits(double largest) {
     constexpr int value_bits = 29;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_bounding_sphere: a ball that holds a thing, so that one sees cheaply whether two things meet.
+// l3d_bounding_sphere: a ball around a thing, for a cheap test whether two things may meet.
 #ifndef L3D_GEOM_BOUNDING_SPHERE_H
 #define L3D_GEOM_BOUNDING_SPHERE_H
 
@@ -37,7 +37,7 @@ struct L3D_PUBLIC l3d_bounding_sphere {
         return ball;
     }
 
-    /// The ball of the same things after they were placed so.
+    /// The ball of the same things after this placement.
     /// Expects: a product of shifts, rotations and, before them, a scaling of the axes.
     l3d_bounding_sphere placed(const l3d_matrix<double>& placement) const {
         const auto moved = placement * l3d_vector<double, 4>(centre, 1.0);

@@ -12,15 +12,15 @@ namespace {
 using point = std::array<double, 4>; // homogeneous: x w, y w, z w, w
 using curve = std::vector<point>;
 
-/// Where a line of control points lies in memory: the first that exists, the distance from one to
-/// the next, and how many before the first do not exist. No segment depends on those.
+/// A line of control points in memory: the first that exists, the distance from one to the next,
+/// and the number of missing ones before the first. No segment depends on those.
 struct control_line {
     const point* first;
     std::size_t stride, absent;
     const point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
 };
 
-/// Whether some of the span of knots from `span` on is wanted.
+/// Whether a part of the span of knots from `span` on is wanted.
 bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
     return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
 }
@@ -37,8 +37,8 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean, exactly a, or b, where the weight of the other is nothing; never outside the
-/// two, so that coordinates stay below their limit.
+/// The weighted mean; exactly a or b if the other's weight is 0, and never outside the two, so that
+/// coordinates stay below their limit.
 point between(const point& a, const point& b, double weight_a, double weight_b) {
     if (weight_b == 0 || a == b)
         return a;
@@ -142,7 +142,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
                                                  std::span<const double> weights) {
     assert(points.size() == u.points() * v.points());
     assert(weights.empty() || weights.size() == points.size());
-    const auto columns = static_cast<std::size_t>(u.degree) + 1; // of a patch
+    const auto columns = static_cast<std::size_t>(u.degree) + 1; // points across a patch
     const auto rows = static_cast<std::size_t>(v.degree) + 1;
     const std::size_t width = u.segments() * columns;
     const std::size_t height = v.segments() * rows;
@@ -157,7 +157,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
     wide.reserve(width * (end_row - first_row));
     for (std::size_t row = first_row; row < end_row; ++row)
         append_segments(u, {&net[row * u.points()], 1, 0}, wide);
-    curve lines; // one after another, what were the columns
+    curve lines; // the columns, one after another
     lines.reserve(width * height);
     for (std::size_t column = 0; column < width; ++column)
         append_segments(v, {&wide[column], width, first_row}, lines);

@@ -52,7 +52,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
 /// are bit for bit. Neighbouring patches have the same points, bit for bit, on their boundary.
 /// Shape:   points: u.points() * v.points(), u fastest; weights: as many, or none if all are 1.
 ///          Segments of both directions: one or more.
-/// Expects: positive weights, degrees from 1 to l3d_bpt_largest_degree, directions as said above.
+/// Expects: positive weights, degrees from 1 to l3d_bpt_largest_degree, directions as
+///          l3d_bspline_direction expects.
 /// Cost:    the square of a degree per control point and patch.
 /// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
 ///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals

@@ -9,13 +9,13 @@
 
 /// Keeps the part of a convex polygon that is in front of a plane.
 ///
-/// A corner within `thickness` of the plane is on it: it is kept, and no edge is cut there. So a
-/// plane through corners cuts between them, and leaves no slivers.
+/// A corner within `thickness` of the plane counts as on it: it is kept, and no edge is cut there.
+/// So a plane through corners cuts between them, and leaves no slivers.
 /// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
 ///          the vertex where the edge between two vertices crosses the plane; the one in front
-///          comes first. The two polygons of an edge ask for the same cut, so there is no crack if
-///          `cut` computes from these two vertices alone. `kept` gets the corners, in order, and
-///          loses what it held.
+///          comes first. The two polygons of an edge get the same cut, without a crack, if `cut`
+///          depends on these two vertices alone. `kept` gets the corners, in order, and loses its
+///          contents.
 /// Expects: a corner at least.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

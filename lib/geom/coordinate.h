@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_coordinate: a place with its history: where it is defined, and where it has been moved to.
+// l3d_coordinate: a place with its history: its definition, and its transformed places.
 #ifndef L3D_GEOM_COORDINATE_H
 #define L3D_GEOM_COORDINATE_H
 
@@ -16,7 +16,7 @@
 template <class T> struct L3D_PUBLIC l3d_coordinate {
     /// Uninitialised, as a point is.
     l3d_coordinate() = default;
-    /// A vertex that is defined there, and not moved yet.
+    /// A vertex defined at this place, and not moved yet.
     explicit l3d_coordinate(const l3d_point<T>& place) : original(place) { reset(); }
 
     /// Forgets all transformations.
@@ -34,7 +34,7 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transformed = l3d_transformed(matrix, transformed);
     }
 
-    l3d_point<T> original;    ///< where it is defined, before any transformation
+    l3d_point<T> original;    ///< its definition, before any transformation
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
     /// For programs that need places between the two again, in camera space for example.
     std::array<l3d_point<T>, 2> transformed_intermediates;

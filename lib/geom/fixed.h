@@ -34,7 +34,7 @@ using wide_unsigned = std::conditional_t<(sizeof(Storage) < 8), std::uint64_t, u
 template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) noexcept {
     const Wide below = value >> bits;
     const Wide rest = value - below * (Wide{1} << bits);
-    // An odd quotient goes up at a tie too. Nothing here can overflow, unlike value + half.
+    // An odd quotient goes up at a tie, too. No term can overflow, unlike value + half.
     return below + Wide{rest + (below & 1) > (Wide{1} << (bits - 1))};
 }
 
@@ -152,7 +152,7 @@ public:
     }
     /// The next whole number at or below.
     constexpr std::int64_t floor_to_int() const noexcept { return raw_ >> FractionBits; }
-    /// The nearest whole number, of two equally near the even one.
+    /// The nearest whole number; the even one of two equally near.
     constexpr std::int64_t round_to_int() const noexcept {
         return static_cast<std::int64_t>(l3d_detail::shifted_to_nearest(wide{raw_}, FractionBits));
     }
@@ -181,7 +181,7 @@ public:
     friend constexpr l3d_fixed operator*(l3d_fixed a, l3d_fixed b) noexcept {
         return of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_} * b.raw_, FractionBits));
     }
-    /// The quotient, to nearest; that by zero as said above.
+    /// The quotient, to nearest; by zero, as the class's Errors say.
     friend constexpr l3d_fixed operator/(l3d_fixed a, l3d_fixed b) noexcept {
         if (b.raw_ == 0)
             return divided_by_zero(a.raw_);
@@ -285,7 +285,7 @@ public:
     /// The sum in Fixed's format, to nearest.
     constexpr Fixed rounded() const noexcept {
         using storage = typename Fixed::storage;
-        // Wrap needs no turns_: the bits it keeps, fraction_bits and up, are all in low_.
+        // Wrap needs no turns_: its bits, from fraction_bits up, are all in low_.
         if constexpr (Fixed::overflow != l3d_overflow::wrap)
             if (turns_ != 0)
                 return Fixed::from_raw(l3d_detail::beyond<storage, Fixed::overflow>(turns_ < 0));
@@ -295,7 +295,7 @@ public:
 
 private:
     wide low_ = 0;  ///< the sum modulo 2^(bits of wide)
-    int turns_ = 0; ///< how often the sum left that range at the upper end, less at the lower
+    int turns_ = 0; ///< overflows of low_ at the upper end, less those at the lower
 };
 
 #endif

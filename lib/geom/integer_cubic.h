@@ -26,7 +26,7 @@ public:
     /// A cubic by its control values, at level 0.
     explicit l3d_integer_cubic(const std::array<std::int64_t, 4>& control) : control_(control) {}
 
-    /// How often values were multiplied by 8.
+    /// The number of times that values were multiplied by 8.
     int level() const { return level_; }
 
     /// Both halves, a level higher.
@@ -61,8 +61,8 @@ public:
         }
     }
 
-    /// The same values, those of halves first: the cubic is halved so often, then each piece is
-    /// walked. The ends where pieces meet are visited once.
+    /// Visits the same values by halving first: the cubic is halved `halvings` times, and each
+    /// piece is walked. The ends where pieces meet are visited once.
     template <class Visitor>
     void walk_halved(int halvings, int doublings, const Visitor& visit) const {
         bool is_first = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_material: what a surface is made of, as far as light cares.
+// l3d_material: the properties of a surface that matter to light.
 #ifndef L3D_GEOM_MATERIAL_H
 #define L3D_GEOM_MATERIAL_H
 
@@ -15,25 +15,17 @@
 struct L3D_PUBLIC l3d_material {
     std::uint32_t color = 0xffffff; ///< colour of light that is scattered to all sides
     std::uint32_t highlight = 0;    ///< colour of mirrored light; black mirrors none
-    /// How small highlights are: the exponent of their cosine, from 1 to most_sharpness.
+    /// The sharpness of highlights: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 
-    /// From 0, which is not there, to 1, which hides all behind it. An instance is transparent as a
-    /// whole: l3d_patch_scene::add_by_opacity() makes instances of what materials say.
+    /// From 0, invisible, to 1, opaque. An instance is transparent as a whole:
+    /// l3d_patch_scene::add_by_opacity() makes an instance for each opacity of materials.
     float opacity = 1;
 
     static constexpr int most_sharpness = 1000; ///< that of .mtl files
 
-    /// Which of its mesh's pictures is laid on it, in the product of both colours' light; or none.
-    /// Patches have none.
-    int picture = no_picture;
-
-    static constexpr int no_picture = -1; ///< the place of no picture
-
-    /// Whether it looks as surfaces do that have no material.
-    bool is_plain() const {
-        return color == 0xffffff && highlight == 0 && opacity == 1 && picture == no_picture;
-    }
+    /// Whether it looks like a surface without a material.
+    bool is_plain() const { return color == 0xffffff && highlight == 0 && opacity == 1; }
 
     friend bool operator==(const l3d_material&, const l3d_material&) = default;
 };

@@ -20,7 +20,8 @@ public:
     /// Uninitialised, as a number is; l3d_matrix<T>{} is all zero.
     l3d_matrix() = default;
 
-    /// The same map as a matrix of GLM, which is stored by columns, too. Fixed point is rounded to.
+    /// The same map as a matrix of GLM, which is stored by columns, too. For fixed point, numbers
+    /// are rounded.
     template <class Number> l3d_matrix(const glm::mat<4, 4, Number, glm::defaultp>& m) noexcept {
         for (int i = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j)

@@ -63,7 +63,8 @@ private:
         }
     }
 
-    /// A face on the plane belongs to the part that it is the outside of.
+    /// Whether a face on the plane bounds the front part: it belongs to the part whose outside it
+    /// is.
     bool bounds_front(std::size_t i) const {
         const auto face = mesh_.face(i);
         if (!std::all_of(face.begin(), face.end(), [this](index v) { return on_plane(v); }))
@@ -99,7 +100,8 @@ private:
             kept_.face_materials.push_back(mesh_.face_materials[like]);
     }
 
-    /// A cap runs along the rim against the face. Two faces that meet on the plane need none.
+    /// Adds an edge of the rim, along which a cap runs against the face. Two faces that meet on the
+    /// plane need no cap.
     void add_rim(index from, index to, std::size_t face) {
         if (rim_.erase({from, to}) == 0)
             rim_.insert({{to, from}, face});

@@ -7,7 +7,7 @@
 #include "geom/plane.h"
 #include "geom/polygon_mesh.h"
 
-/// How the hole is treated where a mesh was cut.
+/// The treatment of the hole where a mesh was cut.
 enum class L3D_PUBLIC l3d_cut_end {
     open,   ///< the cut is left as it is: one can look in
     capped, ///< a face closes each loop of cut edges

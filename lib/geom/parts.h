@@ -15,8 +15,8 @@
 
 /// A run of faces or patches with a name: from the first one to the next run's.
 struct L3D_PUBLIC l3d_part_run {
-    std::string name;        ///< as the file has it; empty: these belong to no part
-    std::uint32_t first = 0; ///< index of the first one that belongs to it
+    std::string name;        ///< the file's name; empty: these belong to no part
+    std::uint32_t first = 0; ///< index of its first face or patch
     /// Whether names and first indices are the same.
     friend bool operator==(const l3d_part_run&, const l3d_part_run&) = default;
 };
@@ -57,8 +57,7 @@ public:
     /// The same parts as runs over the things.
     std::vector<l3d_part_run> runs() const;
 
-    /// Why a name is none of these, with those that are, in the words of a message; "" if it is
-    /// one.
+    /// The message for a name that is no part, with a list of all parts; "" if it is one.
     std::string complaint(std::string_view name) const;
 
     /// Stands for no part.

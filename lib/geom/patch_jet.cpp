@@ -11,7 +11,8 @@ namespace {
 using vector = l3d_patch_place::vector;
 using four = std::array<vector, 4>;
 
-// Derivatives go by differences of control points: where these are one point, they are zero.
+// Derivatives come from differences of control points, so they are exactly zero where these are one
+// point.
 
 vector value_of(const four& p, double t) {
     const double s = 1 - t;
@@ -62,7 +63,7 @@ std::optional<l3d_patch_bend> l3d_bend_of(const l3d_patch_jet& jet) {
     const double big_e = l3d_dot(su, su), big_f = l3d_dot(su, sv), big_g = l3d_dot(sv, sv);
     const vector across = l3d_cross(su, sv);
     const double area = l3d_dot(across, across);
-    // Su x Sv is off by some 2^-52 |Su| |Sv|: a direction to 2^-20 is asked for.
+    // Least sine for a direction to 2^-20: Su x Sv errs by some 2^-52 |Su| |Sv|.
     constexpr double least_sine = 0x1p-32;
     if (!(area > least_sine * least_sine * big_e * big_g))
         return std::nullopt;

@@ -30,11 +30,12 @@ struct l3d_patch_bend {
 /// A patch's point and first derivatives. Expects: u and v from 0 to 1. Cost: some 50 ns.
 l3d_patch_place l3d_place_of(const l3d_bezier_patch<double, 3>& patch, double u, double v);
 
-/// A patch's derivatives up to the second order, in double: rounded, as no interval is. The slow
-/// twin, which bounds its errors, is l3d_surface_jet.
+/// A patch's derivatives up to the second order, rounded to double. The slow twin, which bounds its
+/// errors by intervals, is l3d_surface_jet.
 l3d_patch_jet l3d_jet_of(const l3d_bezier_patch<double, 3>& patch, double u, double v);
 
-/// Nothing where dS/du and dS/dv are parallel to within rounding, or zero.
+/// Normal and curvature from derivatives. Nothing where dS/du and dS/dv are parallel to within
+/// rounding, or zero.
 /// Source: do Carmo, "Differential Geometry of Curves and Surfaces".
 std::optional<l3d_patch_bend> l3d_bend_of(const l3d_patch_jet& jet);
 

@@ -8,14 +8,14 @@
 
 #include <optional>
 
-/// Where a line meets a plane.
+/// The place where a line meets a plane.
 template <class T> struct L3D_PUBLIC l3d_plane_crossing {
     T t;             ///< 0 at the line's first point, 1 at the second; not restricted to these
     l3d_point<T> at; ///< the place itself
     bool from_front; ///< the first point is in front
 };
 
-/// The points p with normal . p + d = 0; in front of it are those where this is positive.
+/// The points p with normal . p + d = 0; points with a positive sum are in front.
 ///
 /// Units:   the normal is a unit vector, d the distance from the plane to the origin along it.
 template <class T> struct L3D_PUBLIC l3d_plane {
@@ -25,14 +25,14 @@ template <class T> struct L3D_PUBLIC l3d_plane {
     vector normal; ///< unit normal, towards the front
     T d;           ///< the plane's distance from the origin, positive if the origin is in front
 
-    /// Through a point; the normal's length is of no account. Expects: it is not 0.
+    /// The plane through a point; the normal may have any length but 0.
     static l3d_plane through(const l3d_point<T>& point, const vector& normal) noexcept {
         const vector unit = l3d_normalized(normal);
         return {unit, -l3d_dot(unit, point.from_origin)};
     }
 
-    /// Through three points which, seen from the front, run clockwise in left-handed axes and
-    /// counterclockwise in right-handed ones.
+    /// The plane through three points which, seen from the front, run clockwise in left-handed axes
+    /// and counterclockwise in right-handed ones.
     /// Errors:  nothing if they lie on a line. That is so if the sine of the angle at p0 is below
     ///          2^-10, where float's 2^-24 would turn the normal by more than 2^-14.
     static std::optional<l3d_plane> through(const l3d_point<T>& p0, const l3d_point<T>& p1,
@@ -52,7 +52,7 @@ template <class T> struct L3D_PUBLIC l3d_plane {
         return l3d_dot(normal, p.from_origin) + d;
     }
 
-    /// Where the line through two points crosses.
+    /// The crossing of the line through two points.
     /// Errors:  nothing if it is parallel: if T sees both points equally far away.
     std::optional<l3d_plane_crossing<T>> crossing(const l3d_point<T>& p0,
                                                   const l3d_point<T>& p1) const noexcept {

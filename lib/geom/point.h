@@ -22,7 +22,8 @@ template <class T> struct L3D_PUBLIC l3d_point {
     /// The point that the vector leads to from the origin.
     explicit constexpr l3d_point(const vector& place) noexcept : from_origin(place) {}
 
-    /// Rounded to T. A name of its own, since a fixed point number is never made in silence.
+    /// The point with coordinates rounded to T. It has a name of its own, since a fixed point
+    /// number is never made implicitly.
     static l3d_point of(double x, double y, double z) noexcept {
         return {l3d_from_double<T>(x), l3d_from_double<T>(y), l3d_from_double<T>(z)};
     }

@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-/// Where a vertex is in the picture.
+/// The position of a vertex in the picture.
 template <class T> l3d_position<T> l3d_in_picture(const l3d_coordinate<T>& vertex) {
     return {vertex.transformed[0], vertex.transformed[1]};
 }
 
-/// The vertex where an edge was cut, `t` of the way between two others. A kind of vertex with
-/// values of its own has a function of this name that finds these, too.
+/// The vertex where an edge was cut, `t` of the way between two others. A vertex type with values
+/// of its own overloads this function, to interpolate them, too.
 template <class T>
 l3d_coordinate<T> l3d_cut_vertex(const l3d_coordinate<T>&, const l3d_coordinate<T>&,
                                  const l3d_crossing_2d<T>& crossing) {
@@ -30,7 +30,7 @@ l3d_coordinate<T> l3d_cut_vertex(const l3d_coordinate<T>&, const l3d_coordinate<
     return l3d_coordinate<T>({crossing.at[0], crossing.at[1], zero});
 }
 
-/// The four corners of an upright rectangle in the order that clipping wants.
+/// The four corners of an upright rectangle in the order that clipping expects.
 template <class T>
 std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
                                                   const l3d_position<T>& most) {
@@ -42,8 +42,8 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 /// It knows indices, not vertices. The caller passes the vertices in each call. Another list, such
 /// as the next picture of a movement, gives the same polygon another form. Two index lists: the
 /// definition, which stays, and the clipped one, which is drawn.
-/// Expects: corners in clockwise order on the screen, where y is down; anticlockwise ones are
-///          clipped and drawn just so, they only cannot serve as a window.
+/// Expects: corners in clockwise order on the screen, where y is down; anticlockwise polygons are
+///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
 class L3D_PUBLIC l3d_polygon_2d {
 public:
@@ -66,7 +66,7 @@ public:
     /// varying part. Two polygons with the same two vertices at a cut edge get the same new corner.
     /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
     ///          order on the screen; l3d_window_corners.
-    /// Expects: a window of at least three corners, and vertices as l3d_side_2d wants them.
+    /// Expects: a window of at least three corners, and vertices as l3d_side_2d expects them.
     /// Cost:    corners * edges sides; at most two new vertices for each edge of the window.
     template <class Vertex, std::ranges::contiguous_range Window>
     bool clip_to_polygon_2d(l3d_two_part_list<Vertex>& vertices, const Window& window) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_3d: a polygon in space over shared vertices; and how it is cut by a plane.
+// l3d_polygon_3d: a polygon in space over shared vertices, and its clipping to a plane.
 #ifndef L3D_GEOM_POLYGON_3D_H
 #define L3D_GEOM_POLYGON_3D_H
 
@@ -35,19 +35,19 @@ template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     std::optional<l3d_plane<T>> plane() const;
 
     /// Whether the front is seen from `eye`: the sign of normal . (eye - corner), which perspective
-    /// does not change. Edge-on or without a plane it is not.
+    /// does not change. False for a polygon seen from its edge or without a plane.
     bool faces(const l3d_point<T>& eye) const;
 
     /// The area within the edges. Units: world units squared.
     double area() const;
 };
 
-/// How far from a plane a vertex may be and still count as on it.
+/// Largest distance at which a vertex counts as on a plane.
 /// Units: world units; the book's value.
 inline constexpr double l3d_plane_thickness = 0.001;
 
-/// The vertex on the way from one in front of a plane to one behind it where the distance from the
-/// plane is 0. `front_side` and `behind_side` are the distances of the two.
+/// The vertex at distance 0 from a plane, between a vertex in front and one behind; `front_side`
+/// and `behind_side` are their distances.
 template <class T>
 l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, T front_side,
                          T behind_side) noexcept {
@@ -68,9 +68,9 @@ bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T
     return l3d_clip_to_plane(corners, l3d_from_double<T>(l3d_plane_thickness), side, cut, kept);
 }
 
-/// Keeps what is at z >= near_z, exactly: new vertices have this z to the last bit, so that no
-/// division by z comes out larger than at near_z.
-/// Errors:  false, and `kept` is empty, if nothing is.
+/// Keeps the part at z >= near_z, exactly: new vertices have this z to the last bit, so that no
+/// quotient by z is larger than at near_z. Errors: false, and `kept` is empty, if nothing is in
+/// front.
 template <class T>
 bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,
                      std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {
@@ -85,7 +85,7 @@ bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,
 }
 
 template <class T> l3d_point<T> l3d_polygon_3d<T>::centre() const {
-    // Differences from one corner are small where coordinates may be large.
+    // Differences from one corner are small even if coordinates are large.
     const l3d_point<T>& base = corner(0);
     l3d_vector<T, 3> sum = base - base;
     for (std::size_t i = 1; i < corners.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_mesh: what must hold of its arrays.
+// l3d_polygon_mesh: checks and changes of its arrays.
 #include "geom/polygon_mesh.h"
 
 #include "geom/color_between_p.h"
@@ -24,7 +24,7 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
     return array.empty() || array.size() == size;
 }
 
-/// Where the side of a face of four corners behind the corner `side` meets the one opposite.
+/// The crossing of two opposite sides of a face of four corners; one side begins at corner `side`.
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
@@ -32,7 +32,8 @@ struct crossing {
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 
-/// Seen along the normal of any corner, two corners of a crossed face turn left and two right.
+/// Finds crossing sides: seen along the normal of any corner, two corners of a crossed face turn
+/// left and two right.
 crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face) {
     using vector = l3d_polygon_mesh::vector;
     const auto at = [&](std::size_t i) { return mesh.vertices[face[i % 4]]; };

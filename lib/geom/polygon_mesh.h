@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_mesh: what model files of polygons hold.
+// l3d_polygon_mesh: the contents of model files of polygons.
 #ifndef L3D_GEOM_POLYGON_MESH_H
 #define L3D_GEOM_POLYGON_MESH_H
 
@@ -29,7 +29,7 @@ struct L3D_PUBLIC l3d_mesh_picture {
 /// Vertices, and faces that name them by index, with colours, materials and parts.
 ///
 /// The arrays are flat, since a million vectors of three indices would cost more for their headers
-/// and allocations than for what is in them.
+/// and allocations than for their contents.
 /// Shape:   the normal of a face, (p1 - p0) x (p2 - p0), points outwards, whichever axes are meant.
 ///          So its corners, seen from outside, run counterclockwise in right-handed axes and
 ///          clockwise in left-handed ones. l3d_turn_left_handed goes from one to the other. Arrays
@@ -47,7 +47,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
 
     std::vector<vector> vertices;         ///< places in the model's own coordinates
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
-    std::vector<std::uint32_t> face_ends; ///< per face, where its corners end in `corners`
+    std::vector<std::uint32_t> face_ends; ///< per face, the end of its corners in `corners`
 
     /// Optional, one per vertex, of any length; zero: to be computed from the faces around.
     std::vector<vector> vertex_normals;
@@ -59,8 +59,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
-    std::vector<l3d_material> looks; ///< optional, one per name: what the material looks like
-    std::vector<l3d_part_run> parts; ///< optional, in the order of their first faces
+    std::vector<l3d_material> looks;           ///< optional, one per name: the look of the material
+    std::vector<l3d_part_run> parts;           ///< optional, in the order of their first faces
 
     /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }
@@ -93,14 +93,13 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     vector area_vector(std::span<const std::uint32_t> face) const;
 
     /// Makes two triangles of each face of four corners two of whose sides cross, as in a bow tie.
-    /// They meet in a new vertex, and both look to where the first of them looks.
+    /// They meet in a new vertex, and both face the same way as the first.
     /// Errors: as index_of.
     void uncross_faces();
 
-    /// Adds the vertices and faces of another mesh. Normals of vertices and places in pictures are
-    /// zero where just one has them. Faces keep their colours and materials; those that had none,
-    /// where others have, get white and a material without a name. So do vertices. Parts keep their
-    /// faces. Errors: as index_of, and
+    /// Adds the vertices and faces of another mesh. If just one mesh has normals of vertices, the
+    /// other's are zero. Faces keep their colours and materials; faces without any, beside others,
+    /// get white and a material without a name. Parts keep their faces. Errors: as index_of, and
     /// nothing is changed.
     void append(const l3d_polygon_mesh& more);
 

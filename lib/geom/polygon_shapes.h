@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of simple shapes, of any number of faces.
+// Meshes of simple shapes, with any number of faces.
 #ifndef L3D_GEOM_POLYGON_SHAPES_H
 #define L3D_GEOM_POLYGON_SHAPES_H
 

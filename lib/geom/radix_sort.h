@@ -10,20 +10,20 @@
 #include <cstdint>
 #include <vector>
 
-/// A key and what it stands for.
+/// A key and the index of its item.
 struct L3D_PUBLIC l3d_sort_item {
     std::uint32_t key = 0;   ///< the number to sort by
     std::uint32_t index = 0; ///< which of the caller's items has the key
     friend bool operator==(const l3d_sort_item&, const l3d_sort_item&) = default;
 };
 
-/// Sorts by rising key; of equal keys, the first stays first.
+/// Sorts by rising key; items of equal keys keep their order.
 ///
 /// Least significant digit first, three digits of 11 bits: 2^11 counters of 4 bytes each, 24 KB in
 /// all, stay in the first level cache of 32 KB. All digits are counted in one pass; a digit in
 /// which all keys agree costs no pass of its own.
-/// Cost:    linear: one pass to count, at most three to move. `other` is room for the result in
-///          between and keeps its memory; what is in it afterwards is nothing of use.
+/// Cost:    linear: one pass to count, at most three to move. `other` is room for intermediate
+///          results and keeps its memory; its contents mean nothing afterwards.
 inline void l3d_radix_sort(std::vector<l3d_sort_item>& items, std::vector<l3d_sort_item>& other) {
     constexpr int digits = 3, bits = 11;
     constexpr std::uint32_t mask = (1u << bits) - 1;

@@ -14,8 +14,8 @@
 #error "define L3D_REAL_FLOAT, _DOUBLE or _FIXED, as `pkg-config --cflags l3d` does"
 #endif
 
-// Every object refers to the symbol of its own kind, and the library defines only one of them:
-// what was compiled for another number type does not link. The pointers have names of their own,
+// Every object file refers to the symbol of its own number type, and the library defines only one
+// of them: so objects for another number type do not link. The pointers have names of their own,
 // else the linker would keep one and drop the reference of the others.
 #if defined(L3D_REAL_FLOAT)
 /// The number type of this build. A program is compiled with the library's.
@@ -37,7 +37,7 @@ L3D_PUBLIC extern const char l3d_built_with_fixed_real;
 /// The number type the library was built with: "float", "double" or "fixed".
 L3D_PUBLIC const char* l3d_real_name();
 
-/// The properties of a number type that algorithms need: conversions, and how it rounds.
+/// The properties of a number type that algorithms need: conversions, and bounds of its rounding.
 ///
 /// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
 template <class T> struct l3d_real_traits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On which side of a line in the picture a point is, and where another line crosses it.
+// The side of a line in the picture on which a point lies, and the crossing with another line.
 #ifndef L3D_GEOM_SIDE_2D_H
 #define L3D_GEOM_SIDE_2D_H
 
@@ -11,8 +11,8 @@
 /// A position in the picture. Units: pixels, y down.
 template <class T> using l3d_position = l3d_vector<T, 2>;
 
-/// How far p is to the right of the way from a to b: positive to the right, 0 on the line. Right is
-/// inside of a polygon whose corners run clockwise on the screen.
+/// The distance of p to the right of the line from a to b: negative to the left, 0 on the line.
+/// Right is inside of a polygon whose corners run clockwise on the screen.
 ///
 /// Units:   pixels times the length of the way.
 /// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. In floating point
@@ -50,7 +50,7 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
     return result;
 }
 
-/// Where the way from p to q crosses the line through a and b, and how far on the way that is.
+/// The place where the way from p to q crosses the line through a and b, and its share of the way.
 template <class T> struct L3D_PUBLIC l3d_crossing_2d {
     l3d_position<T> at; ///< the place on both lines
     double t;           ///< 0 at p, 1 at q
@@ -64,7 +64,8 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
     const double p_side = l3d_side_2d<T>(p, a, b);
     const double t = p_side / (p_side - l3d_side_2d<T>(q, a, b));
     l3d_position<T> at = l3d_part_way<T>(p, q, t);
-    // On an upright or level line exactly, so that a crossing with a window's edge is not outside.
+    // A crossing with an upright or level line lies on it exactly, so that it is not outside a
+    // window.
     for (int axis = 0; axis < 2; ++axis)
         if (a[axis] == b[axis])
             at[axis] = a[axis];

@@ -12,7 +12,7 @@ point second_difference(const point& a, const point& b, const point& c) {
     return a - b * 2.0 + c;
 }
 
-/// |D (x, y) - X0 D w| for the X0 in a disc, divided by w_low.
+/// The largest |D (x, y) - X0 D w| for X0 in a disc, divided by w_low.
 class seen_in {
 public:
     seen_in(const l3d_image_box& box, double w_low)
@@ -92,7 +92,7 @@ bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double ne
         below = below && p[1] > box.bottom * p[2];
         behind = behind && p[2] <= near;
         beyond = beyond && p[2] >= far;
-        // Most nets that are asked about have their first point in the picture.
+        // A quick test: most nets have their first point in the picture.
         if (!(left || right || above || below || behind || beyond))
             return false;
     }

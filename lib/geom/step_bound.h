@@ -51,8 +51,8 @@ bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box,
 
 /// Bounds of second derivatives as seen in the image, for steps of the piece's own parameters.
 ///
-/// Drawn instead of the surface is the interpolant L of homogeneous points, whose image X0 is
-/// drawn inside `visible`. With S = (x, y, w) the exact point of the same parameters,
+/// The interpolant L of homogeneous points is drawn instead of the surface, and its image X0 lies
+/// inside `visible`. With S = (x, y, w) the exact point of the same parameters,
 ///     S / w - X0 = (x - X0 w) / w = ((x - Lx) - X0 (w - Lw)) / w,
 /// and linear interpolation over a step h leaves |f - Lf| <= h^2 / 8 max |f''|. f'' of a cubic
 /// is 6 times a convex combination of second differences of control points (9 times for the
@@ -80,8 +80,8 @@ struct l3d_second_bounds {
     }
 };
 
-/// Bounds of mixed third and fourth derivatives, seen in the image in the same way: 18 and 36 times
-/// the largest of the control points' differences.
+/// Bounds of mixed third and fourth derivatives in the image, likewise: 18 and 36 times the largest
+/// differences of the control points.
 struct l3d_mixed_bounds {
     double uuv = 0, uvv = 0, uuvv = 0;
 };
@@ -92,13 +92,13 @@ l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_ima
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low);
 
-/// The same for a curve: its chord over a step 1/n is off by at most result / (8 n^2).
+/// The same for a curve: its chord over a step 1/n errs by at most result / (8 n^2).
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);
 
-/// The same for how far a chord is from its curve in space, across the curve's own direction. Along
-/// the normal of any surface that the curve lies in, it is no more. Units: pixels at w_low, of
-/// which `focal` make a length of 1 at distance 1.
+/// The same for a chord's distance from its curve in space, across the curve's own direction. The
+/// distance along the normal of any surface through the curve is no larger. Units: pixels at w_low;
+/// `focal` of them make a length of 1 at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
 
 /// The change of w between a patch (curve) and its interpolant, per squared step: at most
@@ -106,7 +106,7 @@ double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_l
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 
-/// How far balanced vertices lie off a curve f that is drawn in n >= 2 chords of h = 1 / n.
+/// The move of balanced vertices off a curve f that is drawn in n >= 2 chords of h = 1 / n.
 /// Vertices between its ends are moved by h^2 f'' times this, to the outer side, so that chords err
 /// to both sides.
 ///
@@ -124,17 +124,17 @@ constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// How much larger coordinates of balanced vertices may be than those of the net, in quarters of at
+/// The factor by which coordinates of balanced vertices may exceed the net's, in quarters of at
 /// least two steps. Vertices are moved by l3d_balance / 64 of second derivatives, along u and along
 /// v, and by both. These derivatives are at most 6 * 4 times the net's largest value. So it is
 /// 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
-/// f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.
+/// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.
 l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n);
 
-/// Image error of a vertex whose homogeneous coordinates are off by e_xy (each of x, y) and e_w:
-/// in each image coordinate X at most (e_xy + |X| e_w) / (w - e_w), sqrt(2) times that in all.
+/// Image error of a vertex whose homogeneous coordinates err by e_xy (each of x, y) and e_w: in
+/// each image coordinate X at most (e_xy + |X| e_w) / (w - e_w), sqrt(2) times that in all.
 /// Units:   reach: pixels, at least the largest |X|, as l3d_image_box::reach gives it.
 /// Expects: e_w < w_least.
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);

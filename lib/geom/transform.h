@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Transformations as matrices: turning in degrees, scaling, inverses, and what they do to points.
+// Transformations as matrices: turning in degrees, scaling, inverses, and their application to
+// points.
 #ifndef L3D_GEOM_TRANSFORM_H
 #define L3D_GEOM_TRANSFORM_H
 
@@ -86,8 +87,8 @@ l3d_matrix<T> l3d_about(const l3d_point<double>& centre, const l3d_matrix<T>& m)
            l3d_translation<T>(-centre[0], -centre[1], -centre[2]);
 }
 
-/// The matrix whose columns are three axes and an origin: from these coordinates to those in which
-/// the four are given.
+/// The matrix whose columns are three axes and an origin: it leads from their coordinates to the
+/// ones in which all four are given.
 template <class T>
 l3d_matrix<T> l3d_from_axes(const l3d_vector<T, 3>& x, const l3d_vector<T, 3>& y,
                             const l3d_vector<T, 3>& z, const l3d_point<T>& origin) noexcept {
@@ -178,7 +179,7 @@ private:
 
 } // namespace l3d_detail
 
-/// How many times larger volumes become, negative if they are mirrored too; 0 for a matrix that
+/// The factor by which volumes grow, negative if they are mirrored; 0 for a matrix that
 /// l3d_inverted calls singular.
 template <class T> double l3d_determinant(const l3d_matrix<T>& m) noexcept {
     return l3d_detail::elimination(m).determinant();
@@ -200,8 +201,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 }
 
 /// m with axes of length 1 at right angles: the first keeps its direction, the second its side of
-/// the first. So rounding is undone that long products of turns gather. Column 3, the origin, and
-/// row 3 stay.
+/// the first. This undoes the rounding of long products of turns. Column 3, the origin, and row 3
+/// stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.
@@ -222,8 +223,7 @@ std::optional<l3d_matrix<T>> l3d_orthonormalized(const l3d_matrix<T>& m) noexcep
         }
         if (!(largest > 0) || !std::isfinite(largest))
             return std::nullopt;
-        axis =
-            l3d_normalized(axis / largest); // squares of what is left neither overflow nor vanish
+        axis = l3d_normalized(axis / largest); // squares then neither overflow nor vanish
         for (int earlier = 0; earlier < i; ++earlier)
             axis = axis - axes[earlier] * l3d_dot(axes[earlier], axis);
         if (!(l3d_length(axis) > least_sine))
@@ -268,8 +268,8 @@ template <class T> std::optional<l3d_point<T>> l3d_homogenized(const l3d_vector<
     return l3d_point<T>(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-/// The unit normal of a plane that m has transformed, by the inverse transpose of m: it stays
-/// perpendicular, however unequally m scales.
+/// The unit normal of a plane after m, by the inverse transpose of m: it stays perpendicular,
+/// however unequally m scales.
 /// Errors:  nothing if m is singular.
 template <class T>
 std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,

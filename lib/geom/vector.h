@@ -24,7 +24,7 @@
 /// so only those below are for it.
 template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 
-/// The same length, the other way. GLM's own wants numbers that an int becomes by itself.
+/// The opposite vector. GLM's own operator needs numbers that an int converts to implicitly.
 template <class Storage, int Fraction, l3d_overflow Overflow>
 constexpr l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>
 operator-(const l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>& v) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_background: what a picture shows where no surface is.
+// l3d_background: the picture's colours where no surface is.
 #ifndef L3D_RASTER_BACKGROUND_H
 #define L3D_RASTER_BACKGROUND_H
 
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
-/// The highest byte of the word of a pixel that is transparent by this share, in its place.
+/// The highest byte of a pixel word with this share of transparency, in its place.
 /// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
@@ -30,7 +30,7 @@ struct L3D_PUBLIC l3d_background {
     /// dark.
     static constexpr l3d_background gradient() { return {0x00333b46, 0x00707a86}; }
 
-    /// Nothing: pixel words there are l3d_pixels::transparent, and a PNG gets an alpha channel.
+    /// No background: its pixel words are l3d_pixels::transparent, and a PNG gets an alpha channel.
     static constexpr l3d_background none() { return color(l3d_pixels::transparent); }
 
     /// Whether nothing is behind the surfaces.

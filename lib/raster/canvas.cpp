@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A font that cannot be read is passed over: who wants to know asks l3d_font::of_system.
+/// A canvas around memory. An unreadable font is passed over; l3d_font::of_system tells the reason.
 template <class Memory> l3d_canvas around(const Memory& memory) {
     std::string why;
     return {std::make_unique<l3d_screen_memory>(memory),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_canvas: what a pipeline draws on, what draws, and with which letters.
+// l3d_canvas: a pipeline's screen, rasterizers and font.
 #ifndef L3D_RASTER_CANVAS_H
 #define L3D_RASTER_CANVAS_H
 
@@ -16,8 +16,8 @@
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.
 struct L3D_PUBLIC l3d_canvas {
-    std::unique_ptr<l3d_screen> screen; ///< where pictures are shown; its pixels are drawn into
-    std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< makes what draws into them
+    std::unique_ptr<l3d_screen> screen; ///< shows the pictures; its pixels are drawn into
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< for its pixels
     l3d_font font{}; ///< the letters of panels and status lines
     /// Whether lessons draw as the book does: hard edges, letters of dots, a black ground.
     bool is_classic = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_depth_buffer: what is in it, and as distances for files.
+// l3d_depth_buffer: counts of its pixels, and distances for files.
 #include "raster/depth_buffer.h"
 
 #include <limits>

@@ -35,8 +35,8 @@ template <class T> struct L3D_PUBLIC line_allocator {
 
 /// One float per pixel: 1 / (distance along the view axis); 0 where nothing is.
 ///
-/// Reciprocal, because it is linear in the picture for a plane, and because 0 = infinitely far is
-/// then the value of an empty pixel.
+/// The depth is reciprocal, since that is linear in the picture for a plane, and 0, infinitely far,
+/// marks an empty pixel.
 ///
 /// Shape:   rows begin a cache line. They are `pitch` floats apart, an odd multiple of 64. With a
 ///          multiple of 1024, that is 4 KB, a row's loads would wait for stores to the row above:
@@ -85,7 +85,7 @@ private:
     std::vector<float, l3d_detail::line_allocator<float>> values_;
 };
 
-/// Pixels in which something is.
+/// The number of pixels that are not empty.
 L3D_PUBLIC std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
 /// Distance along the view axis per pixel, +infinity where nothing is.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_error_map: how far each pixel of a picture may be from the exact one.
+// l3d_error_map: a bound of each pixel's difference from the exact picture.
 #ifndef L3D_RASTER_ERROR_MAP_H
 #define L3D_RASTER_ERROR_MAP_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspected_patches: the exact patches of a frame, as the eye sees them.
+// l3d_inspected_patches: the exact patches of a frame in the eye's coordinates.
 #ifndef L3D_RASTER_INSPECTED_PATCHES_H
 #define L3D_RASTER_INSPECTED_PATCHES_H
 
@@ -11,8 +11,8 @@
 
 /// The exact patches of a frame, and the directions that they are inspected by.
 ///
-/// Units: world units, along the axes to the right, down and forward, from the eye. These are as
-///        long in the world, so that curvatures are those there.
+/// Units: world units, along the axes to the right, down and forward, from the eye. Lengths equal
+///        the world's, so curvatures do, too.
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspection: what the shades that inspect a surface show, and in which colours.
+// l3d_inspection: the quantities that inspecting shades show, and their colours.
 #ifndef L3D_RASTER_INSPECTION_H
 #define L3D_RASTER_INSPECTION_H
 
@@ -14,7 +14,7 @@
 ///
 /// - `zebra`: dark and bright stripes of the angle between the direction and the ray that the eye
 ///   sees reflected. Where they break, normals do; where they have a corner, curvatures break.
-/// - `isophotes`: the same of the angle between n and the light.
+/// - `isophotes`: the same for the angle between n and the light.
 /// - `gaussian`, `mean`: curvature, from blue over white, 0, to red. Mean curvature is positive
 ///   where the surface bends towards n, as a bowl that is seen from above.
 /// - `draft`: the angle between the surface and the direction, from red over yellow, 0, to green.
@@ -28,7 +28,7 @@ struct L3D_PUBLIC l3d_inspection {
     /// degrees for `draft`.
     double scale = 0;
 
-    /// How wide each stripe of `zebra` and `isophotes` is. Units: degrees.
+    /// The width of each stripe of `zebra` and `isophotes`. Units: degrees.
     double stripe = 10;
 
     /// The end of a draft angle's scale that suits most parts. Units: degrees.
@@ -37,8 +37,9 @@ struct L3D_PUBLIC l3d_inspection {
     friend bool operator==(const l3d_inspection&, const l3d_inspection&) = default;
 };
 
-/// The pixel word of a number by the scale of a shade. Beyond the ends it is as there.
-/// Expects: `gaussian`, `mean` or `draft`; a positive scale; a number that is none gives grey.
+/// The pixel word of a number by the scale of a shade; numbers beyond the ends get the ends'
+/// colours.
+/// Expects: `gaussian`, `mean` or `draft`; a positive scale; NaN gives grey.
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 
 /// The pixel word of stripes, in the mean over a square in which the angle is linear. Beyond 0 and

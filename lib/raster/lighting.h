@@ -16,7 +16,7 @@ using l3d_light_color = std::array<float, 3>;
 /// A light so far away that its rays are parallel.
 struct L3D_PUBLIC l3d_far_light {
     std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards it, world space
-    l3d_light_color color{1, 1, 1};          ///< how bright it is
+    l3d_light_color color{1, 1, 1};          ///< its brightness
 
     friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
 };
@@ -38,7 +38,7 @@ struct L3D_PUBLIC l3d_lighting {
 
     /// The part of a surface's colour that it has without any light.
     l3d_light_color ambient{0.1F, 0.1F, 0.1F};
-    /// The first light's.
+    /// The first light's colour.
     l3d_light_color color{1, 1, 1};
     /// The further lights, and how many there are.
     std::array<l3d_far_light, most_further> lights{};
@@ -52,7 +52,7 @@ struct L3D_PUBLIC l3d_lighting {
                            of};
     }
 
-    /// Whether it is the default.
+    /// Whether this is the default.
     bool is_usual() const { return *this == l3d_lighting(); }
 
     friend bool operator==(const l3d_lighting&, const l3d_lighting&) = default;

@@ -54,8 +54,8 @@ public:
     void upload(const l3d_pixels& pixels);
     void download(const l3d_pixels& pixels);
 
-    /// Empties picture and depth. Expects: surfaces are drawn with an alpha of 0, so that what has
-    /// another one later is empty. Nobody needs to know that where it is black.
+    /// Empties picture and depth. Expects: surfaces are drawn with an alpha of 0, so that pixels
+    /// with another alpha are known as empty. On black, that makes no difference.
     void clear(const l3d_background& background);
     /// Downloads what was drawn since clear().
     void download(const l3d_pixels& pixels, const l3d_background& background);

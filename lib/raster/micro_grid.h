@@ -24,12 +24,12 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
 ///        unit vector, or zero. Fast fills rely on that.
 ///
-/// In frames of mode l3d_shade::levels the three numbers of `normal` are others.
+/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
 /// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
-/// - [1] and [2] belong to sides: how far the level in a side's middle is above the mean of both
-///   ends. In a grid they are those of the sides to the next vertex along u and v.
-/// - In a triangle, corner 0 has those of the sides to corners 1 and 2. Corner 1 has 0 in [1], and
-///   that of the side to corner 2 in [2]. Corner 2 has 0 in both.
+/// - [1] and [2] are bends of sides: the level in a side's middle less the mean of both ends. In a
+///   grid they belong to the sides to the next vertex along u and v.
+/// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
+///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
     /// The place in the picture.
     std::int32_t x = 0, y = 0;
@@ -51,16 +51,16 @@ struct L3D_PUBLIC l3d_micro_grid {
     std::vector<float> inv_w;     ///< 1 / distance, of all vertices
     std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
-    /// Some quads show the side of dS/du x dS/dv, others the other one. The vertices' light, levels
-    /// and bends or normals, is that of the first. A quad that turns to the right in the picture
-    /// shows the other: all its light has the other sign. So has each piece of a folded quad.
+    /// Whether some quads show the side of dS/du x dS/dv, and others the other one. Levels and
+    /// bends, or normals, belong to the first. A quad, or a piece of a folded one, that turns to
+    /// the right in the picture shows the other side: all its light has the other sign.
     bool shows_both = false;
 
-    /// Quads that are not drawn, as triangles stand for them: what index() gives of their first
-    /// corners, in rising order.
+    /// Quads that are not drawn, since triangles stand for them: index() of their first corners, in
+    /// rising order.
     std::vector<std::uint32_t> cut;
 
-    /// Whether a quad is one of these. Expects: the index of its first corner.
+    /// Whether a quad is in `cut`. Expects: the index of its first corner.
     bool is_cut(std::size_t p00) const {
         return !cut.empty() && std::binary_search(cut.begin(), cut.end(), p00);
     }
@@ -82,16 +82,16 @@ struct L3D_PUBLIC l3d_micro_grid {
             component.resize(count);
     }
 
-    /// Where a vertex is in the arrays. Expects: a row and a column that there are.
+    /// The index of a vertex in the arrays. Expects: a row and a column of the grid.
     std::size_t index(int row, int column) const {
         assert(row >= 0 && row < rows && column >= 0 && column < columns);
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) +
                static_cast<std::size_t>(column);
     }
 
-    /// All of one vertex. Expects: a row and a column that there are.
+    /// All numbers of a vertex. Expects: a row and a column of the grid.
     l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
-    /// All of the vertex at that place in the arrays.
+    /// All numbers of the vertex at that index.
     l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }

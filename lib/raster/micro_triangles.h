@@ -12,11 +12,11 @@
 #include <cstdint>
 #include <vector>
 
-/// Triangles that belong to no grid: what closes the slits between pieces, and clipped pieces.
+/// Triangles that belong to no grid: those of slits between pieces, and of clipped pieces.
 ///
 /// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
-///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row:
-///        who goes from block to block in any order finds each of them in one page of memory.
+///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row,
+///        mostly in one page of memory, for walks from block to block in any order.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16; ///< triangles in a block
@@ -51,14 +51,14 @@ struct L3D_PUBLIC l3d_micro_triangles {
         ++count;
     }
 
-    /// Adds a triangle of a material. Expects: all others were added so.
+    /// Adds a triangle of a material. Expects: all others have a material, too.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
              std::uint32_t material) {
         add(a, b, c);
         materials.push_back(material);
     }
 
-    /// Makes room in the blocks for so many more, to be written there and counted by the caller.
+    /// Makes room in the blocks for more triangles, which the caller writes and counts.
     void make_room(std::size_t more) {
         if (count + more > blocks.size() * lanes)
             grow(count + more);
@@ -66,7 +66,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
 
     /// One corner of the triangles of a triangle's block. Expects: room for it; at < 3.
     corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
-    /// The same to be read.
+    /// The same, read-only.
     const corner& corners(std::size_t triangle, std::size_t at) const {
         return blocks[triangle / lanes][at];
     }

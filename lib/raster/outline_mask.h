@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_outline_mask: which pixels of a picture lie within a distance of given places.
+// l3d_outline_mask: the pixels of a picture within a distance of given places.
 #ifndef L3D_RASTER_OUTLINE_MASK_H
 #define L3D_RASTER_OUTLINE_MASK_H
 
@@ -30,7 +30,7 @@ public:
     void set(int x, int y) { words_[word_of(x, y)] |= std::uint64_t{1} << (x % 64); }
     bool at(int x, int y) const { return words_[word_of(x, y)] >> (x % 64) & 1; }
 
-    /// How many are 1.
+    /// The number of bits that are 1.
     std::int64_t count() const;
 
     l3d_size size() const { return size_; }

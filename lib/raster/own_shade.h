@@ -14,7 +14,7 @@
 
 /// The place of a patch that the eye sees in a pixel. Places and directions are in world space.
 struct L3D_PUBLIC l3d_seen_place {
-    double x = 0, y = 0; ///< where in the picture, from its top left corner, in pixels
+    double x = 0, y = 0; ///< place in the picture, from its top left corner, in pixels
     double u = 0, v = 0; ///< the patch's parameters there
     l3d_vector<double, 3> point{0.0, 0.0, 0.0}; ///< the exact point of the patch
     /// The unit normal, turned to the eye; 0 where the patch has none.
@@ -34,8 +34,8 @@ struct L3D_PUBLIC l3d_own_shade {
     std::function<void(std::span<const l3d_seen_place> places, std::span<std::uint32_t> words)>
         colors{};
 
-    /// How far a word may be from the colour that the program means for this place. Frames report
-    /// it as their bound of shades. Units: levels of 255; infinite if it is unknown.
+    /// The largest error of a word against the colour that the program means for the place. Frames
+    /// report it as their bound of shades. Units: levels of 255; infinite if it is unknown.
     double error = std::numeric_limits<double>::infinity();
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pixel_centres: which pixels' centres lie between two places, along one axis.
+// l3d_pixel_centres: the pixels whose centres lie between two places, along one axis.
 #ifndef L3D_RASTER_PIXEL_CENTRES_H
 #define L3D_RASTER_PIXEL_CENTRES_H
 
@@ -31,7 +31,7 @@ template <class Number> struct l3d_pixel_centres {
     bool none() const { return last < first; }
     bool only_one() const { return last == first; }
 
-    /// Those of them that are in [begin, end).
+    /// The pixels of the range that are in [begin, end).
     l3d_pixel_centres within(Number begin, Number end) const {
         return {std::max(first, begin), std::min(last, end - 1)};
     }
@@ -42,7 +42,7 @@ constexpr l3d_pixel_centres<std::int32_t> l3d_centres_in(std::int32_t low, std::
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high + 1) - 1};
 }
 
-/// The same without the higher end: what the fill rule gives a polygon from low to high.
+/// Pixels whose centres lie in [low, high): the fill rule gives them to a polygon from low to high.
 constexpr l3d_pixel_centres<std::int32_t> l3d_centres_filled(std::int32_t low, std::int32_t high) {
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high) - 1};
 }

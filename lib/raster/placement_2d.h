@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_placement_2d: where something plane is put, turned, stretched or slanted.
+// l3d_placement_2d: a map that moves, turns, stretches or slants the plane.
 #ifndef L3D_RASTER_PLACEMENT_2D_H
 #define L3D_RASTER_PLACEMENT_2D_H
 
@@ -8,20 +8,20 @@
 
 #include <cmath>
 
-/// An affine map of the plane: what is at (x, y) goes to origin + x across + y down.
+/// An affine map of the plane: the point (x, y) goes to origin + x across + y down.
 /// Units:   pixels, y down, as in l3d_rasterizer_2d.
 struct L3D_PUBLIC l3d_placement_2d {
-    l3d_point_2d origin{};     ///< where (0, 0) goes
+    l3d_point_2d origin{};     ///< image of (0, 0)
     l3d_point_2d across{1, 0}; ///< image of a step of 1 to the right
     l3d_point_2d down{0, 1};   ///< image of a step of 1 downwards
 
-    /// Moved only.
+    /// A placement that only moves.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
 
-    /// Stretched along both axes; what is at (0, 0) stays.
+    /// A placement that stretches along both axes; (0, 0) stays.
     static l3d_placement_2d scaled(double x, double y) { return {{0, 0}, {x, 0}, {0, y}}; }
 
-    /// Turned around a point, clockwise as y points down. Units: radians.
+    /// A placement that turns around a point, clockwise as y points down. Units: radians.
     static l3d_placement_2d turned(double angle, l3d_point_2d around = {}) {
         const double c = std::cos(angle), s = std::sin(angle);
         return {{around.x - c * around.x + s * around.y, around.y - s * around.x - c * around.y},

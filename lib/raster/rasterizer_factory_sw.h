@@ -6,7 +6,7 @@
 #include "base/public.h"
 #include "raster/rasterizer_factory.h"
 
-/// How polygons of one colour and lines end at their edges.
+/// The kind of edges of polygons of one colour, and of lines.
 enum class L3D_PUBLIC l3d_edges {
     hard,  ///< at whole pixels, as l3d_rasterizer_2d says
     smooth ///< as paths and smooth lines do, whatever call draws them

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-/// How a surface's pixels get their colour.
+/// The way in which a surface's pixels get their colour.
 enum class L3D_PUBLIC l3d_shade {
     /// A unit normal for each pixel; its grey level is round(255 (0.1 + 0.9 max(0, n.l))).
     lambert,
@@ -19,11 +19,11 @@ enum class L3D_PUBLIC l3d_shade {
     flat,
     /// Red, green and blue are round(255 (n + 1) / 2).
     normals,
-    /// Each part has one colour, its `error_color`: what is known of its error.
+    /// Each part has one colour, its `error_color`, by the known bound of its error.
     error,
 
-    // The rest of those that users choose take the patch's exact derivatives at each pixel.
-    // l3d_inspection says what they show.
+    // The next five take the patch's exact derivatives at each pixel; l3d_inspection describes
+    // them.
 
     /// Stripes of reflected rays.
     zebra,
@@ -41,11 +41,11 @@ enum class L3D_PUBLIC l3d_shade {
     own,
 
     /// Lambert's grey from levels that were made with the surface: vertices have their level and
-    /// what their sides bend by (l3d_micro_vertex) in place of normals. Users cannot choose it.
+    /// their sides' bends (l3d_micro_vertex) in place of normals. Users cannot choose it.
     levels,
 };
 
-/// How users call those that they can choose, in the order of their values.
+/// The names of the ways that users can choose, in the order of their values.
 inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_names{
     {{"lambert", l3d_shade::lambert},
      {"gouraud", l3d_shade::gouraud},
@@ -58,25 +58,25 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_nam
      {"mean", l3d_shade::mean},
      {"draft", l3d_shade::draft}}};
 
-/// How many of them, from the first on, need normals and nothing else.
+/// The number of ways, from the first on, that need normals and nothing else.
 inline constexpr std::size_t l3d_shades_of_normals = 4;
 
-/// Whether it inspects a surface by the exact derivatives of patches.
+/// Whether a way inspects a surface by the exact derivatives of patches.
 constexpr bool l3d_is_inspection(l3d_shade shade) {
     return shade >= l3d_shade::zebra && shade <= l3d_shade::draft;
 }
 
-/// Whether it looks at the exact patches.
+/// Whether a way looks at the exact patches.
 constexpr bool l3d_sees_patches(l3d_shade shade) {
     return l3d_is_inspection(shade) || shade == l3d_shade::own;
 }
 
-/// Whether it shows the light of lamps.
+/// Whether a way shows the light of lamps.
 constexpr bool l3d_is_light(l3d_shade shade) {
     return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_sees_patches(shade);
 }
 
-/// Whether its colours are those of a scale, which fog would make others of.
+/// Whether a way's colours are those of a scale, which fog would falsify.
 constexpr bool l3d_has_scale(l3d_shade shade) {
     return shade == l3d_shade::error || l3d_is_inspection(shade);
 }

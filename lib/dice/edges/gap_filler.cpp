@@ -180,9 +180,9 @@ private:
             }
     }
 
-    /// Factor of the light beside vertex i of the row: it turns light to the side that is shown by
-    /// the quad that begins there, or that ends there if the vertex is the last one. The turn of a
-    /// slit's triangle is chance.
+    /// Factor of the light beside vertex i of the row: it turns light to the shown side of the quad
+    /// that begins there, or ends there at the last vertex. The turn of a slit's triangle is
+    /// chance.
     float side_beside(std::size_t i) const {
         const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
         return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)

@@ -32,7 +32,7 @@ public:
         return true;
     }
 
-    /// Takes what stands before the next blank or colon.
+    /// Takes the text before the next blank or colon.
     std::string_view value() {
         const std::size_t size = std::min(rest_.find_first_of(" \t\r\v\f:"), rest_.size());
         const std::string_view result = rest_.substr(0, size);
@@ -41,7 +41,7 @@ public:
         return result;
     }
 
-    /// Takes what stands between the next quotation mark and the last, or all if there are not two.
+    /// Takes the text between the next quotation mark and the last, or all if there are not two.
     std::string_view in_quotes() {
         const std::size_t begin = rest_.find('"');
         const std::size_t end = rest_.rfind('"');
@@ -63,7 +63,7 @@ private:
     std::string_view rest_;
 };
 
-/// The colour that 3D Studio names a material by: "r255g0b128a0".
+/// The colour in a material's name as 3D Studio writes it: "r255g0b128a0".
 std::optional<std::uint32_t> color_of(std::string_view name) {
     std::uint32_t word = 0;
     for (const char letter : {'r', 'g', 'b'}) {
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    /// Materials whose names say a colour look like that.
+    /// Gives materials the colours that their names tell.
     void give_looks() {
         for (std::size_t i = 0; i < mesh_.materials.size(); ++i)
             if (const auto color = color_of(mesh_.materials[i])) {
@@ -145,7 +145,7 @@ private:
         return true;
     }
 
-    /// Cameras, lights, and what else a scene has beside its objects.
+    /// Reads a line about a camera; notes one about lights, fog or background as skipped.
     void read_scene(field_line& line) {
         const auto takes = [&](std::initializer_list<std::string_view> words) {
             return std::ranges::any_of(words, [&](auto word) { return line.take(word); });
@@ -192,14 +192,14 @@ private:
         camera_lines_.push_back(text_.here());
     }
 
-    /// "X:1 Y:2 Z:3" of a camera. What stands there otherwise is no number, or that of a light.
+    /// Reads "X:1 Y:2 Z:3" of a camera. Otherwise the line has no numbers, or those of a light.
     void place_camera(field_line& line, l3d_model_camera::vector l3d_model_camera::*place) {
         constexpr std::string_view axes[] = {"X:", "Y:", "Z:"};
         for (int i = 0; is_camera_ && i < 3 && line.take(axes[i]); ++i)
             (cameras_.back().*place)[i] = number_of(line.value());
     }
 
-    /// NaN if it is none.
+    /// The number that the digits are; NaN if they are none.
     static double number_of(std::string_view digits) {
         double value = 0;
         const auto [end, error] =
@@ -272,7 +272,7 @@ private:
         return true;
     }
 
-    /// Whether the object before has all that it promised.
+    /// Whether the last object has as many vertices and faces as it promised.
     bool is_complete() {
         const std::size_t vertices = mesh_.vertices.size() - base_;
         const std::size_t faces = mesh_.faces() - first_face_;
@@ -362,9 +362,9 @@ private:
     bool is_camera_ = false; ///< the current object, the last of cameras_
     l3d_detail::face_materials materials_;
     std::string object_;                    ///< the name of the current object
-    bool has_new_name_ = false;             ///< that nothing has been given yet
-    std::int64_t vertices_ = 0, faces_ = 0; ///< of the current mesh, promised
-    std::size_t base_ = 0, first_face_ = 0; ///< where it begins
+    bool has_new_name_ = false;             ///< whether no object bears the name yet
+    std::int64_t vertices_ = 0, faces_ = 0; ///< promised by the current mesh
+    std::size_t base_ = 0, first_face_ = 0; ///< the mesh's first vertex and face
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

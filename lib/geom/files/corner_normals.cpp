@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// corner_normals: a vertex for each normal that its corners have.
+// corner_normals: divides vertices, so that each has one normal.
 #include "geom/files/corner_normals_p.h"
 
 #include "geom/files/model_reader_p.h"
@@ -73,7 +73,8 @@ std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) cons
     return groups == 0 ? flat : groups | grouped;
 }
 
-/// A vertex stays for the first thing that its corners say, and one is made for each other thing.
+/// Divides vertices: one stays with the first normal of its corners, and a new one is made for each
+/// other normal.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
     struct place_hash {
         std::size_t operator()(const std::pair<std::uint32_t, std::uint64_t>& of) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// corner_normals: normals that a file gives to corners or says by smoothing groups.
+// corner_normals: normals that a file gives to corners, or defines by smoothing groups.
 #ifndef L3D_GEOM_FILES_CORNER_NORMALS_P_H
 #define L3D_GEOM_FILES_CORNER_NORMALS_P_H
 
@@ -11,40 +11,40 @@
 
 namespace l3d_detail {
 
-/// Makes normals of vertices of what a file says of corners and of faces.
+/// Makes normals of vertices from a file's data on corners and faces.
 ///
 /// A mesh has one normal for each vertex. So a vertex whose corners have several becomes several
 /// vertices at one place: the first stays where it is, and the others come behind the last.
 ///
 /// A corner has the normal that it names. Without one, its face's smoothing groups count: its
 /// normal is the mean of the faces around the vertex that share a group with this one, weighted by
-/// area. A face without groups is flat. A face of which nothing is said gets zero normals, so
-/// that creases are found by angles.
+/// area. A face without groups is flat. A face without such data gets zero normals, so that creases
+/// are found by angles.
 /// Cost:    linear, but for vertices at which faces of many different groups meet: the product of
 ///          both numbers.
 class corner_normals {
 public:
     using vector = l3d_polygon_mesh::vector;
 
-    /// A normal, by the order of calls.
+    /// Adds a normal; its number is the order of calls.
     void add(const vector& normal) { normals_.push_back(normal); }
     /// The number of normals so far.
     std::size_t count() const { return normals_.size(); }
 
-    /// The last corner of the mesh has that normal. False, and nothing is said of it, if that has
-    /// no direction. Expects: normal < count().
+    /// Gives the last corner of the mesh that normal. False, and the corner gets none, if the
+    /// normal has no direction. Expects: normal < count().
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
-    /// The last face of the mesh is in these groups, each a bit of the lower 32; or in one that is
-    /// `numbered` and a number.
+    /// Puts the last face of the mesh into these groups, each a bit of the lower 32; or into one
+    /// group, `numbered` plus a number.
     void give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups);
     static constexpr std::uint64_t numbered = std::uint64_t{1} << 63;
 
     /// Whether a corner has a normal, or a face its groups.
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
-    /// Gives the mesh its normals, once all is read. A vertex of no face gets the normal of its own
-    /// number, unless all faces leave theirs out.
+    /// Gives the mesh its normals, once all is read. A vertex without a face gets the normal of its
+    /// own number, unless all faces leave theirs out.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 

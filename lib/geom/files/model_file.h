@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_model_file: what a file of polygons or patches holds; readers by content, and writers.
+// l3d_model_file: the contents of a file of polygons or patches; readers by content, and writers.
 #ifndef L3D_GEOM_FILES_MODEL_FILE_H
 #define L3D_GEOM_FILES_MODEL_FILE_H
 
@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-/// The formats that can be read. docs/FORMATS.md says what of each.
+/// The formats that can be read. docs/FORMATS.md lists their features.
 enum class L3D_PUBLIC l3d_model_format {
     asc,        ///< 3D Studio's text form
     obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces
@@ -32,9 +32,9 @@ enum class L3D_PUBLIC l3d_model_format {
 /// A file of materials that a model file names.
 struct L3D_PUBLIC l3d_material_file {
     std::string name;     ///< as it is named, from the model's own folder
-    std::size_t line = 0; ///< where it is named
+    std::size_t line = 0; ///< the line that names it
 
-    /// Where it is named makes no difference.
+    /// Whether the names are equal; lines make no difference.
     friend bool operator==(const l3d_material_file& a, const l3d_material_file& b) {
         return a.name == b.name;
     }
@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_model_camera {
     friend bool operator==(const l3d_model_camera&, const l3d_model_camera&) = default;
 };
 
-/// Polygons, patches, or both; as the file has them, in its own coordinates.
+/// Polygons, patches, or both, in the file's own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
@@ -85,12 +85,11 @@ struct L3D_PUBLIC l3d_model_file {
 using l3d_other_files =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
 
-/// Which format a text has, by its first word, or by its size; nothing if it is none that is read
-/// here.
+/// The format of a text, by its first word, or by its size; nothing for an unknown one.
 L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
-/// Reads a model of any of the formats. docs/FORMATS.md says what of each is read, skipped with a
-/// note, and refused. A model whose numbers are in files of their own, as in glTF, needs
+/// Reads a model of any of the formats. docs/FORMATS.md lists the features that are read, skipped
+/// with a note, or refused. A model whose numbers are in files of their own, as in glTF, needs
 /// l3d_read_model_with.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
@@ -122,7 +121,7 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
 
 /// The reader of glTF 2.0.
 /// Errors:  as those of l3d_read_model; the place is one in the document, such as
-///          "accessors[3].count", or line and column where that is no JSON.
+///          "accessors[3].count", or line and column if the text is no JSON.
 /// Cost:    as that of l3d_read_model; memory is counted for each byte of this text and of the
 ///          other files.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
@@ -145,8 +144,7 @@ struct L3D_PUBLIC l3d_named_material {
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 
-/// Gives a mesh's materials the looks and pictures of those that have their names; of equal names
-/// the last.
+/// Gives a mesh's materials the looks of the named ones; among equal names the last counts.
 L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 

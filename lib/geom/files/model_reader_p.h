@@ -76,8 +76,8 @@ public:
         give(mesh.vertices.size() - 1, color);
     }
 
-    /// Gives a vertex a colour; those without one are white. Units: components from 0 to 1, or, if
-    /// some are 2 or more, from 0 to 255. They are held there; NaN is the largest.
+    /// Gives a vertex a colour; vertices without one are white. Units: components from 0 to 1, or,
+    /// if some are 2 or more, from 0 to 255. Others are clamped; NaN is the largest.
     /// Expects: vertices come in their order.
     void give(std::size_t vertex, const double* color) {
         colors_.resize(vertex, white);
@@ -125,7 +125,7 @@ private:
     float largest_ = 0;
 };
 
-/// A colour of a face. Components beyond 0 to 1 are held there, with a note.
+/// A colour of a face. Components beyond 0 to 1 are clamped, with a note.
 inline std::uint32_t color_of(text_cursor& text, const double* components) {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -142,11 +142,11 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Coordinates that no vertex may have which is seen. Programs write some for vertices that no face
+/// Coordinates that a visible vertex may not have. Programs write some for vertices that no face
 /// uses; these become the origin.
 class odd_coordinates {
 public:
-    /// Takes a number that was read for the next vertex: the current token, or digits in it.
+    /// Checks a number that was read for the next vertex: the current token, or digits in it.
     void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
                std::string_view digits = {}) {
         if (std::abs(value) <= l3d_bpt_largest_coordinate)
@@ -155,8 +155,8 @@ public:
         value = 0;
     }
 
-    /// Whether no corner of the mesh is such a vertex, nor is it used otherwise, by is_used(index).
-    /// Errors: those of coordinates, at the first one in the text.
+    /// Whether no such vertex is a corner of the mesh or used otherwise, by is_used(index). Errors:
+    /// those of coordinates, at the first one in the text.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())
@@ -223,7 +223,7 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
         mesh.vertex_normals.clear();
 }
 
-/// The value of every reader of a format: read(cursor, model) says whether all went well. The text
+/// The result of every reader of a format: read(cursor, model) says whether all went well. The text
 /// from `comment`, if any, to the line's end is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>

@@ -36,7 +36,7 @@ void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
         append_vector(text, "vn ", n[0], n[1], n[2]);
 }
 
-/// Begins the parts whose first face or patch is the one that comes now.
+/// Begins the parts whose first face or patch comes next.
 void append_parts(std::string& text, const std::vector<l3d_part_run>& parts,
                   std::vector<l3d_part_run>::const_iterator& next, std::size_t thing) {
     if (thing == 0 && (next == parts.end() || next->first > 0) && text.find("\ng ") != text.npos)

@@ -104,8 +104,8 @@ private:
                text_.plausible(faces, "faces", face);
     }
 
-    /// Whether a third count follows. Some programs leave out the edges: then the line ends here,
-    /// and more than one number stands in the next, the first vertex.
+    /// Whether a third count follows. Some programs leave out the number of edges: then the line
+    /// ends here, and the next one holds several numbers, the first vertex.
     bool counts_edges() const {
         text_cursor ahead = text_;
         return is_binary_ || ahead.next_in_line() || (ahead.next() && !ahead.next_in_line());

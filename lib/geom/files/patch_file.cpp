@@ -17,7 +17,7 @@ std::size_t points_along(int degree) {
     return static_cast<std::size_t>(degree) + 1;
 }
 
-/// Reads what a .bpt file holds, after the text has been asked whether it can hold so much.
+/// Reads the patches of a .bpt file, after a check whether the text can hold so many.
 bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& patches) {
     std::int64_t count = 0;
     if (!text.integer(count, "the number of patches"))
@@ -71,7 +71,7 @@ bool make_cubic(std::vector<point>& line, int degree, double rounding) {
         elevate(line, degree, 3);
         return true;
     }
-    // Only one cubic has the ends and the end derivatives of the curve, degree (p_1 - p_0).
+    // A single cubic has the ends and the end derivatives of the curve, degree (p_1 - p_0).
     const auto n = static_cast<std::size_t>(degree);
     std::vector<point> cubic{line[0], {}, {}, line[n]};
     for (std::size_t k = 0; k < 3; ++k) {

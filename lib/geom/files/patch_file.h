@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_points: what a .bpt file of Bezier patches says; reader and writer of its text.
+// l3d_patch_points: the contents of a .bpt file of Bezier patches; reader and writer of its text.
 #ifndef L3D_GEOM_FILES_PATCH_FILE_H
 #define L3D_GEOM_FILES_PATCH_FILE_H
 
@@ -40,7 +40,7 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 /// Errors:  nothing, and `why` = "name:line: what is wrong". A number may be missing, malformed,
 ///          NaN, infinite or out of range; a degree may be outside 1 to 15. The count may not be
 ///          positive, or more than the text can hold. Something may follow the last patch.
-/// Cost:    memory in proportion to the text, however large the numbers in it.
+/// Cost: memory in proportion to the text, whatever the counts in it promise.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
 l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
@@ -54,8 +54,8 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 ///
 /// A common boundary stays common bit for bit, whichever way its two patches run along it.
 /// Shape:   index = 4 * row (v) + column (u).
-/// Errors:  nothing if a degree is outside 1 to 15, or if the number of points is not what the
-///          degrees say, or if there are weights. Nothing, too, if no bicubic patch has these
+/// Errors:  nothing if a degree is outside 1 to 15, or if the number of points does not fit the
+///          degrees, or if there are weights. Nothing, too, if no bicubic patch has these
 ///          points but for rounding, 2^-46 of the largest coordinate.
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
 l3d_as_bicubic(const l3d_patch_points& patch);

@@ -29,7 +29,7 @@ row_kind kind_of(std::string_view element) {
                                     : row_kind::other;
 }
 
-/// By all the names that programs give them.
+/// The meaning of a colour's property, by all the names that programs give it.
 meaning color_meaning(std::string_view name) {
     constexpr std::string_view prefix = "diffuse_";
     if (name.starts_with(prefix))
@@ -99,7 +99,7 @@ bool header::read() {
     return text_.fail("the text ends before end_header");
 }
 
-/// Blender up to 2.48 says by whom a file was created without saying that this is a comment.
+/// Skips a line. Blender up to 2.48 names a file's creator without marking this as a comment.
 bool header::skip_line(std::string_view word) {
     if (word != "Created")
         text_.note_once("lines " + quoted(word) + " of the header are skipped");

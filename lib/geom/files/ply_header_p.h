@@ -24,7 +24,7 @@ inline bool is_whole(number_type type) {
     return type < number_type::float32;
 }
 
-/// The meaning of a property to us. All other properties are read and thrown away.
+/// The meaning of a property to us. Properties without one are read and thrown away.
 enum class meaning { nothing, x, y, z, normal_x, normal_y, normal_z, red, green, blue, corners };
 
 struct property {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reader of .stl, text or binary: triangles that share nothing, of which vertices are made again.
+// Reader of .stl, text or binary: triangles that share nothing, whose corners are welded to
+// vertices again.
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/stl_file_p.h"
@@ -14,7 +15,7 @@ using l3d_detail::text_cursor;
 
 constexpr std::size_t header_bytes = 80, count_bytes = 4;
 constexpr std::size_t begin_bytes = header_bytes + count_bytes;
-/// A normal and three corners of three floats each, and two bytes for what programs like.
+/// A normal and three corners of three floats each, and two bytes for any use.
 constexpr std::size_t triangle_bytes = 12 * sizeof(float) + 2;
 
 /// The number of triangles that a binary file promises. Expects: text enough for it.
@@ -25,7 +26,7 @@ std::uint64_t promised(std::string_view text) {
     return count;
 }
 
-/// Corners at one place are one vertex: only so neighbours know of each other.
+/// Makes corners at one place one vertex, so that neighbours know of each other.
 class welded_vertices {
 public:
     explicit welded_vertices(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
@@ -107,7 +108,7 @@ private:
                text_.fail(quoted(text_.token()) + " where '" + std::string(word) + "' should be");
     }
 
-    /// After the word `solid`.
+    /// Reads a solid after its first word.
     bool read_solid() {
         mesh_.parts.push_back(
             {std::string(text_.name_in_line()), static_cast<std::uint32_t>(mesh_.faces())});
@@ -186,7 +187,7 @@ bool l3d_detail::is_binary_stl(std::string_view text) {
         return false;
     if (text.size() - begin_bytes == promised(text) * triangle_bytes)
         return true;
-    // A broken binary file, whose header most programs begin with this word. Text has no zeros.
+    // A broken binary file: most programs begin its header with this word, and text has no zeros.
     return text.starts_with("solid") && text.substr(0, begin_bytes).find('\0') != text.npos;
 }
 

@@ -11,8 +11,8 @@ namespace l3d_detail {
 /// longer than 6 GB: the bytes of its number are blanks and more, so it is at least 0x09090909.
 bool is_binary_stl(std::string_view text);
 
-/// Whether it may be a binary .stl file with more bytes behind its triangles. Other binary files
-/// may be taken for one, so this is asked last.
+/// Whether a text may be a binary .stl file with more bytes behind its triangles. Other binary
+/// files may be taken for one, so this is asked last.
 bool is_long_binary_stl(std::string_view text);
 
 } // namespace l3d_detail

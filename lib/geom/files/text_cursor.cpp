@@ -58,7 +58,7 @@ text_cursor::text_cursor(std::string_view text, std::string_view name, char comm
         rest_.remove_prefix(mark.size());
     // In the binary part of a .ply file any byte may follow the header's lines.
     const bool is_ply = rest_.starts_with("ply\r") && !rest_.substr(4).starts_with('\n');
-    // One at the very end is half of a line's end on DOS.
+    // A carriage return at the very end is half of a line's end on DOS.
     const std::size_t first = rest_.find('\r');
     if (first < rest_.size() - 1 && (is_ply || rest_.find('\n') == rest_.npos))
         line_end_ = '\r';
@@ -136,7 +136,7 @@ bool text_cursor::next_in_line() {
     skip_blanks(false);
     if (rest_.empty() || rest_.front() == line_end_)
         return false;
-    // A backslash that joins lines ends a token, but is one where it joins nothing.
+    // A backslash that joins lines ends a token; another one is part of a token.
     const auto begins_comment = [this](std::size_t at) {
         return rest_[at] == comment_ && comment_ != '\0' &&
                !rest_.substr(0, at + 1).ends_with(microsofts_odd);
@@ -207,7 +207,7 @@ bool text_cursor::parsed(std::string_view digits, Number& value, const char* wha
     const auto [stop, error] = std::from_chars(digits.data() + (plus ? 1 : 0), end, value);
     const bool is_out = error == std::errc::result_out_of_range && stop == end;
     if (is_out && (digits.find("e-") != digits.npos || digits.find("E-") != digits.npos)) {
-        value = 0; // it is nearer to 0 than any double
+        value = 0; // the number is nearer to 0 than any double
         return true;
     }
     if (is_out)

@@ -14,15 +14,15 @@
 
 namespace l3d_detail {
 
-/// A token fit for a message: quoted, of bounded length, nothing in it that steers a terminal. A
-/// byte that is a control character or no UTF-8 is shown as \xNN, and so are quotes and
-/// backslashes.
+/// A token fit for a message: quoted, of bounded length, and harmless to a terminal. A byte that is
+/// a control character or no UTF-8 is shown as \xNN, and so are quotes and backslashes.
 std::string quoted(std::string_view token);
 
 /// Appends the shortest form of `value` that is read as the same bits, then `after`.
 void append(std::string& text, double value, char after);
 
-/// The base of all readers of model files: tokens, numbers, limits, and errors that say where.
+/// The base of all readers of model files: tokens, numbers, limits, and errors that name their
+/// line.
 ///
 /// Every function that returns bool fails with the reason in why(): "name:line: what is wrong".
 /// Numbers do not depend on the locale. Tokens stand apart by white space of any kind.
@@ -43,13 +43,13 @@ public:
     /// Errors: the last one; empty if nothing has failed.
     const std::string& why() const { return why_; }
 
-    /// Keeps a remark on what is skipped, with the line of the current token.
+    /// Keeps a remark on a skipped statement, with the line of the current token.
     void note(const std::string& what);
-    /// Keeps a remark of a kind that one suffices of, if it is the first.
+    /// Keeps a remark only once for each text.
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Where messages say a value is, until the next call: " of vertex 3 of 8".
+    /// Sets the place of values for messages, until the next call: " of vertex 3 of 8".
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
         of_what_ = of_what;
@@ -62,12 +62,12 @@ public:
     bool next();
     /// Takes the next token of this line; false, without error, where the line or the text ends.
     bool next_in_line();
-    /// Takes what is left of this line, its end included; the token is what stands before its end.
-    /// False, without error, at the end of the text.
+    /// Takes the rest of this line, its end included; the token is the text before its end. False,
+    /// without error, at the end of the text.
     bool next_line();
 
-    /// Takes what is left of this line as a name, without the blanks around it: no character of it
-    /// begins a comment, and none joins lines.
+    /// Takes the rest of this line as a name, without the blanks around it: none of its characters
+    /// begins a comment or joins lines.
     std::string_view name_in_line();
 
     /// Takes the next token if it is `word` and on this line.
@@ -80,7 +80,7 @@ public:
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
-    /// Where a number was read that may be wrong only if something depends on it.
+    /// The place of a number that is an error only if something depends on it.
     struct reading_place {
         std::string_view rest, token;
         std::ptrdiff_t line;
@@ -91,7 +91,7 @@ public:
     /// Goes back there, for a message. Nothing can be taken after that.
     void go_back(const reading_place& to);
 
-    /// From now on a newline after a backslash is white space like a blank, but still counts.
+    /// Makes a newline after a backslash white space from now on; it still counts as a line.
     void join_lines_at_backslash() { joins_ = true; }
 
     /// Takes the next token as a number; `what` names it in messages.
@@ -102,8 +102,8 @@ public:
     bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
     bool coordinate(double& value);
 
-    /// Checks a number that has been found in another way as the functions above do.
-    /// `digits` is what it was read from, if that is not the current token.
+    /// Checks a number that was found in another way. `digits` is its text, if that is not the
+    /// current token.
     bool is_finite(double value, const char* what, std::string_view digits = {});
     bool is_coordinate(double value, std::string_view digits = {});
     bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);
@@ -113,11 +113,11 @@ public:
     bool any_number_in(std::string_view digits, double& value, const char* what);
     bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
 
-    /// Whether the text can hold so many things of at least `shortest` bytes each: to be asked
-    /// before memory is taken for them.
+    /// Whether the text can hold so many things of at least `shortest` bytes each. Call it before
+    /// taking memory for them.
     bool plausible(std::int64_t count, const char* things, std::size_t shortest);
 
-    /// Takes a number of that type and byte order, bits as they are in memory.
+    /// Takes a binary number of that type and byte order.
     template <class T> bool binary(T& value, std::endian order, const char* what) {
         begin_line();
         is_binary_ = true;

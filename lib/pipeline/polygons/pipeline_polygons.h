@@ -77,7 +77,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The picture's colours where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 
-    /// What far surfaces and lines fade into.
+    /// The fog that far surfaces and lines fade into.
     l3d_fog fog{};
 
     /// Edges are means over pixels, not stairs, and lines are smooth.

@@ -65,7 +65,7 @@ l3d_polygon_model reshaped(const l3d_polygon_model& model, const l3d_matrix<doub
 /// The input that all objects of a frame share.
 struct l3d_world_surfaces::frame_input {
     l3d_camera camera; ///< right-handed
-    vector forward;    ///< of the camera
+    vector forward;    ///< direction of the camera's view
     l3d_size size;
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;

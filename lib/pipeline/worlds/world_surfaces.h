@@ -35,7 +35,8 @@ private:
         const l3d_object* object = nullptr;      ///< perhaps gone: only to be compared
         std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
-        /// What a placement has to undo first to place `shaped`: it may have turned since.
+        /// The inverse of the placement that `shaped` was made for. A placement times this places
+        /// `shaped`, also after the object has turned.
         l3d_matrix<double> unshape = l3d_identity<double>();
         std::optional<l3d_polygon_view> view;
         l3d_polygon_frame frame;

@@ -46,7 +46,7 @@ private:
         l3d_painter_piece piece;
         l3d_picture_plane plane;
         picture_region region;
-        double left, right, top, bottom; ///< of the region
+        double left, right, top, bottom; ///< sides of the region's box
     };
     using fragments = std::vector<fragment>;
 
@@ -77,7 +77,7 @@ private:
         bool cyclic; ///< known to have no order
     };
     std::vector<task> tasks_; ///< the last is the next, in front of all others
-    painter_cover cover_;     ///< of a large knot
+    painter_cover cover_;     ///< cover of a large knot
     std::size_t most_without_search_;
     bool covers_ = false;
     ordered_components components_;

@@ -129,7 +129,7 @@ private:
     std::vector<mark> marks_; ///< by number, of those that were seen
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
-    std::vector<order_node> edges_; ///< of all nodes in calls_, the last one's at the end
+    std::vector<order_node> edges_; ///< edges of all nodes in calls_, the last one's at the end
     std::vector<order_node> open_;  ///< seen, not yet in a component
     order_node turn_ = 0;           ///< all lesser ones are emitted
     std::uint32_t next_ = 0;

@@ -35,11 +35,11 @@ public:
     l3d_painter_order(const l3d_painter_order&) = delete;
     l3d_painter_order& operator=(const l3d_painter_order&) = delete;
 
-    /// What is ordered, and how.
+    /// The kind of order.
     struct way {
         bool resolve = true; ///< else the painter's algorithm of old: sorted, and nothing compared
-        /// Their sides are drawn. Else what covers no pixel is left out, and may be what is behind
-        /// others in all of its pixels.
+        /// Triangles' sides are drawn. Else triangles that cover no pixel are left out, and perhaps
+        /// those behind others in all of their pixels.
         bool sides = true;
     };
 

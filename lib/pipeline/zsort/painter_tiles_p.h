@@ -22,9 +22,9 @@ namespace l3d_detail {
 ///
 /// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of them.
 struct painter_entry {
-    float farthest, nearest; ///< of the triangle
+    float farthest, nearest; ///< depths of the triangle
     std::uint64_t cells;     ///< those that it may have pixels in
-    std::uint32_t number;    ///< of its item
+    std::uint32_t number;    ///< number of its item
     /// Its first column and its first row lie in tiles before this one: bits 0 and 1. Not noted if
     /// the cells are the pixels that it covers.
     std::uint16_t begins_before = 0;
@@ -118,11 +118,11 @@ private:
     /// to it at each entry. So no two share a line of the caches, nor a pair of lines: some
     /// processors fetch two together.
     struct alignas(128) share_entries {
-        std::size_t first_chunk = 0, end_chunk = 0; ///< of the items
-        std::size_t count = 0;                      ///< of entries
-        std::vector<painter_entry> entries;         ///< and some that are not in use
+        std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
+        std::size_t count = 0;                      ///< number of entries
+        std::vector<painter_entry> entries;         ///< the entries, and some that are not in use
         std::vector<std::uint32_t> tiles;
-        std::vector<std::uint32_t> ends; ///< of the share in each tile
+        std::vector<std::uint32_t> ends; ///< ends of the share in each tile
     };
 
     /// A small triangle's pixels lie in two tiles side by side at most, and so in columns.

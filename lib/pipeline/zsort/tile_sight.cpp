@@ -25,7 +25,7 @@ HWY_INLINE int_vec set(float value) {
     return set(std::bit_cast<std::int32_t>(value));
 }
 
-/// What is painted last in each cell of a tile.
+/// The member that is painted last in each cell of a tile.
 class front_cells {
 public:
     HWY_INLINE explicit front_cells(std::span<const painter_entry> members) {
@@ -36,7 +36,7 @@ public:
         for (std::size_t i = 0; i < members.size(); ++i) {
             const int_vec own = set(members[i].farthest);
             for (std::size_t v = 0; v < vectors; ++v) {
-                // Of equals, the one of the greater number is painted later.
+                // Among equals, the one of the greater number is painted later.
                 const int_mask last =
                     hn::AndNot(hn::Lt(own, farthest_[v]), lanes_of(members[i].cells >> lanes * v));
                 farthest_[v] = hn::IfThenElse(last, own, farthest_[v]);

@@ -11,11 +11,11 @@
 
 namespace l3d_detail {
 
-/// Of one triangle in a tile, cells as in painter_entry.
+/// Cells of one triangle in a tile, as in painter_entry.
 struct cell_sight {
-    std::uint64_t shown; ///< where all others are painted before it
-    /// Where the last one that is painted does not lie wholly in front of it, so that the sort may
-    /// be wrong there.
+    std::uint64_t shown; ///< cells where all others are painted before it
+    /// Cells where the last painted triangle does not lie wholly in front of it, so that the sort
+    /// may be wrong there.
     std::uint64_t doubtful;
 };
 

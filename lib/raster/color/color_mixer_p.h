@@ -24,7 +24,7 @@ public:
     explicit color_mixer(l3d_blending how)
         : light_(how == l3d_blending::linear ? &exact_light_tables() : nullptr) {}
 
-    /// The amount that a level stands for, and the level nearest to an amount.
+    /// The amount that a level stands for.
     double value(std::uint32_t level) const {
         return light_ != nullptr ? light_->light(level) : static_cast<double>(level);
     }
@@ -40,7 +40,7 @@ public:
         return result;
     }
 
-    /// The word of a colour, without what shows how little of its place it covers.
+    /// The word of a colour, without its transparency.
     std::uint32_t word(const mixed_color& color) const {
         std::uint32_t result = 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -48,8 +48,8 @@ public:
         return result;
     }
 
-    /// A word with so much of a colour put upon it. Where it is transparent, both colours count by
-    /// what they cover.
+    /// A word with a share of a colour put upon it. If the word is transparent, both colours count
+    /// by their coverage.
     std::uint32_t over(std::uint32_t word, const mixed_color& color, double share) const {
         const double covers = color.opacity * share;
         if (covers <= 0)

@@ -10,7 +10,7 @@
 
 namespace l3d_detail {
 
-/// Calls visit(y, first sum of that row), rows being shared out in runs of 16.
+/// Calls visit(y, first sum of that row) for all rows, which workers share in runs of 16.
 template <class Visit> void light_mix::for_rows(l3d_workers& workers, const Visit& visit) const {
     constexpr int run = 16;
     const int rows = box_.bottom - box_.top;

@@ -14,13 +14,13 @@ namespace l3d_detail {
 /// light. Lives: kept for its memory.
 class light_mix {
 public:
-    /// From now on it adds up this part of pictures, from nothing on.
+    /// Starts an empty sum over this part of the next pictures.
     void begin(const l3d_pixel_box& box);
 
     /// Expects: the box lies in the picture. Over all pictures, weights add up to 1.
     void add(const l3d_pixels& picture, float weight, l3d_workers& workers);
 
-    /// Writes the nearest levels of the sums. Where all pictures have the same word, it is that.
+    /// Writes the nearest levels of the sums. A word that all pictures share stays.
     void write(const l3d_pixels& target, l3d_workers& workers) const;
 
 private:

@@ -18,7 +18,7 @@ public:
     /// The light of a level of 255.
     Real light(std::uint32_t level) const { return light_[level]; }
 
-    /// The level of ambient light alone, and the most that others add up to white.
+    /// The level of ambient light alone, and the largest level that lights add.
     static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
 
     /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
@@ -27,11 +27,11 @@ public:
         return ambient + (lit > 0 ? (lit < most_lit ? lit : most_lit) : Real(0));
     }
 
-    /// Its light.
+    /// The light of that level.
     Real light_between(Real lit) const { return light_at_level(level_of(lit)); }
 
-    /// The light of a level that need not be whole: between the tables' levels on a straight line.
-    /// Levels below 0 or above 255 count as these.
+    /// The light of a level that need not be whole, linear between the tables' levels. Levels below
+    /// 0 or above 255 count as these.
     Real light_at_level(Real level) const {
         const Real held = level > 0 ? level : Real(0);
         const auto below = static_cast<std::size_t>(held);
@@ -55,7 +55,7 @@ public:
     /// The lights of all levels that are whole numbers.
     const std::array<Real, 256>& lights() const { return light_; }
 
-    /// The level whose light is nearest as levels go: its ends are the light of level -+ 1/2.
+    /// The nearest level: the light lies between those of the level -+ 1/2.
     std::uint32_t level(Real light) const {
         const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
         std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
@@ -65,8 +65,8 @@ public:
     }
 
 private:
-    /// Near black a level is 1 / (255 * 12.92) = 1 / 3295 of white wide, so a guess is less than
-    /// two levels off.
+    /// Steps of the table of guesses: near black a level spans 1 / (255 * 12.92) = 1 / 3295 of
+    /// white, so a guess errs by less than two levels.
     static constexpr std::size_t guesses = 4096;
 
     std::array<Real, 256> light_{}, begins_{};

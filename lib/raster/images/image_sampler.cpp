@@ -10,11 +10,11 @@
 namespace l3d_detail {
 namespace {
 
-/// As far as paths go.
+/// Largest coordinate, as for paths.
 constexpr double farthest = 1 << 30;
 
 bool is_in_reach(l3d_point_2d p) {
-    return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; // false for what is no number
+    return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; // false for NaN
 }
 
 /// Adds `times` times a colour to a sum.
@@ -31,7 +31,7 @@ mixed_color divided(mixed_color sum, double by) {
     return sum;
 }
 
-/// How much of [i, i + 1] lies in [from, to].
+/// The length of the part of [i, i + 1] in [from, to].
 double overlap(double from, double to, int i) {
     return std::min<double>(to, i + 1) - std::max<double>(from, i);
 }
@@ -72,7 +72,8 @@ l3d_path image_sampler::reach() const {
     return result;
 }
 
-/// Halves are added last, where the numbers are small.
+/// Takes a place of the picture back to the image. Halves are added last, when the numbers are
+/// small.
 l3d_point_2d image_sampler::back(double x, double y) const {
     const l3d_point_2d a = image_.place.across, d = image_.place.down;
     const double dx = x - image_.place.origin.x, dy = y - image_.place.origin.y;
@@ -101,7 +102,7 @@ mixed_color image_sampler::nearest(l3d_point_2d at) const {
     return color(static_cast<int>(column), static_cast<int>(row));
 }
 
-/// At the borders, pixels outside are as those beside them.
+/// The colour between four pixels; pixels outside the borders equal those beside them.
 mixed_color image_sampler::linear(l3d_point_2d at) const {
     const auto held = [](double place, int size) {
         return std::clamp(place - 0.5, 0.0, static_cast<double>(size - 1));
@@ -120,7 +121,7 @@ mixed_color image_sampler::linear(l3d_point_2d at) const {
     return result;
 }
 
-/// An upright pixel is a box in the image.
+/// The mean over an upright pixel, which is a box in the image.
 mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     const double width = image_.pixels.width, height = image_.pixels.height;
     const double left = std::clamp(std::min(from.x, to.x), 0.0, width);
@@ -139,8 +140,8 @@ mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     return divided(sum, (right - left) * (bottom - top));
 }
 
-/// Each edge of the pixel adds, in each row of the image, the signed area to the right of it. Sums
-/// from left to right are then the areas that the pixel covers.
+/// The mean over a slanted pixel. Each of its edges adds, in each row of the image, the signed area
+/// to its right. Sums from left to right are then the areas that the pixel covers.
 mixed_color image_sampler::area_mean(std::int32_t x, std::int32_t y) {
     const std::array<l3d_point_2d, 4> corners{back(x - 0.5, y - 0.5), back(x + 0.5, y - 0.5),
                                               back(x + 0.5, y + 0.5), back(x - 0.5, y + 0.5)};
@@ -197,7 +198,8 @@ void image_sampler::add_edge(l3d_point_2d from, l3d_point_2d to) {
     }
 }
 
-/// An edge in one row, from one place to another. Beyond the columns it counts as on their border.
+/// Adds an edge in one row, from one place to another. Beyond the columns it counts as on their
+/// border.
 void image_sampler::add_in_row(int row, double from, double to, double height) {
     if (from > to)
         std::swap(from, to); // the area to the right is the same
@@ -217,8 +219,8 @@ void image_sampler::add_in_row(int row, double from, double to, double height) {
     }
 }
 
-/// The area to the right of an edge: its mean distance from the cell's right side, in this cell;
-/// all of the height in those behind it.
+/// Adds the area to the right of an edge: in this cell its mean distance from the cell's right
+/// side, in all cells behind the whole height.
 void image_sampler::add_in_cell(int row, int column, double from, double to, double height) {
     if (column >= columns_)
         return;

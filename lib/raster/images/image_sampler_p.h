@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// image_sampler: which colours the pixels of a picture get from an image.
+// image_sampler: the colours that pixels of a picture get from an image.
 #ifndef L3D_RASTER_IMAGES_IMAGE_SAMPLER_P_H
 #define L3D_RASTER_IMAGES_IMAGE_SAMPLER_P_H
 
@@ -29,7 +29,7 @@ public:
     std::int32_t moved_x() const { return moved_x_; }
     std::int32_t moved_y() const { return moved_y_; }
 
-    /// The colour of the picture's pixel (x, y): the mean over what of it lies in the image.
+    /// The colour of the picture's pixel (x, y): the mean over its part in the image.
     mixed_color at(std::int32_t x, std::int32_t y);
 
 private:

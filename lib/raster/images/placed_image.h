@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_placed_image: an image, and where it is drawn in a picture.
+// l3d_placed_image: an image with its place in a picture.
 #ifndef L3D_RASTER_IMAGES_PLACED_IMAGE_H
 #define L3D_RASTER_IMAGES_PLACED_IMAGE_H
 
@@ -7,13 +7,13 @@
 #include "raster/placement_2d.h"
 #include "tool_2d/pixels.h"
 
-/// How a pixel gets its colour from an image.
+/// The way in which a pixel gets its colour from an image.
 enum class L3D_PUBLIC l3d_image_filter {
-    /// That of the image's pixel whose square holds the sample: hard edges, no new colours. A
-    /// sample on a side belongs to what is right of or below it, in the image.
+    /// The colour of the image's pixel whose square holds the sample: hard edges, no new colours. A
+    /// sample on a side belongs to the pixel to its right or below.
     nearest,
-    /// Between the four pixels of the image around the sample: smooth where an image is enlarged.
-    /// Where it shrinks, pixels in between are lost.
+    /// Interpolated between the image's four pixels around the sample: smooth where an image is
+    /// enlarged. Where it shrinks, pixels in between are lost.
     linear,
     /// The exact mean over the pixel's square, where each pixel of the image is a square of one
     /// colour. It loses nothing where an image shrinks, and enlarges to squares with smooth edges.
@@ -25,7 +25,7 @@ enum class L3D_PUBLIC l3d_image_filter {
 struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;                                ///< the image; borrowed while drawing
     l3d_placement_2d place{};                         ///< place of the image in the picture
-    l3d_image_filter filter = l3d_image_filter::area; ///< which colour a pixel gets
+    l3d_image_filter filter = l3d_image_filter::area; ///< the way to a pixel's colour
     bool transparent = false; ///< the words' highest byte says how transparent they are
 };
 

@@ -23,7 +23,7 @@ void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
         const l3d_picture_plane plane(t.v);
         const double rise = l3d_subpixel_one * (std::abs(plane.along_x) + std::abs(plane.along_y));
         if (!std::isfinite(rise))
-            continue; // no area: seen from its edge
+            continue; // a triangle without area is seen from its edge
         const auto [far, near] = std::minmax({t.v[0].inv_w, t.v[1].inv_w, t.v[2].inv_w});
         const double nearest = near + in_lanes * (double(near) - far);
         for (std::size_t k = 0; k < t.v.size(); ++k) {

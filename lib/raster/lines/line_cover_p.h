@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// line_cover: a picture of how much lines cover, before it has colours.
+// line_cover: a picture of lines' coverage, before it has colours.
 //
 // Neighbouring triangles share a side, and each of them draws it. A pixel gets the largest of their
 // coverages, so drawing a line twice changes nothing.
@@ -39,12 +39,12 @@ void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size s
     });
 }
 
-/// A line covers so much of a pixel of such a picture.
+/// Notes the coverage of a pixel by a line in a picture of coverage.
 inline void cover_pixel(std::uint32_t& word, int coverage) {
     word = std::max(word, static_cast<std::uint32_t>(coverage));
 }
 
-/// The same where fog needs the depth of the nearest line in the pixel. A depth has no meaning
+/// Covers a pixel where fog needs the depth of the nearest line in it. A depth has no meaning
 /// where nothing is covered.
 inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double inv_w) {
     const auto here = static_cast<float>(inv_w);
@@ -52,7 +52,7 @@ inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double 
     cover_pixel(word, coverage);
 }
 
-/// Gives rows of such a picture their colours, and fog by these depths if there is any.
+/// Gives rows of a picture of coverage their colours, and fog by these depths if there is any.
 inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_shading& shading,
                         std::uint32_t line_color, const l3d_depth_buffer& depths) {
     const bool is_foggy = shading.fog.is_on();

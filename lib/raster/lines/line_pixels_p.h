@@ -12,13 +12,13 @@
 
 namespace l3d_detail {
 
-/// Between the pixels that two vertices lie in: a shift rounds down, also below zero.
+/// The line between the pixels of two vertices: a shift rounds down, also below zero.
 inline l3d_line_2d side_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
     return {a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits, b.x >> l3d_subpixel_bits,
             b.y >> l3d_subpixel_bits};
 }
 
-/// A place as smooth lines name it: pixels' centres have whole numbers.
+/// A place in the coordinates of smooth lines: pixels' centres have whole numbers.
 /// Units:   x, y in 1/256 pixel from the picture's top left corner.
 inline l3d_point_2d line_place(std::int32_t x, std::int32_t y) {
     return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mark_seen: where a line enters and leaves a picture.
+// mark_seen: finds where a line enters and leaves a picture.
 #include "raster/lines/line_steps_p.h"
 
 #include <algorithm>

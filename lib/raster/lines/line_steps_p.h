@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// line_steps: the pixels of a line as steps along its longer axis, and which of them are seen.
+// line_steps: the pixels of a line as steps along its longer axis, and the range that is seen.
 #ifndef L3D_RASTER_LINES_LINE_STEPS_P_H
 #define L3D_RASTER_LINES_LINE_STEPS_P_H
 
@@ -38,7 +38,7 @@ struct line_steps {
 /// below 1 / (2 length), and so no floor changes.
 class swift_minors {
 public:
-    /// Whether lines of this length have swift minors.
+    /// Whether this class serves lines of this length.
     static bool serve(std::int64_t length) { return length > 0 && length < std::int64_t{1} << 18; }
 
     /// The excess is below 4, and 4 * 2^18 * 2 * 2^18 < 2^40.
@@ -62,7 +62,7 @@ public:
     std::int64_t floor() const { return value_ >> fraction_bits; }
     std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
-    /// Expects: it ends between step 0 and step `length`.
+    /// Skips steps. Expects: it ends between step 0 and step `length`.
     void skip(std::int64_t steps) { value_ += steps * step_; }
 
 private:

@@ -15,8 +15,8 @@ using namespace l3d_detail;
 /// Pixels that are lit without a branch.
 constexpr int block = 4;
 
-/// How far ahead pixels are prefetched. Each pixel of a steep line is in a row, and so in a cache
-/// line, of its own. Lines of fewer pixels lose more than they gain.
+/// The number of pixels that are prefetched ahead. Each pixel of a steep line is in a row, and so
+/// in a cache line, of its own. Lines of fewer pixels lose more than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
@@ -24,11 +24,11 @@ constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 template <bool x_major, class Minors> struct line_walk {
     std::uint32_t* at; ///< the word of the next pixel, had the minor not changed
     Minors minors;
-    std::ptrdiff_t along; ///< to the next word along the longer axis
+    std::ptrdiff_t along; ///< offset of the next word along the longer axis
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }
-    /// How far away a later pixel is, or one beside it.
+    /// The offset of a later pixel, or of one beside it.
     std::ptrdiff_t ahead(int pixels) const {
         return pixels * along + across(minors.floor_after(pixels) - minors.floor());
     }
@@ -110,8 +110,8 @@ template <bool x_major>
     light_steps<x_major>(at, length, rise, 0, std::int64_t{length} + 1, along, stride, color);
 }
 
-/// Lights a line from its first end on, even backwards: the nearest pixels, and of two equally near
-/// the upper or left one, are the same from both ends.
+/// Lights a line from its first end on, even backwards: the rule of l3d_rasterizer_2d::draw_line
+/// gives the same pixels from both ends.
 template <bool x_major>
 void light_whole(std::uint32_t* at, std::int32_t length, std::int32_t rise, std::ptrdiff_t along,
                  std::ptrdiff_t stride, std::uint32_t color) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// smooth_line: which pixels an anti-aliased line covers, and how much of each.
+// smooth_line: the pixels of an anti-aliased line, with their coverage.
 #ifndef L3D_RASTER_LINES_SMOOTH_LINE_P_H
 #define L3D_RASTER_LINES_SMOOTH_LINE_P_H
 
@@ -14,7 +14,7 @@ namespace l3d_detail {
 
 /// A smooth line along its longer axis; for each step there are two pixels side by side.
 ///
-/// Where it is, is kept exactly, so that no coverage depends on what is clipped.
+/// Its place is kept exactly, so that no coverage depends on clipping.
 class smooth_line {
 public:
     /// Finds the steps of which at least one pixel is in a picture of that size.

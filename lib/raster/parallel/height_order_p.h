@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// The order in which things lie beside each other, as the bands of a picture do. A worker that
-/// handles one then mostly fills it, too, and finds it in the cache of its core.
+/// Things in the order of their height, like the bands of a picture. So the worker that makes a
+/// thing mostly fills it, too, and finds it in the cache of its core.
 ///
 /// Lives: keeps its memory from frame to frame.
 class height_order {
@@ -24,13 +24,13 @@ public:
     /// Adds the next thing. Units: y of any kind, growing downwards, the same for all.
     void add(std::int32_t y) { places_.push_back({y, static_cast<std::uint32_t>(places_.size())}); }
 
-    /// One worker alone minds no order.
+    /// Sorts the things, unless there is only one worker.
     void sort_for(const l3d_workers& workers) {
         if (workers.count() > 1)
             std::sort(places_.begin(), places_.end());
     }
 
-    /// Which of the things is the i-th from the top.
+    /// The number of the i-th thing from the top.
     std::size_t operator[](int i) const { return places_[static_cast<std::size_t>(i)].index; }
 
 private:

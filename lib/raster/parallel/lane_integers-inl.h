@@ -30,12 +30,13 @@ HWY_ATTR HWY_INLINE int_vec set(std::int32_t value) {
     return hn::Set(ints(), value);
 }
 
-/// Those lanes whose bits are set: lane i is bit i.
+/// The lanes whose bits are set: lane i is bit i.
 HWY_ATTR HWY_INLINE int_mask lanes_of(std::uint64_t bits) {
     return hn::TestBit(set(static_cast<std::int32_t>(bits)), hn::Shl(set(1), hn::Iota(ints(), 0)));
 }
 
-/// Lane i is bit i. Byte by byte, since a wider load would wait for the stores.
+/// The bits of the lanes that are set. Read byte by byte, since a wider load would wait for the
+/// stores.
 HWY_ATTR HWY_INLINE std::uint64_t bits_of(int_mask mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(ints(), mask, bytes);

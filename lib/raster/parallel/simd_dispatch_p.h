@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One function, compiled once for each vector instruction set, and the choice among them.
 //
-// Highway's own choice lives in its shared library, whose loading costs 7 ms: more than all else
-// that a small program does before its first picture. So its headers compile the functions, and
-// the choice is made here.
+// Highway's own choice lives in its shared library, whose loading costs 7 ms, more than all the
+// rest of a small program's start. So its headers compile the functions, and the choice is made
+// here.
 #ifndef L3D_RASTER_PARALLEL_SIMD_DISPATCH_P_H
 #define L3D_RASTER_PARALLEL_SIMD_DISPATCH_P_H
 
@@ -18,8 +18,8 @@ std::size_t simd_place();
 
 } // namespace l3d_detail
 
-/// Makes the table of a function's versions, best first; the last one serves everywhere. In the
-/// part of a file that is compiled once, in the function's namespace but for N_<target>.
+/// Makes the table of a function's versions, best first; the last one serves everywhere. Use it in
+/// the part of a file that is compiled once, in the function's namespace but for N_<target>.
 #define L3D_SIMD_TABLE(function)                                                                   \
     constexpr decltype(&HWY_STATIC_DISPATCH(function)) function##_by_target[] = {                  \
         HWY_CHOOSE_AVX3(function), HWY_CHOOSE_AVX2(function), HWY_CHOOSE_SSE4(function),           \

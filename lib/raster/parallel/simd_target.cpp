@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The choice of vector instructions: what this processor has, unless another is asked for.
+// The choice of vector instructions: the processor's best ones, unless others are asked for.
 #include "raster/parallel/simd_target.h"
 
 #include "raster/parallel/simd_dispatch_p.h"
@@ -47,7 +47,7 @@ std::size_t best_place() {
     return place;
 }
 
-/// As any cache of what the processor has, for the whole process.
+/// The chosen place, for the whole process, like any cache of the processor's features.
 std::atomic<std::size_t>& chosen_place() {
     static std::atomic<std::size_t> place = best_place();
     return place;

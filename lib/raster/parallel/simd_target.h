@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the processor's vector instruction sets the fast paths use.
+// The vector instruction set that the fast paths use.
 #ifndef L3D_RASTER_PARALLEL_SIMD_TARGET_H
 #define L3D_RASTER_PARALLEL_SIMD_TARGET_H
 
@@ -8,15 +8,15 @@
 #include <vector>
 
 /// The instruction sets that this processor has and the library was built for, best first. Names
-/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3. BASE is what the compiler
-/// was told.
+/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3. BASE is the compiler's own
+/// target.
 std::vector<std::string> l3d_simd_targets();
 
-/// The one in use: the best, unless told otherwise.
+/// The instruction set in use: the best, unless told otherwise.
 std::string l3d_simd_target();
 
-/// From now on, in the whole process, the fast paths use this one; an empty name stands for the
-/// best. For comparisons: pictures are the same bits with every one.
+/// Sets the instruction set of the fast paths, for the whole process; an empty name stands for the
+/// best. It is for comparisons: pictures are the same bits with every one.
 /// Errors:  false, and nothing changes, if there is none of this name.
 /// Expects: nothing is being drawn meanwhile.
 bool l3d_set_simd_target(std::string_view name);

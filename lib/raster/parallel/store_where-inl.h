@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// store_where: some lanes of a vector into memory.
+// store_where: stores some lanes of a vector.
 #if defined(L3D_RASTER_PARALLEL_STORE_WHERE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_STORE_WHERE_INL_H
 #undef L3D_RASTER_PARALLEL_STORE_WHERE_INL_H
@@ -31,7 +31,7 @@ HWY_INLINE void store_where(hn::Mask<hn::RebindToFloat<D>> mask, hn::Vec<D> valu
     if constexpr (masked_stores_are_cheap) {
         hn::BlendedStore(value, hn::RebindMask(d, mask), d, to);
     } else {
-        // As floats: g++ 12 puts a comparison before a choice among integers.
+        // Chosen as floats: g++ 12 puts a comparison before a choice among integers.
         const hn::RebindToFloat<D> df;
         const auto there = hn::BitCast(df, hn::LoadU(d, to));
         hn::StoreU(hn::BitCast(d, hn::IfThenElse(mask, hn::BitCast(df, value), there)), d, to);

@@ -30,7 +30,7 @@ class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
 
-    /// The first or the last one; none if all are taken.
+    /// Takes the first or the last item; none if all are taken.
     std::optional<int> take(bool first) {
         std::uint64_t ends = ends_.load(std::memory_order_relaxed);
         for (;;) {
@@ -56,7 +56,7 @@ private:
 
 /// Threads that sleep until there is work. The caller's is worker 0, and the others follow.
 ///
-/// They are made by pthread_create, since std::thread has stacks as large as the user's limit says.
+/// They are made by pthread_create, since stacks of std::thread are as large as the user's limit.
 struct l3d_workers::threads {
     /// Makes so many threads but one, or as many as the system makes.
     explicit threads(int wanted) : members(static_cast<std::size_t>(wanted)) {
@@ -87,7 +87,7 @@ struct l3d_workers::threads {
             pthread_join(members[static_cast<std::size_t>(worker)].thread, nullptr);
     }
 
-    /// Calls work(worker) by this thread, and by each other one that comes before it has returned.
+    /// Calls work(worker) on this thread, and on each other one that joins before it returns.
     /// Cost: allocates nothing if the function holds a reference.
     void run(const std::function<void(int)>& work) {
         {
@@ -110,7 +110,8 @@ struct l3d_workers::threads {
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// More than is needed, as sanitizers have larger frames. Only what is touched takes memory.
+    /// Stack of a thread: larger than needed, since sanitizers have larger frames. Only touched
+    /// pages take memory.
     static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {
@@ -121,7 +122,7 @@ struct l3d_workers::threads {
     };
 
     std::vector<member> members;
-    int made = 1; ///< the threads that there are, the caller's included
+    int made = 1; ///< the threads that exist, the caller's included
     int why_no_more = 0;
     std::atomic<bool> has_failed{false}; ///< work has thrown: nothing more is begun
 
@@ -149,8 +150,8 @@ private:
         }
     }
 
-    /// Looks whether the others have done their last items for as long as falling asleep and being
-    /// woken take. On a busy machine, who sleeps waits for everybody's turn.
+    /// Watches for the others' last items for as long as falling asleep and waking take. On a busy
+    /// machine, a sleeper waits for everybody's turn.
     void watch() const {
         using clock = std::chrono::steady_clock;
         constexpr auto sleep_and_wake = std::chrono::microseconds(50);
@@ -237,7 +238,7 @@ void l3d_workers::run(int items, item_call call, void* context) {
 }
 
 /// Each worker has a range, which it takes from its outer end. When that is empty, it steals from
-/// the others' ranges, its neighbours' first. It steals at the far end from their owner.
+/// the others' ranges, its neighbours' first, at the end far from their owner.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

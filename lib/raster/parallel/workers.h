@@ -15,41 +15,42 @@
 #include <type_traits>
 #include <utility>
 
-/// The most threads that draw together. No machine has more processors to share, and each thread
-/// takes memory of its own.
+/// The limit of threads that draw together. No machine has more processors to share, and each
+/// thread takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
 
 /// A stack that is large enough for every thread that draws: a host may have threads with small
-/// ones. Nothing that is drawn takes more, however large or fine it is. Sanitizers take several
-/// times as much. Units: bytes.
+/// ones. No drawing takes more, however large or fine it is. Sanitizers take several times as much.
+/// Units: bytes.
 inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
-/// Why so many threads cannot draw together, with the number; "" if they can.
+/// The reason why so many threads cannot draw together, with the number; "" if they can.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
-/// No more threads draw unless somebody says so.
+/// The limit of threads that draw by default.
 /// Source:  a picture of 1024x768 is filled in 12 bands, and the teapot is 28 patches to dice. So 8
 ///          threads have two bands and four patches each at the most. If one thread takes 1 ms for
 ///          a frame, the next 8 could save 0.06 ms. Waking them costs about as much.
 inline constexpr int l3d_most_usual_threads = 8;
 
-/// How many threads draw unless somebody says otherwise: as many as processors, up to that number.
+/// The number of threads that draw by default: as many as processors, up to l3d_most_usual_threads.
 L3D_PUBLIC int l3d_usual_threads();
 
-/// Thrown out of work that is to end before it is done.
+/// The exception that ends work before it is done.
 class L3D_PUBLIC l3d_interrupted final : public std::exception {
 public:
     const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// A number of threads that do independent items of work.
+/// Threads that do independent items of work.
 ///
 /// The caller is one of them and goes on working until nothing is left to be taken. A worker that
 /// the system does not let run delays only the item that it has begun. Workers sleep between calls.
 class L3D_PUBLIC l3d_workers {
 public:
-    /// So many threads, the caller's included. With 1, the caller does all work, in order. Where
-    /// the system makes no more threads, there are fewer: count() and take_shortage() tell.
+    /// Starts threads, up to `threads` with the caller's. With 1, the caller does all work, in
+    /// order. Where the system makes no more threads, there are fewer: count() and take_shortage()
+    /// tell.
     /// Errors:  l3d_error with l3d_threads_complaint, if there is one; std::bad_alloc.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
@@ -63,11 +64,12 @@ public:
     /// reason; "" if there are as many.
     std::string take_shortage() { return std::exchange(shortage_, {}); }
 
-    /// From now on the caller's thread asks this while it works, some fifty times a second. Once it
-    /// says true, the work ends by l3d_interrupted, as soon as items that were begun are done.
+    /// Sets a question that the caller's thread asks while it works, some fifty times a second.
+    /// Once the answer is true, the work ends by l3d_interrupted, after the items that were begun.
     void interrupt_when(std::function<bool()> wanted) { is_unwanted_ = std::move(wanted); }
 
-    /// Asks, if it is time to: for long loops of the caller's thread that have no items.
+    /// Asks the question of interrupt_when, if it is time to. Long loops of the caller's thread
+    /// that have no items call it.
     /// Errors:  l3d_interrupted.
     /// Cost:    a look at the clock.
     void ask() {
@@ -84,9 +86,10 @@ public:
         run(items, call_of<Work>, context_of(work));
     }
 
-    /// The same for items in a row, in no order, where neighbours use the same memory. Each worker
-    /// begins at a place of its own and goes on beside it. So most items meet the same worker
-    /// whenever such a row is worked on, and find their memory in the caches of its core.
+    /// Calls work as for_each does, for items in a row where neighbours use the same memory, in no
+    /// order. Each worker begins at a place of its own and goes on beside it. So most items meet
+    /// the same worker whenever such a row is worked on, and find their memory in the caches of its
+    /// core.
     template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
         run_beside(items, call_of<Work>, context_of(work));
     }

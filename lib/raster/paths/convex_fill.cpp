@@ -21,7 +21,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// All rows of both chains.
+/// The spans' windows in all rows of both chains.
 struct row_windows {
     window left, right;
     alignas(64) double heights[rows];
@@ -30,13 +30,13 @@ struct row_windows {
     /// The fields of each row's covered_span, if the chains share no columns.
     alignas(64) std::int32_t begins[rows][4]; ///< row, first, between, beyond
     std::int32_t ends[rows][2];               ///< last, value
-    /// Whether each row has a group of values on both sides, and a middle that is worth a span.
+    /// Whether each row has a group of values on both sides, and a middle long enough for a span.
     /// The groups on both sides.
     bool alike = true;
     std::int32_t groups[rows][2];
 };
 
-/// Where a window's values begin and end. They are whole groups.
+/// The first and last values of a window. They form whole groups.
 struct window_ends {
     integers first, end;
 
@@ -52,10 +52,10 @@ struct window_ends {
     }
 };
 
-/// A span costs what some columns of values do.
+/// A span costs as much as some columns of values.
 constexpr std::int32_t few_columns = 32;
 
-/// Gives whether windows share columns in any row.
+/// Finds the windows' ends, and tells whether windows share columns in any row.
 HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
                                    const side_lanes& left, const side_lanes& right,
                                    std::size_t lane, std::size_t at, row_windows& result) {
@@ -122,7 +122,7 @@ HWY_INLINE void put_words(const window& from, std::size_t row, std::uint8_t* val
         std::memcpy(values + used, &from.words[used / group][row], group);
 }
 
-/// Windows that share columns. Gives how many columns they are together.
+/// Puts the values of windows that share columns, and gives the number of their columns.
 HWY_INLINE std::int32_t put_joint(const row_windows& windows, std::size_t row, double full,
                                   std::uint8_t* values) {
     const window &left = windows.left, &right = windows.right;
@@ -139,14 +139,14 @@ HWY_INLINE std::int32_t put_joint(const row_windows& windows, std::size_t row, d
     return count;
 }
 
-/// A span of a row whose windows share no columns.
+/// Makes the span of a row whose windows share no columns.
 HWY_INLINE covered_span span_of(const row_windows& windows, std::size_t row, std::size_t place) {
     const auto& [y, first, between, beyond] = windows.begins[row];
     const auto& [last, value] = windows.ends[row];
     return {y, first, between, beyond, last, value, place};
 }
 
-/// Rows that are alike become spans.
+/// Makes spans of rows that are alike.
 HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     std::memcpy(to.values + to.value_count, windows.groups, sizeof(windows.groups));
     covered_span* const span = to.spans + to.span_count;
@@ -157,7 +157,7 @@ HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     to.value_count += sizeof(windows.groups);
 }
 
-/// Rows from a lane on become spans.
+/// Makes spans of the rows from a lane on.
 std::uint32_t put_rows(const side_pair& pair, std::size_t begin, const row_windows& windows,
                        pair_spans& to) {
     const side_pair p = pair; // values may be anywhere, for all the compiler knows

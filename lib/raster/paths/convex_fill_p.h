@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convex_fill: what two chains of edges have between them, many rows at once.
+// convex_fill: the area between two chains of edges, many rows at once.
 #ifndef L3D_RASTER_PATHS_CONVEX_FILL_P_H
 #define L3D_RASTER_PATHS_CONVEX_FILL_P_H
 
@@ -16,7 +16,7 @@ namespace l3d_detail {
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
-    /// Rows of a straight block: cover_rows tells of each row by a bit.
+    /// The limit of rows in a straight block: cover_rows has a bit for each row.
     static constexpr std::size_t most_straight_rows = 32;
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
@@ -25,7 +25,7 @@ struct side_block {
     alignas(64) lanes enters;
     /// x at the row's bottom, or where the chain ends.
     lanes leaves;
-    /// How many corners lie between these.
+    /// The number of corners between `enters` and `leaves`.
     lanes corners;
     /// The corners, from top to bottom.
     std::array<lanes, most_corners> x, y;
@@ -44,24 +44,24 @@ public:
     /// Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights where it begins and ends. Level edges at its ends are left out, for they bound
-    /// no area.
+    /// The heights where the chain begins and ends. Level edges at its ends are left out, for they
+    /// bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
-    /// How many rows from `row` on it goes through before the row of its next corner, or to its
-    /// end. Expects: where it has gone to.
+    /// The number of rows from `row` on before the row of the chain's next corner, or to its end.
+    /// Expects: the walk has gone to `row`.
     std::size_t straight_rows(std::int32_t row) const;
 
-    /// Lays out so many rows from `row` on, and goes to their end.
-    /// Expects: where it has gone to; no more rows than a block has or than are straight, nor than
-    ///          are left.
+    /// Lays out `count` rows from `row` on, and goes to their end.
+    /// Expects: the walk has gone to `row`; no more rows than a block has, than are straight, or
+    ///          than are left.
     void lay_out(std::int32_t row, std::size_t count, side_block& block);
 
-    /// Where it is now.
+    /// x at the place that the walk has gone to.
     double x() const { return x_; }
 
-    /// Its piece in a row of a block.
+    /// The chain's piece in a row of a block.
     row_piece piece_of(const side_block& block, std::int32_t row, std::size_t lane) const;
 
 private:
@@ -77,15 +77,15 @@ private:
     const l3d_point_2d* edge_end_ = nullptr;
 };
 
-/// Two chains in the same rows, the left one first, what is between them, and how it is drawn.
+/// Two chains in the same rows, the left one first, and the way their area is drawn.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
     /// The heights where both begin and end.
     double begin, end;
-    /// The first row, and how many there are: more than a block's only if both are straight.
+    /// The first row, and the number of rows: more than a block's only if both chains are straight.
     std::int32_t row;
     std::size_t count;
-    /// Columns from 0 to width - 1 are seen.
+    /// The visible columns are 0 to width - 1.
     std::int32_t width;
     /// Offsets that are added to the columns and rows of spans.
     std::int32_t x, y;
@@ -93,7 +93,7 @@ struct side_pair {
     double full;
 };
 
-/// Where spans go.
+/// Memory that spans and their values are written to.
 struct pair_spans {
     static constexpr std::size_t most_values = 64; ///< values of a row
 
@@ -104,7 +104,7 @@ struct pair_spans {
 };
 
 /// Finds the spans of rows in which the chains do not cross, and neither goes across many columns
-/// nor has many corners. Gives the others, as bits.
+/// nor has many corners. Gives the other rows, as bits.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

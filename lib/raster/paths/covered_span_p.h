@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// covered_span: what a path covers, run by run; kept_list, where such runs are collected.
+// covered_span: the coverage of a path in a row; kept_list, which collects spans.
 #ifndef L3D_RASTER_PATHS_COVERED_SPAN_P_H
 #define L3D_RASTER_PATHS_COVERED_SPAN_P_H
 
@@ -15,19 +15,19 @@ namespace l3d_detail {
 struct covered_run {
     std::int32_t row, first, last;
     std::int32_t value; ///< value of all columns; -1: each has its own
-    std::size_t values; ///< the place of the first one's
+    std::size_t values; ///< the place of the first column's value
 };
 
-/// Columns first <= column < last of a row, and how much of each is covered: a value for each one
+/// Columns first <= column < last of a row, and the covered share of each: a value for each one
 /// before `between` and from `beyond` on, and the same for all in the middle.
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
     std::int32_t value; ///< value of the middle
-    std::size_t values; ///< the place of the first one; those from `beyond` on follow
+    std::size_t values; ///< the place of the first value; those from `beyond` on follow
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
 
-    /// Calls take(covered_run) for its runs from left to right, as far as they have columns.
+    /// Calls take(covered_run) for the span's runs that have columns, from left to right.
     template <class Take> void visit_runs(const Take& take) const {
         if (first < between)
             take(covered_run{row, first, between, -1, values});
@@ -38,24 +38,24 @@ struct covered_span {
     }
 };
 
-/// A list that keeps its room, and does not set it to 0 before it is used.
+/// A list that keeps its memory, and does not set it to 0 before use.
 template <class T> class kept_list {
 public:
     void clear() { used_ = 0; }
     std::size_t size() const { return used_; }
-    /// Room for so many behind the last one. Lives: until the next call.
+    /// Room for `more` items behind the last one. Lives: until the next call.
     T* room(std::size_t more) {
         if (room_.size() < used_ + more)
             room_.resize(std::max(2 * room_.size(), used_ + more));
         return room_.data() + used_;
     }
-    /// So many of the room are part of the list now.
+    /// Makes `more` items of the room part of the list.
     void use(std::size_t more) { used_ += more; }
     void push(const T& last) {
         *room(1) = last;
         use(1);
     }
-    /// Only so many are left. Expects: there are as many.
+    /// Keeps only the first items. Expects: the list has as many.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     const T& operator[](std::size_t i) const { return room_[i]; }

@@ -23,7 +23,8 @@ public:
     thin_run(const thin_run&) = delete;
     thin_run& operator=(const thin_run&) = delete;
 
-    /// Expects: in each coordinate at most 1 from the last pixel, or the first of a run.
+    /// Adds a pixel. Expects: in each coordinate at most 1 from the last pixel, or the first of a
+    /// run.
     void add(std::int64_t x, std::int64_t y) {
         if (count_ > 0 && x == last_.x && y == last_.y)
             return;
@@ -62,11 +63,11 @@ private:
 /// A curve as forward differences that halve and double their step.
 ///
 /// Over a step with differences d1, d2, d3 a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
-/// 3: so large is the derivative there. The step is halved until that is at most one pixel, and
-/// doubled as soon as it may be.
+/// 3, the bound of its derivative. The step is halved until that change is at most one pixel, and
+/// doubled as soon as a double step would do.
 /// Units:   pixels, from `origin`, which keeps numbers small and so rounding.
-/// Expects: 512 steps or fewer would do, so that no more than 1024 are made. Then rounding is below
-///          2^-20 pixel; NUMERICS.md, section 20.
+/// Expects: 512 equal steps or fewer would do, so that no more than 1024 are made. Then rounding is
+///          below 2^-20 pixel; NUMERICS.md, section 20.
 class adaptive_walk {
 public:
     explicit adaptive_walk(const l3d_curve_2d& curve)
@@ -88,13 +89,13 @@ public:
         }
     }
 
-    /// Where it is now.
+    /// The place that the walk has reached.
     l3d_point_2d at() const {
         const double w = plain_ ? 1 : d_[2].value();
         return {origin_.x + d_[0].value() / w, origin_.y + d_[1].value() / w};
     }
 
-    /// The parameter there, exactly.
+    /// The parameter of the place reached, exactly.
     double parameter() const { return 1 - static_cast<double>(left_) / whole; }
 
     bool done() const { return left_ == 0; }
@@ -118,7 +119,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t whole = 1 << 20; ///< steps that can be counted
+    static constexpr std::int64_t whole = 1 << 20; ///< shortest steps of a whole curve
 
     double change() const {
         const auto most = [](const l3d_forward_difference<double, 3>& d) {
@@ -127,7 +128,8 @@ private:
         const double place = std::max(most(d_[0]), most(d_[1]));
         if (plain_)
             return place;
-        // The change of a quotient: that of both, seen from a place at most `reach` away.
+        // The change of a quotient: the changes of both numbers, seen from a place at most `reach`
+        // away.
         const double weight = most(d_[2]), least = d_[2].value() - weight;
         return least > 0 ? (place + reach_ * weight) / least : 2;
     }
@@ -139,7 +141,7 @@ private:
     std::int64_t step_ = whole, left_ = whole;
 };
 
-/// How many equal steps of the parameter move by at most a pixel each.
+/// The number of equal steps of the parameter that move by at most a pixel each.
 inline double pixel_steps(const l3d_curve_2d& curve) {
     const auto& p = curve.points;
     const l3d_point_2d origin = projected(p[0]);

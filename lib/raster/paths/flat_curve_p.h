@@ -16,22 +16,22 @@ namespace l3d_detail {
 
 /// The point that homogeneous coordinates stand for.
 inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
-    // Ends mostly weigh 1. Who is asked waits for no division then.
+    // Ends mostly weigh 1, and then nobody waits for a division.
     if (p[2] == 1)
         return {p[0], p[1]};
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// Where points are seen. Units: pixels.
+/// The box of points that are seen. Units: pixels.
 struct seen_box {
     double left, top, right, bottom;
 
-    /// Whether all of a curve is beyond one side. It lies in the hull of its control points.
+    /// Whether a curve lies wholly beyond one side. It lies in the hull of its control points.
     bool misses(const l3d_curve_2d& curve) const {
         const auto all = [&curve](auto beyond) {
             return std::ranges::all_of(curve.points, beyond);
         };
-        // weights are above 0: what would be divided by one may as well be compared with it
+        // weights are above 0, so a comparison with p[2] replaces a division by it
         return all([this](const auto& p) { return p[0] < left * p[2]; }) ||
                all([this](const auto& p) { return p[0] > right * p[2]; }) ||
                all([this](const auto& p) { return p[1] < top * p[2]; }) ||
@@ -44,40 +44,41 @@ inline bool is_plain(const l3d_curve_2d& curve) {
     return std::ranges::all_of(curve.points, [](const auto& p) { return p[2] == 1; });
 }
 
-/// Steps of the parameter that a curve goes from 0 to 1 in.
+/// The steps of the parameter in which a curve goes from 0 to 1.
 struct flat_plan {
     double steps; ///< a whole number, but it may be too many for an integer
-    bool halved;  ///< the curve is halved, and each half takes what it needs by itself
+    bool halved;  ///< the curve is halved, and each half takes as many steps as it needs
 };
 
-/// Finds how many steps keep the chords between their ends within a distance of the curve.
+/// Finds the number of steps that keeps the chords between their ends within a distance of the
+/// curve.
 ///
 /// The ends are moved off the curve, to the outer side of its bend, so that chords err to both
 /// sides alike. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
-/// The first and the last step of several are this long, if the others are 1: the curve's own ends
-/// stay where they are. That is (1 + sqrt 2) / sqrt 8.
+/// The length of the first and the last step of several, if the others are 1: the curve's own ends
+/// stay in place. Its value is (1 + sqrt 2) / sqrt 8.
 inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
 
-/// How long a step of so many is that go from 0 to 1, but for those at the ends.
+/// The length of a step, if so many go from 0 to 1, except of those at the ends.
 /// Expects: at least 2.
 constexpr double flat_step(std::size_t steps) {
     return 1 / (static_cast<double>(steps - 2) + 2 * flat_step_at_ends);
 }
 
-/// The steps of a curve that is not halved.
+/// The limit of steps of a curve that is not halved.
 inline constexpr std::size_t most_flat_steps = 64;
 
-/// So many points are found together.
+/// The number of points that are found together.
 inline constexpr std::size_t flat_points_at_once = 8;
 
-/// Finds the points between steps, that is one less.
+/// Finds the points between steps, one fewer than steps.
 /// Shape:   there is room for flat_points_at_once more.
 void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
 
-/// Where the points of a curve lie until they are taken. Those who flatten many keep it: it takes
-/// as long to set up as a short curve does.
+/// Memory for the points of a curve until they are taken. Callers that flatten many curves keep it,
+/// for setting it up takes as long as a short curve.
 using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
 
 /// Calls lines(points) for the ends of chords, some at a time. A part out of sight becomes one

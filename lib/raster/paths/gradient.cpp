@@ -94,7 +94,7 @@ l3d_gradient::numbers l3d_gradient::piece::at(double place) const {
     return result;
 }
 
-/// The piece of a place, and where in its period the place is.
+/// Finds the piece of a place, and the place within its period.
 const l3d_gradient::piece& l3d_gradient::piece_at(double place, double& in_period) const {
     in_period = period_ > 0 ? place - period_ * std::floor(place / period_) : place;
     const auto found = std::ranges::upper_bound(pieces_, in_period, {}, &piece::to);
@@ -108,8 +108,8 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
 }
 
 /// Adds the integral of a weight, which is linear, times the colours from one place to another:
-/// red, green and blue times alpha, and alpha. These are quadratic at most within a piece, so with
-/// the weight cubic: two places of Gauss are exact.
+/// red, green and blue times alpha, and alpha. The products are quadratic at most within a piece,
+/// so cubic with the weight: two places of Gauss are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
@@ -127,7 +127,8 @@ void l3d_gradient::add_in_period(double from, double to, double weight_from, dou
     }
 }
 
-/// The same over any number of periods: all whole ones are one with the sum of their weights.
+/// Adds the integral over any number of periods: all whole ones count as one with the sum of their
+/// weights.
 void l3d_gradient::add(double from, double to, double weight_from, double weight_to,
                        numbers& sum) const {
     if (period_ == 0)
@@ -147,7 +148,7 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
     add_in_period(0, to - behind, weight_at(behind), weight_to, sum);
 }
 
-/// The mean over a square over which the place is linear. How much of the square has a place is a
+/// The mean over a square over which the place is linear. The share of the square by place is a
 /// trapezoid, as long as both changes together.
 l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     const double wide = std::max(std::abs(of.right), std::abs(of.down));
@@ -193,9 +194,9 @@ l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     return {(along + root) / inside, change(across), change(down)};
 }
 
-/// How many parts a pixel needs along either axis. At r pixels from the focus of a circle, the
-/// place of a colour is h^2 / 4 r off in a square of h, if it counts as linear there. With a focus
-/// beside the middle, or if the circle is an ellipse, distances count less.
+/// The number of parts that a pixel needs along either axis. At r pixels from the focus of a
+/// circle, the place of a colour is h^2 / 4 r off in a square of h, if it counts as linear there.
+/// With a focus beside the middle, or if the circle is an ellipse, distances count less.
 double l3d_gradient::parts_at(l3d_point_2d at) const {
     constexpr double most = 32, exact = 1.0 / 512;
     const l3d_point_2d unit = to_unit_.at(at);
@@ -207,7 +208,7 @@ double l3d_gradient::parts_at(l3d_point_2d at) const {
 std::uint32_t l3d_gradient::word_at(l3d_point_2d at) const {
     const slope whole = slope_at(at);
     double parts = radial_ ? parts_at(at) : 1;
-    // Between stops, the mean of what is curved differs from its middle by a 24th of its bend.
+    // Between stops, the mean of a curved run differs from its middle by a 24th of its bend.
     const double change = std::abs(whole.right) + std::abs(whole.down);
     constexpr double nothing = 1.0 / 16; // levels
     if (parts > 1 && is_opaque_ && steepest_ * change * parts * parts < 24 * 128 * nothing &&

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-/// Where along a gradient a colour is.
+/// A colour at a place along a gradient.
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;           ///< from 0, the beginning, to 1, the end
     std::uint32_t color = 0; ///< 0x00RRGGBB
@@ -38,26 +38,26 @@ enum class L3D_PUBLIC l3d_spread {
 ///          products more for each of them and each part.
 class L3D_PUBLIC l3d_gradient {
 public:
-    /// From one place to another, constant across.
+    /// Makes a gradient from one place to another, constant across.
     /// Expects: stops in order, one at least; two different places.
     static l3d_gradient linear(l3d_point_2d from, l3d_point_2d to,
                                std::span<const l3d_color_stop> stops,
                                l3d_spread spread = l3d_spread::pad);
-    /// From a place outwards to the circle around it.
+    /// Makes a gradient from a place outwards to the circle around it.
     /// Expects: stops in order, one at least; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius,
                                std::span<const l3d_color_stop> stops,
                                l3d_spread spread = l3d_spread::pad) {
         return radial(center, radius, center, stops, spread);
     }
-    /// From a focus to a circle: along each ray from the focus, colours go from 0 there to 1 on the
-    /// circle. A focus that is not inside is moved there, to 1 - 2^-10 of the radius.
+    /// Makes a gradient from a focus to a circle: along each ray, places go from 0 at the focus to
+    /// 1 on the circle. A focus that is not inside is moved there, to 1 - 2^-10 of the radius.
     /// Expects: stops in order, one at least; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
                                std::span<const l3d_color_stop> stops,
                                l3d_spread spread = l3d_spread::pad);
 
-    /// The gradient as it is after its plane was turned, stretched or moved like this.
+    /// The gradient after its plane was turned, stretched or moved.
     /// Expects: a placement that leaves areas.
     l3d_gradient placed(const l3d_placement_2d& place) const;
 
@@ -71,13 +71,13 @@ private:
 
     /// Between two stops: linear from one end to the other.
     struct piece {
-        double from, to; ///< where along the gradient; infinite at the ends of a padded one
+        double from, to; ///< places along the gradient; infinite at the ends of a padded one
         numbers begin, end;
 
         numbers at(double place) const;
     };
 
-    /// How a place in the gradient changes over a square of the picture.
+    /// The change of the place in the gradient over a square of the picture.
     struct slope {
         double place;
         double right, down; ///< change over the square's width, and over its height
@@ -99,9 +99,9 @@ private:
     bool is_opaque_ = true;
     double steepest_ = 0;        ///< levels per place between two stops
     l3d_placement_2d to_unit_{}; ///< a linear gradient goes along x to 1, a circle has radius 1
-    double narrowest_ = 1, widest_ = 1; ///< the least and the most that to_unit_ makes of a pixel
-    l3d_point_2d focus_{};              ///< in these coordinates
-    double period_ = 0;                 ///< 0 for one that is padded
+    double narrowest_ = 1, widest_ = 1; ///< the least and the largest scale of to_unit_
+    l3d_point_2d focus_{};              ///< focus, in to_unit_'s coordinates
+    double period_ = 0;                 ///< 0 for a padded gradient
     std::vector<piece> pieces_;         ///< pieces of a period, without gaps
 };
 

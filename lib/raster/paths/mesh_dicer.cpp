@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_dicer: where the corners are, and their colours, in lanes of double.
+// mesh_dicer: the places of corners and their colours, in lanes of double.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/mesh_dicer.cpp"
 #include <hwy/foreach_target.h>

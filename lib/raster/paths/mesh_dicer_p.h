@@ -81,8 +81,8 @@ public:
     const mesh_knots& along() const { return along_; }
     const mesh_knots& down() const { return down_; }
 
-    /// Calls shade(mesh_strip) for each patch of finite numbers, in the order of the standard: what
-    /// has the larger v comes later and stays; with one v, what has the larger u.
+    /// Calls shade(mesh_strip) for each patch of finite numbers. In the order of the standard, the
+    /// larger v comes later and stays; at equal v, the larger u.
     template <class Shade> void visit(const Shade& shade) {
         for (std::size_t i = 0; i < patches_.size(); ++i) {
             if (!is_finite(patches_[i]))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mesh_steps: bounds of second derivatives, and what patches with common borders agree on.
+// mesh_steps: bounds of second derivatives, and the steps that patches with common borders agree
+// on.
 #include "raster/paths/mesh_steps_p.h"
 
 #include "raster/paths/mesh_borders_p.h"
@@ -11,11 +12,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// How far a place may be from where the patch has the colour, in pixels; how far a linear colour
-/// may be from the bilinear one, in levels.
+/// Largest distance of a place from the patch's own place of that colour, in pixels; largest error
+/// of a linear colour against the bilinear one, in levels.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// A quarter is never finer: then the triangles of a patch cover some 2^-5 pixels in pictures of
-/// 2^14.
+/// The limit of steps in a quarter: then the triangles of a patch cover some 2^-5 pixels in
+/// pictures of 2^14.
 constexpr int most_steps = 128;
 
 /// A coordinate of control points; or, of a second derivative, of control vectors as a bicubic
@@ -60,7 +61,7 @@ net along_rows(const net& p) {
 
 /// Suv, turned.
 net twist_of(const net& p) {
-    net rows; // three; cubics along u
+    net rows; // three rows, cubics along u
     for (std::size_t r = 0; r < 3; ++r) {
         const auto twist = [&](std::size_t c) {
             return 9 * (p[r][c] - p[r + 1][c] - p[r][c + 1] + p[r + 1][c + 1]);
@@ -93,7 +94,7 @@ std::array<net, 4> quarters(const net& p) {
     return {first, second, third, fourth};
 }
 
-/// No vector of the patch is longer.
+/// A bound of the length of the patch's vectors.
 double longest(const nets& of) {
     curve squares{}; // squares of four vectors at once
     for (std::size_t r = 0; r < 4; ++r)

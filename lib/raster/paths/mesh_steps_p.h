@@ -19,16 +19,16 @@ bool is_finite(const l3d_mesh_patch& patch);
 /// Steps along one parameter of a patch: equal ones if few are enough, else so many in each
 /// quarter.
 struct mesh_steps {
-    /// Quarters pay from here on: with one step each they are as many.
+    /// The number of steps from which on quarters pay: with one step each they are as many.
     static constexpr int few = 4;
 
     int whole = 1;
     std::array<int, 4> of_quarter{1, 1, 1, 1};
 
     bool is_quartered() const { return whole > few; }
-    /// As many as both need.
+    /// Takes as many steps as both need.
     void cover(const mesh_steps& other);
-    /// Those of the parameter that runs the other way.
+    /// The steps of the parameter that runs the other way.
     mesh_steps backwards() const;
 };
 

@@ -31,10 +31,10 @@ using condition = hn::Mask<eight_doubles>;
 /// The state of a triangle that is set up.
 enum : std::int32_t { left_to_others = 0, empty = 1, to_be_filled = 2 };
 
-/// The most by which a channel may change from a lattice unit to the next: by 2^12 levels over
-/// small_side. So sums are below 2^13, and a few roundings of theirs in float below 2^-9.
+/// The largest change of a channel from a lattice unit to the next: 2^12 levels over small_side. So
+/// sums are below 2^13, and a few roundings of theirs in float below 2^-9.
 constexpr double most_change = 4096.0 / (small_side * l3d_subpixel_one);
-/// The most that a bilinear colour may differ from the linear one, anywhere in a triangle's box.
+/// The largest difference of a bilinear colour from the linear one, anywhere in a triangle's box.
 constexpr double most_bend = 4096;
 
 /// Triangles that are set up, one in each element.
@@ -43,8 +43,8 @@ struct set_up_triangles {
     using floats_of_all = std::array<float, most_lanes>;
 
     alignas(64) integers_of_all state, left, top, columns, rows;
-    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< those of edges
-    alignas(64) std::array<floats_of_all, 3> start, across, down; ///< those of linear colours
+    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
+    alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
     /// Added to the linear colour for a bilinear one: `twist` times the shares, in a place, of both
     /// corners on the diagonal.
     alignas(64) std::array<floats_of_all, 3> twist;
@@ -105,8 +105,8 @@ public:
 private:
     using floats_of_all = set_up_triangles::floats_of_all;
 
-    /// Floats from here on are whole numbers: the sum with another is rounded to the nearest, and
-    /// its lowest bits are that number. All others are in the highest byte.
+    /// Floats from this on are whole numbers: its sum with another is rounded to the nearest, and
+    /// the lowest bits are that number. All other bits are in the highest byte.
     static constexpr float whole_floats = 0x1p23F;
 
     static constexpr auto floats = Lanes::floats;
@@ -157,14 +157,14 @@ HWY_ATTR HWY_INLINE lane_corner corners_of(const mesh_row& row, std::size_t i) {
             {from(row.color[0]), from(row.color[1]), from(row.color[2])}};
 }
 
-/// Where three coordinates lie.
+/// The range of three coordinates.
 struct lane_range {
     number low, high;
 
     HWY_ATTR HWY_INLINE lane_range(number a, number b, number c)
         : low(least(least(a, b), c)), high(largest(largest(a, b), c)) {}
 
-    /// False also if one is not a number.
+    /// Whether the range is small and ends before `end`; false if a coordinate is not a number.
     HWY_ATTR HWY_INLINE condition small_within(double end) const {
         return both(both(hn::Ge(low.v, hn::Zero(eight_doubles())),
                          hn::Le(high.v, same(end * l3d_subpixel_one).v)),
@@ -218,8 +218,8 @@ HWY_ATTR HWY_INLINE void put(const lane_plane& plane, set_up_triangles::floats_o
     put(plane.down * unit, down);
 }
 
-/// Colours of triangles of this size whose first and last corners are on the diagonal. Returns
-/// where they do not change too fast.
+/// Sets up the colours of triangles whose first and last corners are on the diagonal. Returns the
+/// lanes where they do not change too fast.
 HWY_ATTR HWY_INLINE condition put_colors(const lane_corner& p, const lane_corner& q,
                                          const lane_corner& r, const std::array<number, 3>& twist,
                                          number area, number width, number height,

@@ -14,7 +14,7 @@ void l3d_path::move_to(l3d_point_2d to) {
     open_ = true;
 }
 
-/// After close, an outline goes on from where the last one began.
+/// Begins an outline if none is open: after close, at the place where the last one began.
 void l3d_path::begin_if_needed() {
     if (!open_)
         move_to(first_);
@@ -89,8 +89,8 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
     }
 }
 
-/// As four arcs, whose ends need no sines: inner points are 2 w / (1 + 2 w) = 2 - sqrt 2 along the
-/// tangents, for w the cosine of an eighth of a turn.
+/// Adds four arcs, whose ends need no sines: inner points are 2 w / (1 + 2 w) = 2 - sqrt 2 along
+/// the tangents, for w the cosine of an eighth of a turn.
 void l3d_path::add_circle(l3d_point_2d center, double radius) {
     constexpr double along = 2 - std::numbers::sqrt2, weight = (1 + std::numbers::sqrt2) / 3;
     const auto at = [&](double x, double y) {

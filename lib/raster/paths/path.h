@@ -19,14 +19,14 @@
 
 /// A plane curve as a cubic in homogeneous coordinates: a point is (x / w, y / w).
 ///
-/// Lines, quadratics, cubics, rational curves and arcs of ellipses are all exactly of this form.
+/// Lines, quadratics, cubics, rational curves and arcs of ellipses all have this form exactly.
 /// Units:   x / w and y / w in pixels.
 /// Expects: weights above 0.
 using l3d_curve_2d = l3d_bezier_curve<double, 3>;
 
-/// How far a drawn curve may be from the exact one, in pixels. NUMERICS.md, section 20: together
-/// with rounding to 8 bits, two pixels' length of curves in a pixel change its coverage by less
-/// than 1 / 255.
+/// The largest distance of a drawn curve from the exact one, in pixels. NUMERICS.md, section 20:
+/// together with rounding to 8 bits, two pixels' length of curves in a pixel change its coverage by
+/// less than 1 / 255.
 inline constexpr double l3d_flat_enough = 1.0 / 1024;
 
 /// Outlines that begin with move_to, and go on with lines and curves.
@@ -34,7 +34,7 @@ inline constexpr double l3d_flat_enough = 1.0 / 1024;
 /// For filling, every outline counts as closed. A piece without an outline to go on with begins one
 /// at (0, 0).
 /// Units:   pixels, as in l3d_rasterizer_2d: pixel (x, y) is sampled at (x, y), y down.
-/// Lives:   owns its points.
+/// Lives: as long as it likes; it owns its points.
 /// Cost:    the memory of its points; adding allocates when there are more than ever before.
 class L3D_PUBLIC l3d_path {
 public:
@@ -43,53 +43,53 @@ public:
         move,  ///< 1 point: an outline begins
         line,  ///< 1 point
         curve, ///< 3 points, with weights
-        close  ///< 0 points: back to where the outline began
+        close  ///< 0 points: back to the outline's beginning
     };
 
-    /// Begins another outline.
+    /// Begins another outline at a point.
     void move_to(l3d_point_2d to);
-    /// Goes on straight.
+    /// Adds a straight line.
     void line_to(l3d_point_2d to);
-    /// Goes on by a quadratic Bezier curve.
+    /// Adds a quadratic Bezier curve.
     void quadratic_to(l3d_point_2d control, l3d_point_2d to);
-    /// Goes on by a cubic Bezier curve.
+    /// Adds a cubic Bezier curve.
     void cubic_to(l3d_point_2d first, l3d_point_2d second, l3d_point_2d to);
-    /// Goes on by a rational cubic. The point that it begins at weighs 1.
+    /// Adds a rational cubic. The point that it begins at weighs 1.
     /// Expects: weights between 1e-6 and 1e6.
     void rational_to(const std::array<l3d_point_2d, 3>& points,
                      const std::array<double, 3>& weights);
-    /// Goes on by an arc of an ellipse, straight to its beginning first; there an outline begins if
-    /// there is none.
+    /// Adds an arc of an ellipse, and first a straight line to the arc's beginning. Without an open
+    /// outline, one begins there.
     ///
     /// The arc has the points center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
     /// begin + sweep. It is exact: a rational curve for each quarter or less.
     /// Units:   radians, clockwise as y points down.
     /// Expects: |sweep| at most 1000.
     void arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin, double sweep);
-    /// Goes straight back to where the outline began, and joins its ends.
+    /// Closes the outline by a straight line to its beginning, and joins its ends.
     void close();
 
-    /// A full circle, an outline of its own.
+    /// Adds a full circle, an outline of its own.
     void add_circle(l3d_point_2d center, double radius);
-    /// The squares of whole pixels, an outline of its own: filled, it leaves no fringe. Nothing if
-    /// the box is empty.
+    /// Adds the squares of whole pixels, an outline of its own: filled, it leaves no fringe. Adds
+    /// nothing if the box is empty.
     void add_box(const l3d_pixel_box& box);
-    /// A polygon, an outline of its own. Nothing if it has no corner.
+    /// Adds a polygon, an outline of its own. Adds nothing if it has no corner.
     void add_polygon(l3d_outline_2d corners);
 
-    /// Adds the outlines of a path, its points placed anew. Weights of curves stay: the same
-    /// curves, turned, stretched or slanted.
+    /// Adds the outlines of a path, with its points placed anew. The curves' weights stay, so they
+    /// are turned, stretched or slanted exactly.
     void add(const l3d_path& other, const l3d_placement_2d& place = {});
 
-    /// No outline is left; the memory stays.
+    /// Removes all outlines; the memory stays.
     void clear();
-    /// Whether nothing was added.
+    /// Whether the path has no pieces.
     bool empty() const { return kinds_.empty(); }
     /// Whether all coordinates are numbers.
     bool is_number() const;
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
-    /// each piece in order. Coordinates beyond +-2^30 are moved to that. A visitor that has
+    /// each piece in order. Coordinates beyond +-2^30 are clamped to it. A visitor that has
     /// lines(std::span<const l3d_point_2d>) gets many lines at once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
@@ -119,7 +119,7 @@ private:
     std::vector<l3d_point_2d> points_;
     std::vector<double> weights_; ///< three for each curve
     l3d_point_2d first_{}, last_{};
-    bool open_ = false; ///< there is an outline to go on with
+    bool open_ = false; ///< whether an outline is open
 };
 
 template <class Visitor> void l3d_path::visit(Visitor& visitor) const {

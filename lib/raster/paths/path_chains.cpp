@@ -76,7 +76,7 @@ void path_chains::begin(l3d_point_2d corner) {
 
 void path_chains::lines(std::span<const l3d_point_2d> corners) {
     const double dx = move_.x, dy = move_.y;
-    // A bound has to wait for the one before it, so there are some of each.
+    // A bound has to wait for the one before it, so some are found side by side.
     constexpr std::size_t at_once = 4;
     std::array<double, at_once> least, most;
     least.fill(reached_.least);
@@ -118,9 +118,9 @@ void path_chains::cut_at_sides() {
     }
 }
 
-/// Chains begin at an edge that is not level, where the last one that was not led the other way.
-/// The outline's first corners are there again behind its last one, up to the first turn: so each
-/// chain's corners are beside each other. A dashed line may have a million outlines beside the
+/// Chains begin at an edge that is not level, where the last edge that is not level led the other
+/// way. The outline's first corners, up to the first turn, are repeated behind its last one: so
+/// each chain's corners are beside each other. A dashed line may have a million outlines beside the
 /// picture.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
@@ -148,7 +148,7 @@ void path_chains::end(std::uint8_t layer) {
     while (begin < last && corners_[begin].y == corners_[begin + 1].y)
         ++begin;
     if (begin == last)
-        return; // it is level
+        return; // the outline is level
     bool down = corners_[begin].y < corners_[begin + 1].y;
     begin = place_of_turn(begin, last, down);
     const std::size_t again = begin - outline_;
@@ -166,7 +166,7 @@ void path_chains::end(std::uint8_t layer) {
         add_outline(before);
 }
 
-/// The columns that it reaches, and the rows.
+/// Adds an outline with the columns and rows that it reaches.
 void path_chains::add_outline(std::size_t first) {
     std::int32_t top = height_, bottom = 0;
     for (std::size_t i = first; i < chains_.size(); ++i) {
@@ -189,13 +189,14 @@ void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std:
         chains_.emplace_back(corners_.data(), first, last, height_, layer);
 }
 
-/// Goes down the outlines by their tops. Those that have begun and not ended are looked at.
+/// Goes down the outlines by their tops, and compares each with those that have begun and not
+/// ended.
 void path_chains::find_apart() {
     const auto is_pair = [](const outline& o) { return o.chains == 2; };
     if (std::ranges::none_of(outlines_, is_pair))
         return;
     std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
-    // Where very many are beside each other, looking at all costs more than it saves.
+    // Where very many outlines are beside each other, comparing all costs more than it saves.
     std::size_t looks = 64 * outlines_.size();
     active_.clear();
     for (outline& next : outlines_) {

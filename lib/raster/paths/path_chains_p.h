@@ -32,9 +32,9 @@ struct corner_run {
 /// leaves.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
-    double left, right; ///< all of it lies between
+    double left, right; ///< the piece lies between
     l3d_point_2d enters, leaves;
-    corner_run corners;    ///< in between
+    corner_run corners;    ///< corners between its ends
     std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
     std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
 
@@ -51,7 +51,7 @@ struct row_piece {
     }
 };
 
-/// Where an edge is at a height within it. It never leaves its ends.
+/// The x of an edge at a height within it, never beyond its ends.
 struct straight_edge {
     double x0 = 0, y0 = 0, slope = 0, least = 0, most = 0;
 
@@ -72,7 +72,7 @@ public:
     chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height,
           std::uint8_t layer);
 
-    /// The first row that it reaches, and the one behind the last.
+    /// The first row that the chain reaches, and the row behind the last.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
 
@@ -82,13 +82,14 @@ public:
 
     const row_piece& piece() const { return piece_; }
 
-    /// Goes to a row in which it is this. For those that walk it by themselves.
+    /// Goes to a row with this piece, for callers that walk the chain by themselves.
     void take_piece(const row_piece& piece) { piece_ = piece; }
-    /// The next corner that it leads to, the place behind the last one, and the way there.
+    /// The next corner that the chain leads to, the place behind the last one, and the step between
+    /// corners.
     const l3d_point_2d* next_corner(const l3d_point_2d* all) const { return all + next_; }
     const l3d_point_2d* behind(const l3d_point_2d* all) const { return all + last_ + step_; }
     std::ptrdiff_t step() const { return step_; }
-    /// It reaches no row any more.
+    /// Makes the chain reach no row any more.
     void leave_out() { bottom_ = top_; }
 
 private:
@@ -97,7 +98,7 @@ private:
     std::ptrdiff_t next_; ///< the corner that it leads to
     std::ptrdiff_t last_, step_;
     std::int32_t top_ = 0, bottom_ = 0;
-    /// The edge that it leaves the row by, if that goes on to `end_`: where it is at a height.
+    /// The edge by which the chain leaves the row, if that goes on to `end_`.
     straight_edge edge_;
     double end_;
     row_piece piece_{};
@@ -121,7 +122,7 @@ inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
 /// Cost:    linear in the corners; allocates when there are more than ever before.
 class path_chains {
 public:
-    /// No chain is left. All corners will be moved.
+    /// Removes all chains. All later corners are moved by `move`.
     void clear(std::int32_t width, std::int32_t height, l3d_point_2d move = {});
 
     /// Begins an outline, goes on with it, and closes it.
@@ -151,7 +152,7 @@ public:
     std::span<const std::uint32_t> begun_in(std::int32_t row) const;
 
 private:
-    /// How far an outline reaches.
+    /// The columns that an outline reaches.
     struct columns {
         double least, most;
     };

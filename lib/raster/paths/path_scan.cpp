@@ -13,10 +13,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// Whether no point of one piece surely lies right of the other's at its height. Both lie between
-/// the same heights. Level edges give no answer.
+/// Whether surely no point of `left` lies right of the point of `right` at the same height. Both
+/// lie between the same heights. Level edges give no answer.
 bool is_left_of(const row_piece& left, const row_piece& right) {
-    // Both are straight between their corners, so these tell.
+    // Both are straight between their corners, so comparing corners is enough.
     const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {
         bool before = true;
         std::size_t i = 0;
@@ -46,7 +46,7 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     if (box_.empty() || full_value_ == 0 || !wanted.path.is_number() ||
         (wanted.clip != nullptr && !wanted.clip->is_number()))
         return {};
-    // The sides of an empty box may be farther apart than an int tells.
+    // The sides of an empty box may be farther apart than an int can hold.
     width_ = box_.right - box_.left;
     height_ = box_.bottom - box_.top;
     areas_.set_width(width_);
@@ -61,7 +61,7 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     return spans_.all();
 }
 
-/// Lattice: here pixel 0 is [0, 1), and its sample is its middle.
+/// In the scan's coordinates, pixel 0 is [0, 1), and its sample is its middle.
 void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
     const seen_box seen{box_.left - 0.5, box_.top - 0.5, box_.right - 0.5, box_.bottom - 0.5};
     visit_flat(
@@ -79,7 +79,7 @@ void path_scan::add_all() {
     }
 }
 
-/// Outlines that no other is near, as far as they are of two chains.
+/// Adds the outlines of two chains that no other outline is near.
 void path_scan::add_pairs() {
     chains_.find_apart();
     for (const path_chains::outline& o : chains_.outlines())
@@ -87,7 +87,7 @@ void path_scan::add_pairs() {
             add_pair(chains_.chains()[o.first], chains_.chains()[o.first + 1]);
 }
 
-/// An outline that only turns at its top and its bottom, as all convex ones do.
+/// Adds an outline that only turns at its top and its bottom, as all convex ones do.
 void path_scan::add_pair(chain& a, chain& b) {
     std::array<side_walk, 2> walks{side_walk(a, chains_.corners()),
                                    side_walk(b, chains_.corners())};
@@ -145,7 +145,7 @@ void path_scan::add_pair_row(std::int32_t row, const chain& a, const chain& b) {
 
 void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
                             const row_piece& right_piece) {
-    // A span costs what some columns of values do.
+    // A span costs as much as some columns of values.
     constexpr std::int32_t few = 32;
     const auto reached = [](const row_piece& p) {
         return reached_columns{static_cast<std::int32_t>(p.left),
@@ -201,7 +201,7 @@ void path_scan::begin_row(std::int32_t row) {
 void path_scan::add_row(std::int32_t row) {
     const auto column = [](double x) { return static_cast<std::int32_t>(x); };
     windings w;
-    std::int32_t done = 0; // columns before it have their spans
+    std::int32_t done = 0; // the column before which all have their spans
     for (std::size_t i = 0; i < places_.size();) {
         const std::size_t begin = i;
         const std::int32_t first = column(places_[i].left);
@@ -242,7 +242,7 @@ void path_scan::add_cluster(std::int32_t row, std::span<const place> places, win
     }
 }
 
-/// A piece that leads through the whole row.
+/// Adds a piece that leads through the whole row.
 void path_scan::add_through(const row_piece& piece, windings& w) {
     const bool was_inside = rules_.inside(w);
     w.cross(piece);
@@ -289,8 +289,8 @@ void path_scan::add_run(std::int32_t row, std::span<const place> places, bool ov
     bordered_ = true;
 }
 
-/// Pieces that lie side by side and only meet. False, and nothing is done, if they are many, or if
-/// inside and outside change along one of them.
+/// Adds pieces that lie side by side and only meet. Does nothing and returns false if they are
+/// many, or if inside and outside change along one of them.
 bool path_scan::add_meeting(std::span<const place> places, const windings& left) {
     constexpr std::size_t most = 6;
     if (places.size() > most)
@@ -326,7 +326,7 @@ bool path_scan::add_meeting(std::span<const place> places, const windings& left)
     return true;
 }
 
-/// A span of values that are still to be found.
+/// Adds a span of values that are still to be found.
 std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& columns) {
     const std::int32_t end = std::min(columns.last + 1, width_) + box_.left;
     const std::int32_t first = columns.first + box_.left;
@@ -338,8 +338,8 @@ std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& col
     return values;
 }
 
-/// Runs up the sums from what is covered on their left, and takes them back to 0. Gives what is
-/// covered on their right.
+/// Runs up the sums from the coverage on their left, and sets them back to 0. Gives the coverage on
+/// their right.
 double path_scan::run_up(const reached_columns& columns, double covered, std::uint8_t* value) {
     double* sums = areas_.sums();
     for (std::int32_t column = columns.first; column <= columns.last; ++column) {

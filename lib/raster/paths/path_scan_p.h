@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_scan: how much of each pixel a path covers, row by row, where its edges are.
+// path_scan: the coverage of pixels by a path, row by row, where its edges are.
 #ifndef L3D_RASTER_PATHS_PATH_SCAN_P_H
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 
@@ -47,14 +47,14 @@ public:
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of columns that have their own. As many may be read beyond a span's as a vector
-    /// has lanes of 32 bits.
+    /// The values of columns that have their own. Beyond a span's values, as many more may be read
+    /// as a vector has lanes of 32 bits.
     const std::uint8_t* values() const { return values_.data(); }
 
 private:
     static constexpr std::size_t most_lanes = 16; ///< lanes of span_kernels' vectors
 
-    /// A piece of the row.
+    /// A chain's piece in the row.
     struct place {
         double left, right;
         std::uint32_t chain;

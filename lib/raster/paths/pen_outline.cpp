@@ -11,14 +11,14 @@
 namespace l3d_detail {
 namespace {
 
-/// As far as paths reach: such a pen covers every picture. Arcs of wider ones have ever more
-/// pieces.
+/// The limit of a pen's width, as far as paths reach: such a pen covers every picture. Arcs of
+/// wider pens would have ever more pieces.
 constexpr double widest_pen = 1 << 30;
 
-/// From point to point of an arc, so that the area of a pixel is off by at most l3d_flat_enough.
-/// Chords of a turn u add up to r^2 u^3 / (81 sqrt 2) to one side before the other side makes up
-/// for it, and may do so four times in a pixel. Those of large circles are nearer than what
-/// sqrt 2 pixels of the rim allow. NUMERICS.md, section 20.
+/// The largest turn from point to point of an arc, so that a pixel's area is off by at most
+/// l3d_flat_enough. Chords of a turn u add up to r^2 u^3 / (81 sqrt 2) to one side before the other
+/// side makes up for it, and may do so four times in a pixel. Chords of large circles are nearer
+/// than sqrt 2 pixels of the rim allow. NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
@@ -68,7 +68,8 @@ void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed)
         add_chord(*last, leaves, points[0]);
 }
 
-/// False if it has no length. The pen is square to a curve where this begins or ends.
+/// Adds a chord; returns false if it has no length. The pen is square to a curve where this begins
+/// or ends.
 bool pen_outline::add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to) {
     const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
     const double length = std::sqrt(dx * dx + dy * dy); // from numbers below 2^32
@@ -125,7 +126,7 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
     add_point(beside(after.from, to));
 }
 
-/// One point for a turn so small that its arc is nearly its chord, whatever the join: within a
+/// Adds one point for a turn so small that its arc is nearly its chord, whatever the join: within a
 /// curve, and along the many points of a plot. On the outside it lies on the arc, and the sides of
 /// both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is where these sides
 /// cross; nothing is done where that is beyond the middle of one of them.
@@ -140,7 +141,7 @@ bool pen_outline::add_small_joint(const chord& before, const chord& after, doubl
     return true;
 }
 
-/// Beside a joint, in the middle between the left of both chords.
+/// The point beside a joint, in the middle between the left of both chords.
 l3d_point_2d pen_outline::between(const chord& before, const chord& after, double scale) {
     return {after.from.x + scale * (before.ends.y + after.begins.y),
             after.from.y - scale * (before.ends.x + after.begins.x)};
@@ -174,7 +175,7 @@ void pen_outline::add_cap(const chord& last) {
 
 /// Equal turns u lead from one point to the next, on a circle that is larger by r u^2 / 12 or so: a
 /// chord and its arc bound equal areas. The arc itself begins and ends on the circle: there the
-/// turn is by u / sqrt 2. A single chord has nothing to make up for what it cuts off.
+/// turn is by u / sqrt 2. A single chord has no neighbour to make up for the area that it cuts off.
 void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) const {
     constexpr double at_ends = 1 / std::numbers::sqrt2;
     constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of

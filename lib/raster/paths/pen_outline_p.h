@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pen_outline: what a pen covers along a chain of chords, as outlines wound clockwise.
+// pen_outline: the area of a pen along a chain of chords, as outlines wound clockwise.
 #ifndef L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 #define L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 
@@ -14,8 +14,8 @@ namespace l3d_detail {
 struct pen_point {
     l3d_point_2d at;
     bool smooth = false; ///< two chords of one curve meet here
-    /// The directions of a curve that ends here and of one that begins, of length 1. (0, 0): that
-    /// of the chord.
+    /// The directions of a curve that ends here and of one that begins here, of length 1. (0, 0)
+    /// means the chord's direction.
     l3d_point_2d arrives{}, leaves{};
 };
 
@@ -28,23 +28,23 @@ class pen_outline {
 public:
     pen_outline(const l3d_stroke& pen, l3d_path& result);
 
-    /// Where all points are one, a square cap has sides along a direction.
+    /// Adds a chain's outline. If all points are one, a square cap has sides along `along`.
     void add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along = {1, 0});
 
 private:
-    /// From a point to the next one that is elsewhere.
+    /// A chord from a point to the next different one.
     struct chord {
         l3d_point_2d from, to;
         double length;
         l3d_point_2d begins, ends; ///< directions that the pen is square to
-        bool smooth;               ///< where it begins
+        bool smooth;               ///< whether its beginning lies within a curve
     };
 
     void find_chords(const std::vector<pen_point>& points, bool closed);
     bool add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to);
     void add_dot(l3d_point_2d at, l3d_point_2d along);
-    /// The side left of the direction of travel, from the first chord's beginning to the last one's
-    /// end.
+    /// Adds the side left of the direction of travel, from the first chord's beginning to the last
+    /// one's end.
     void add_side(bool closed);
     void add_joint(const chord& before, const chord& after);
     bool add_small_joint(const chord& before, const chord& after, double sine, double cosine);
@@ -53,7 +53,7 @@ private:
     void add_cap(const chord& last);
     /// Finds points near the circle about (0, 0), from the direction (1, 0) on.
     void find_turns(double angle, std::vector<l3d_point_2d>& turns) const;
-    /// The same about a place, from another direction on.
+    /// Adds the points of a circle about `center`, from the direction `left` on.
     void add_arc(l3d_point_2d center, l3d_point_2d left, const std::vector<l3d_point_2d>& turns);
     void add_point(l3d_point_2d p) { outline_.push_back(p); }
     void end_outline();
@@ -67,9 +67,9 @@ private:
     l3d_path& result_;
     double radius_, most_angle_;
     double least_cosine_; ///< cosine of most_angle_
-    double most_turn_;    ///< between points of an arc
+    double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    std::vector<l3d_point_2d> outline_; ///< that is being made
+    std::vector<l3d_point_2d> outline_; ///< the outline that is being made
     std::vector<l3d_point_2d> turns_;
     std::vector<l3d_point_2d> half_turn_; ///< arc of all round caps; empty before the first one
 };

@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// Where an edge is at a height within it. Its ends are met exactly, and it never leaves them.
+/// The x of an edge at a height within it: exact at its ends, and never beyond them.
 double x_at(const row_edge& p, double y) {
     if (y <= p.y0)
         return p.x0;
@@ -41,7 +41,7 @@ row_edge cut(const row_edge& e, double from, double to) {
     return part;
 }
 
-/// Sorts what mostly is a handful.
+/// Sorts a list that mostly has few elements.
 template <class T, class Less> void sort_few(std::vector<T>& of, const Less& less) {
     constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
     if (of.size() > few)
@@ -74,7 +74,7 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
 }
 
 /// Where n edges lie side by side in a row, slabs of all of them would take n^2. A slab of a strip
-/// has those of its own columns alone.
+/// has only the edges of its own columns.
 void row_areas::add_in_strips(std::span<const row_edge> edges, const windings& left,
                               const fill_rules& rules) {
     constexpr double width = 2; // wide enough that few edges are cut
@@ -102,8 +102,9 @@ void row_areas::add_in_strips(std::span<const row_edge> edges, const windings& l
     }
 }
 
-/// Right of a strip, windings are others down the row than left of it, by its edges. Where two of
-/// these meet, or one leads on into the next strip, nothing changes: so what is kept is few.
+/// Notes the heights at which a strip's edges make the windings on its right differ from those on
+/// its left. Where two edges meet, or one leads on into the next strip, nothing changes: so few
+/// changes are kept.
 void row_areas::add_changes(std::span<const row_edge> edges) {
     for (const row_edge& e : edges) {
         change begins{e.y0, {}}, ends{e.y1, {}};
@@ -164,8 +165,8 @@ void row_areas::add_strip(std::span<const row_edge> edges, const windings& left,
 }
 
 void row_areas::add_slab(double top, double bottom, const windings& left, const fill_rules& rules) {
-    // Where several begin at one place, their lower ends tell the order.
-    // From one slab to the next few change places.
+    // Chords that begin at one place are in the order of their lower ends. From one slab to the
+    // next, few chords change places.
     if (!std::is_sorted(chords_.begin(), chords_.end()))
         std::sort(chords_.begin(), chords_.end());
     if (std::ranges::is_sorted(chords_, {}, &chord::x1)) {
@@ -266,7 +267,7 @@ void row_areas::find_crossings(std::span<const chord> chords, double top, double
     std::ranges::sort(crossings_, {}, &crossing::y);
 }
 
-/// Gives the windings right of them.
+/// Adds chords that do not cross, and gives the windings right of them.
 windings row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
                                 const windings& left, const fill_rules& rules) {
     windings w = left;

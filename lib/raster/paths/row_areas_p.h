@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// row_areas: how much of each pixel of a row lies inside of edges that cross each other.
+// row_areas: the area of each pixel of a row that lies inside of edges that cross each other.
 #ifndef L3D_RASTER_PATHS_ROW_AREAS_P_H
 #define L3D_RASTER_PATHS_ROW_AREAS_P_H
 
@@ -23,7 +23,8 @@ struct row_edge {
     std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
 };
 
-/// How often outlines wind around a place: those of what is filled, and those that clip it.
+/// The windings of outlines around a place: those of the filled path, and those of the path that
+/// clips it.
 struct windings {
     std::array<int, 2> turns{};
 
@@ -63,7 +64,7 @@ private:
     }
 };
 
-/// Exact areas of the pixels of one row, summed up from the borders of what is inside.
+/// Exact areas of the pixels of one row, summed up from the borders of the inside.
 ///
 /// A border adds the area right of it in its own columns. So the running sum over columns is
 /// the area of each pixel, also behind the last column that a border reaches.
@@ -71,19 +72,19 @@ private:
 ///          the number of their ends and crossings; if they are many, for those of two columns.
 class row_areas {
 public:
-    /// Columns from 0 to width - 1. Expects: all sums are 0, as users leave them.
+    /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as users leave them.
     void set_width(std::int32_t width);
 
-    /// Adds the edges that belong together, all of which lie right of `left`'s windings.
+    /// Adds edges of a cluster, which have the windings `left` on their left.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings.
-    /// Between two cuts they have an order, and only those count behind which inside and outside
-    /// change.
+    /// Between two cuts edges have an order, and only edges at which inside and outside change
+    /// count.
     void add_cluster(std::span<const row_edge> edges, const windings& left,
                      const fill_rules& rules);
 
-    /// Adds a single border, whatever is between it and others. The height is negative if what is
-    /// left of it is inside.
+    /// Adds a single border, whatever lies between it and others. The height is negative if the
+    /// inside is left of it.
     void add_border(double x0, double x1, double height);
 
     /// The sums of columns, to be run up. Beyond the last column there are two more.
@@ -99,7 +100,7 @@ private:
         }
     };
 
-    /// From this height on, the windings left of the strip are others.
+    /// A height from which on the windings left of the strip are others.
     struct change {
         double y;
         windings by;
@@ -124,8 +125,8 @@ private:
     /// A chord among those that cross.
     struct track {
         std::size_t place; ///< from left to right
-        double since;      ///< this height it has been a border, if its sign is not 0
-        int sign;          ///< 1: what is right of it is inside
+        double since;      ///< the height from which on it has been a border, if its sign is not 0
+        int sign;          ///< 1: the inside is right of it
     };
 
     std::vector<double> sums_;
@@ -133,7 +134,7 @@ private:
     std::vector<chord> chords_;
     std::vector<crossing> crossings_, waiting_;
     std::vector<track> tracks_;
-    std::vector<windings> before_; ///< left of each place
+    std::vector<windings> before_; ///< windings left of each place
     std::vector<std::size_t> by_lower_;
     std::vector<double> least_after_; ///< least of the lower ends, from each chord on
     std::vector<const row_edge*> sorted_;
@@ -179,7 +180,7 @@ inline void row_areas::add_border(double x0, double x1, double height) {
 /// Puts borders that follow each other together as long as they stay in one pixel.
 class pixel_sum {
 public:
-    /// The first of them begins at x.
+    /// Begins at x, the place of the first border.
     pixel_sum(row_areas& areas, double x) : areas_(areas), column_(static_cast<std::int32_t>(x)) {}
     ~pixel_sum() { end(); }
     pixel_sum(const pixel_sum&) = delete;

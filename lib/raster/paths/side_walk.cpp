@@ -14,7 +14,7 @@ side_walk::side_walk(const chain& of, const l3d_point_2d* corners)
     skip_level();
 }
 
-/// A level edge bounds no area.
+/// Skips level edges, which bound no area.
 void side_walk::skip_level() {
     for (; next_ != behind_ && next_->y == y_; next_ += step_)
         x_ = next_->x;
@@ -28,7 +28,7 @@ std::size_t side_walk::straight_rows(std::int32_t row) const {
     return static_cast<std::size_t>(rows);
 }
 
-/// On the edge that leads to the next corner.
+/// The x at a height of the edge that leads to the next corner.
 double side_walk::edge_at(double y) {
     if (edge_end_ != next_) {
         edge_ = straight_edge(*(next_ - step_), *next_);
@@ -37,7 +37,7 @@ double side_walk::edge_at(double y) {
     return edge_.x_at(y);
 }
 
-/// False, and nothing is done, if there is a corner on the way.
+/// Lays out rows of one edge. Does nothing and returns false if there is a corner on the way.
 bool side_walk::lay_out_straight(double end, side_block& block) {
     block.straight = next_->y >= end || next_ + step_ == behind_;
     if (!block.straight)
@@ -74,7 +74,7 @@ void side_walk::lay_out(std::int32_t row, std::size_t count, side_block& block) 
             ;
         std::ptrdiff_t corners = (next - block.first[lane]) * step;
         next_ = next;
-        if (next == behind) { // the last one is where it ends
+        if (next == behind) { // the last corner is the chain's end
             --corners;
             x_ = (next - step_)->x;
             block.leaves[lane] = x_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// side_windows: a chain in rows of pixels, a row a lane, and what it covers to its right.
+// side_windows: a chain in rows of pixels, a row a lane, and the area that it covers to its right.
 #if defined(L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
 #undef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
@@ -46,7 +46,7 @@ constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }
 
-/// Rows of both chains: where they begin and end.
+/// The heights at which both chains begin and end in their rows.
 struct row_heights {
     number top, bottom;
 
@@ -95,7 +95,7 @@ struct side_lanes {
         }
     }
 
-    /// Which rows have this corner.
+    /// The rows that have corner i.
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }
@@ -109,7 +109,7 @@ struct window {
     std::int32_t words[most_groups][rows]; ///< values, four in a word
     std::int32_t first[rows];
     std::int32_t used[rows];  ///< columns that have values, some groups
-    std::int32_t known[rows]; ///< columns that have areas; in all others it is the height
+    std::int32_t known[rows]; ///< columns that have areas; all others have the height
 };
 
 /// The sum over edges of height * G(x), where G(x) is the area right of an edge from l to r of
@@ -119,7 +119,7 @@ template <std::size_t Columns> struct area_sum {
     number first;
     std::array<number, Columns> sums;
 
-    /// An edge that is the only one. It begins in the first column, so b is never below 0.
+    /// Sets the sum to a single edge. It begins in the first column, so b is never below 0.
     HWY_ATTR HWY_INLINE void set(number x0, number x1, number height) {
         const edge e(x0, x1, height);
         number beyond = first - e.left;
@@ -128,7 +128,7 @@ template <std::size_t Columns> struct area_sum {
             sum = e.area(beyond);
         }
     }
-    /// One of several.
+    /// Adds one of several edges.
     HWY_ATTR HWY_INLINE void add(number x0, number x1, number height) {
         const edge e(x0, x1, height);
         number after_left = first - e.left;
@@ -180,7 +180,7 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
     }
     const auto value = [&](number covered)
                            HWY_ATTR { return truncated(covered * same(full) + same(0.5)); };
-    // Behind the columns that are known, all is right of the chain.
+    // Columns behind the known ones lie wholly right of the chain.
     const integers rest = value(is_left ? height : same(0));
     number before = same(0);
     integers word = hn::Zero(di);
@@ -203,7 +203,7 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
     hn::Store(hn::Set(di, static_cast<std::int32_t>(Columns)), di, &result.known[at]);
 }
 
-/// Gives whether all windows are one group of columns.
+/// Finds the windows of a chain, and tells whether all are one group of columns.
 template <bool is_left>
 HWY_ATTR HWY_INLINE bool find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_stroked: chords, dashes, and what the pen covers beside them.
+// l3d_stroked: chords, dashes, and the pen's outlines beside them.
 #include "raster/paths/stroke.h"
 
 #include "raster/paths/flat_curve_p.h"
@@ -22,7 +22,7 @@ bool is_set(l3d_point_2d direction) {
     return direction.x != 0 || direction.y != 0;
 }
 
-/// The same direction with length 1. (0, 0) has none.
+/// The vector with its direction and length 1. (0, 0) has no direction.
 l3d_point_2d unit(l3d_point_2d v) {
     const double length = std::sqrt(v.x * v.x + v.y * v.y); // from numbers below 2^500
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
@@ -56,7 +56,7 @@ struct chord_ends {
     }
     chord_ends() = default;
 
-    /// At a part t of the chord. It turns evenly from end to end, as along a circle.
+    /// The direction at a part t of the chord: it turns evenly from end to end, as along a circle.
     l3d_point_2d at(double t) const {
         return is_set(last) ? unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)})
                             : l3d_point_2d{};
@@ -132,11 +132,11 @@ private:
 /// Cuts outlines into dashes.
 class dasher {
 public:
-    /// One that leaves dashes out makes none that no picture shows, but for the outermost.
+    /// If `leaves_out`, makes no dashes that no picture shows, except the outermost.
     dasher(const l3d_stroke& pen, pen_outline& outline, double sum, bool leaves_out)
         : pen_(pen), outline_(outline), sum_(sum), leaves_out_(leaves_out) {}
 
-    /// The dashes of a chain of points.
+    /// Makes the dashes of a chain of points.
     void cut(const std::vector<pen_point>& points, bool closed) {
         start();
         first_ = {};
@@ -157,7 +157,7 @@ public:
 private:
     struct dash {
         std::vector<pen_point> points;
-        l3d_point_2d along{1, 0}; ///< the direction of the chord that it ends in
+        l3d_point_2d along{1, 0}; ///< the direction of the chord that the dash ends in
     };
 
     bool drawing() const { return turn_ % 2 == 0 && dashes_ < most_dashes; }

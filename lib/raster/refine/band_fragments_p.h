@@ -19,7 +19,7 @@ namespace l3d_detail {
 
 /// The marked pixels of a band, row by row, and what of polygons is seen in them.
 ///
-/// Lives: of one worker, kept for its memory.
+/// Lives: one per worker, kept for its memory.
 /// Cost:  memory for the marked pixels, for what is seen in them, and for as many fragments more:
 ///        what is hidden goes whenever these have doubled.
 class band_fragments {
@@ -53,7 +53,7 @@ public:
     /// polygons is no background: they are not all here.
     bool closed(std::size_t i) const { return pixels()[i].is_closed; }
 
-    /// What is seen in pixel i. Expects: finish came before.
+    /// The fragments that are seen in pixel i. Expects: finish came before.
     std::span<const seen_fragment> seen_in(std::size_t i) const {
         return std::span(seen_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
     }
@@ -83,14 +83,14 @@ private:
 
     std::span<const std::uint32_t> colors_;
     bool by_material_ = false;
-    l3d_pixel_box inside_; ///< what of the band the item reaches
+    l3d_pixel_box inside_; ///< the item's box within the band
     marked_pixels pixels_;
     quad_boxes boxes_;
     std::vector<fragment_polygon> polygons_; ///< with room for more
-    std::size_t polygon_count_ = 0;          ///< of these
+    std::size_t polygon_count_ = 0;          ///< polygons in use
     std::vector<fragment> fragments_;        ///< with room for more
-    std::size_t count_ = 0;                  ///< of these
-    std::size_t most_fragments_ = 0;         ///< before what is hidden is left out
+    std::size_t count_ = 0;                  ///< fragments in use
+    std::size_t most_fragments_ = 0;         ///< limit at which hidden ones are left out
     std::vector<seen_fragment> seen_;
     std::vector<std::uint32_t> begins_, names_;
 };

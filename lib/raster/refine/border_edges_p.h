@@ -15,8 +15,9 @@ namespace l3d_detail {
 
 /// Finds out which borders of a band's parts are contours. Two parts that share an edge have the
 /// same vertices there, bit by bit. If both lie on the same side of it, the surface folds over.
-/// If they lie on either side, it goes on, and there is nothing to see unless their levels differ.
-/// Lives: of one worker, kept for its memory.
+/// If they lie on either side, the surface goes on, and there is nothing to see unless their levels
+/// differ.
+/// Lives: one per worker, kept for its memory.
 class border_edges {
 public:
     /// Starts pixel rows [top, bottom).
@@ -29,7 +30,7 @@ public:
     /// Adds the border beside an item's quads, or beside its triangles.
     void add(const band_item& item);
 
-    /// The contours among all that was added. Returns: valid until the next call.
+    /// Finds the contours among the borders that were added. Returns: valid until the next call.
     std::span<const contour_edge> match();
 
 private:

@@ -35,9 +35,9 @@ HWY_INLINE std::uint64_t bits_of(hn::Mask<decltype(floats)> mask) {
     return bits;
 }
 
-/// How the quads of a row turn, from column `begin` to `end`. Quad c has bit c % 64 of word c / 64.
-/// Differences and products are rounded, of quads up to 16 pixels not at all; everybody who asks
-/// gets the same answer.
+/// Finds the turns of a row's quads, from column `begin` to `end`. Quad c has bit c % 64 of word c
+/// / 64. Differences and products are rounded, of quads up to 16 pixels not at all; everybody who
+/// asks gets the same answer.
 /// Expects: begin a multiple of 64; words are 0.
 void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::uint64_t* right,
                   std::uint64_t* folded) {
@@ -125,7 +125,8 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
     };
     int filled = -1; // the row whose turns are in here_
     for (int row = cells.row_begin; row < cells.row_end; ++row) {
-        // Rows are told by the centres that they may cover: one more on either side is reached.
+        // An item's rows are those of the centres that it may cover: it reaches one more on either
+        // side.
         const band_rows& reached = list.rows(item)[row - cells.row_begin];
         if (reached.top - 1 >= bottom || reached.bottom + 1 <= top)
             continue;

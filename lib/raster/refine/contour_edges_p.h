@@ -13,11 +13,11 @@
 
 namespace l3d_detail {
 
-/// A way from one vertex to another; the surface lies on its right, seen in the picture, and what
-/// is behind the surface on its left.
+/// An edge from one vertex to another; in the picture the surface lies on its right, and things
+/// behind the surface on its left.
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
-    float nearest = 0;   ///< of both vertices' inv_w
+    float nearest = 0;   ///< larger inv_w of both vertices
 };
 
 /// Finds the edges between a polygon that turns to the right and one that does not. A folded quad
@@ -26,7 +26,7 @@ struct contour_edge {
 /// Round a vertex, the polygons that turn to the right fill the same angle as those that turn to
 /// the left. So at such an edge both end, and a surface has no other outlines than these and its
 /// borders.
-/// Lives: of one worker, kept for its memory.
+/// Lives: one per worker, kept for its memory.
 class contour_edges {
 public:
     /// The edges of an item's quads that may reach into pixel rows [top, bottom): those on its

@@ -44,8 +44,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Channels are bytes of pixel words, in the order of memory: that of how transparent a pixel is,
-/// is the last one of four.
+/// Channels are bytes of pixel words, in the order of memory; the last of four is transparency.
 constexpr std::int32_t channels = sizeof(std::uint32_t);
 constexpr hn::CappedTag<std::uint8_t, 64> levels;
 constexpr auto vector_pixels = static_cast<std::int32_t>(hn::MaxLanes(levels)) / channels;
@@ -56,7 +55,7 @@ HWY_ATTR HWY_INLINE level_lanes load(const std::uint32_t* from) {
     return hn::LoadU(levels, reinterpret_cast<const std::uint8_t*>(from));
 }
 
-/// A bit for each channel that is beyond levels of no jump.
+/// Sets a bit for each channel that is beyond levels of no jump.
 HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     const auto most = hn::Set(levels, std::uint8_t{jump_levels});
     std::uint8_t bytes[sizeof(std::uint64_t)] = {};
@@ -66,8 +65,8 @@ HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     return bits & 0x7777777777777777;
 }
 
-/// Whether a channel of some pixels may be that far from the one on the right, or below. Here, how
-/// transparent they are counts, too.
+/// Whether a channel of some pixels may jump to the pixel on the right, or below. Transparency
+/// counts here, too.
 HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
     const auto here = load(row), beside = load(row + 1), below = load(next);
     const auto range =
@@ -76,7 +75,7 @@ HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* 
     return !hn::AllTrue(levels, hn::Eq(hn::Max(range, most), most));
 }
 
-/// As is_jump, of some pixels side by side: a bit for each channel that jumps.
+/// Tests as is_jump, for some pixels side by side: a bit for each channel that jumps.
 HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, level_lanes c,
                                                 level_lanes e) {
     const auto most_kink = hn::Set(levels, std::uint8_t{most_kink_levels});
@@ -90,7 +89,7 @@ HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, le
                 rest(hn::SaturatedSub(b, c), hn::SaturatedSub(a, b), hn::SaturatedSub(c, e))));
 }
 
-/// Sets the bits of pixels from x up to `end` that have such channels.
+/// Sets the bits of pixels from x up to `end` that have channels with a bit.
 HWY_INLINE void add_pixels(std::uint64_t bits, std::int32_t x, std::int32_t end,
                            std::uint64_t* to) {
     constexpr std::uint64_t first_channels = 0x1111111111111111;

@@ -10,15 +10,16 @@
 
 namespace l3d_detail {
 
-/// How far two neighbours' levels must be apart in a channel for an edge between them, beyond what
-/// shading explains. Half of it is what a picture may be wrong by at edges that are not refined.
+/// The difference of two neighbours' levels in a channel that makes an edge between them, beyond
+/// the part that shading explains. A picture may be wrong by half of it at edges that are not
+/// refined.
 ///
 /// Steady shading explains twice the smaller of the differences before and behind, as far as these
 /// go the same way. A kink explains the larger of them.
 inline constexpr int jump_levels = 8;
 
-/// The most that a kink explains: where shading of so many levels a pixel begins in a pixel's
-/// middle, its mean is an eighth of it off, 2 levels.
+/// The largest difference that a kink explains. Where shading of 16 levels a pixel begins in a
+/// pixel's middle, the mean is an eighth of it off, 2 levels.
 inline constexpr int most_kink_levels = 16;
 
 /// Jumps from pixels to their neighbours: on the right, and below.

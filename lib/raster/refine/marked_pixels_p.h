@@ -30,7 +30,7 @@ struct marked_pixel {
 ///
 /// Shape: rows of tiles of 8 x 8 pixels, each with a bit for a pixel: 8 row + column. Pixels are in
 ///        the order of tiles, and in each in that of bits.
-/// Lives: of one worker, kept for its memory.
+/// Lives: one per worker, kept for its memory.
 class marked_pixels {
 public:
     static constexpr std::int32_t side = 8;
@@ -99,7 +99,7 @@ private:
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;
-    std::size_t columns_ = 0; ///< of tiles
+    std::size_t columns_ = 0; ///< tiles in a row
     std::int32_t first_row_ = 0;
     std::vector<tile> tiles_;
     std::vector<marked_pixel> pixels_;

@@ -21,14 +21,14 @@ namespace l3d_detail {
 /// The data of a frame that refining needs: all of its items, and what has been drawn of them.
 struct drawn_frame {
     const l3d_pixels& target;
-    l3d_depth_buffer& depth; ///< of the whole picture
+    l3d_depth_buffer& depth; ///< depth of the whole picture
     const l3d_shading& shading;
     std::span<const l3d_material> materials;
-    std::span<const std::uint32_t> colors; ///< of the materials, if they are those of levels
+    std::span<const std::uint32_t> colors; ///< colours of the materials, if words are levels
     const band_list& list;
     const coarse_depth& coarse;
-    l3d_pixel_box window; ///< what is drawn of the target
-    int rows = 0;         ///< of a band
+    l3d_pixel_box window; ///< the drawn part of the target
+    int rows = 0;         ///< rows of a band
 };
 
 /// Finds the pixels at edges, and draws these again: those that a contour passes through where it

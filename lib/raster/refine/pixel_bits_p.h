@@ -20,7 +20,7 @@ class pixel_bits {
 public:
     static constexpr std::int32_t word_pixels = 64;
 
-    /// The bits mean nothing until each row is cleared.
+    /// Sets the size. The bits mean nothing until each row is cleared.
     void resize(l3d_size size) {
         row_words_ = (static_cast<std::size_t>(size.width) + word_pixels - 1) / word_pixels;
         const std::size_t needed = row_words_ * static_cast<std::size_t>(size.height);
@@ -37,7 +37,7 @@ public:
     std::uint64_t* row(std::int32_t y) { return words_.data() + place(y); }
     const std::uint64_t* row(std::int32_t y) const { return words_.data() + place(y); }
 
-    /// Where a column's bit is in the words of a row. Expects: x >= 0.
+    /// The index of the word that has a column's bit. Expects: x >= 0.
     static std::size_t word_of(std::int32_t x) { return static_cast<std::uint32_t>(x) / word_bits; }
     static unsigned bit_of(std::int32_t x) { return static_cast<std::uint32_t>(x) % word_bits; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_light: the mean light of what is seen in pixels.
+// pixel_light: the mean light of the fragments that are seen in pixels.
 #ifndef L3D_RASTER_REFINE_PIXEL_LIGHT_P_H
 #define L3D_RASTER_REFINE_PIXEL_LIGHT_P_H
 
@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Writes the words of a band's marked pixels: the mean of the light at the middles of what is seen
-/// of each polygon, weighted by the number of samples. If `has_color`, polygons have the colours of
+/// Writes the words of a band's marked pixels: the mean of the light at the middles of polygons'
+/// seen parts, weighted by the number of samples. If `has_color`, polygons have the colours of
 /// materials.
 /// Expects: `band` is finished.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,

@@ -13,8 +13,8 @@ namespace l3d_detail {
 /// cells.
 ///
 /// They were searched for, so that any straight edge has nearly as many samples on either side as
-/// its area says: at most 3.4 of the 64 are wrong, and 0.73 in the mean. Of a (0, 2)-sequence,
-/// which also has one sample in each rectangle of 1/64 of the pixel, 7.5 are at diagonals.
+/// its area says: at most 3.4 of the 64 are wrong, and 0.73 in the mean. A (0, 2)-sequence, which
+/// also has one sample in each rectangle of 1/64 of the pixel, has 7.5 wrong at diagonals.
 ///
 /// Sample b is bit b of masks. Units: cells.
 struct sample_places {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspection_shader: Newton's method, and how normals change from pixel to pixel.
+// inspection_shader: Newton's method, and the change of normals from pixel to pixel.
 #include "raster/shaders/inspection_shader_p.h"
 
 #include <algorithm>
@@ -16,21 +16,21 @@ using vector = l3d_inspected_patches::vector;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// How far the ray passes a point by, along the picture's axes, and how that changes with a
-/// direction of the point: both vanish with it.
+/// The distance at which the ray passes a point, along the picture's axes. Of a direction, it is
+/// the change with that direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)
         : x(of[0] - ray[0] * of[2]), y(of[1] - ray[1] * of[2]) {}
 };
 
-/// The inverse of what small steps of parameters do to a point's offset.
+/// The inverse of the map from small steps of parameters to a point's offset.
 class parameter_steps {
 public:
     parameter_steps(const l3d_patch_place& at, const vector& ray)
         : u_(at.along_u, ray), v_(at.along_v, ray), determinant_(u_.x * v_.y - v_.x * u_.y) {}
 
-    /// Whether rounding leaves anything of it.
+    /// Whether the inverse exists after rounding.
     bool exists() const {
         constexpr double least = 0x1p-40;
         return std::abs(determinant_) > least * (std::abs(u_.x * v_.y) + std::abs(v_.x * u_.y));
@@ -58,8 +58,8 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
     const vector ray = frame.ray(x, y);
     // Convergence doubles the digits each time. Guesses are good to a part of a quad.
     constexpr int most_steps = 12;
-    constexpr double farthest = 0.5; // from the guess: what lies beyond is another sheet
-    constexpr double exact = 1e-6;   // pixels, of what a step leaves
+    constexpr double farthest = 0.5; // from the guess: points beyond are on another sheet
+    constexpr double exact = 1e-6;   // pixels that a step may leave
     const patch_parameters guess{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
     patch_parameters at = guess;
     double first_miss = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
         const parameter_steps steps(place, ray);
         if (at.is_solved || !steps.exists())
             break;
-        // What is drawn beside a border may stand for the border itself.
+        // A pixel beside a border may stand for the border itself.
         const patch_parameters next{std::clamp(at.u - steps.of_u(off.x, off.y), 0.0, 1.0),
                                     std::clamp(at.v - steps.of_v(off.x, off.y), 0.0, 1.0)};
         const bool is_border = next.u == at.u || next.v == at.v;
@@ -90,12 +90,12 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
     return at.is_solved && is_near ? at : guess;
 }
 
-/// What the eye sees of a patch, and how it changes from a pixel to the next ones.
+/// The eye's view of a patch, and its change from a pixel to the next ones.
 struct inspection_shader::sight {
     vector ray;                       ///< unit
     std::array<vector, 2> ray_change; ///< a pixel to the right, and one down
     l3d_patch_bend bend;              ///< its normal turned to the eye
-    std::array<vector, 2> turn;       ///< of the normal, likewise
+    std::array<vector, 2> turn;       ///< change of the normal, likewise
 };
 
 /// Nothing where the surface has no normal.
@@ -116,7 +116,7 @@ std::optional<inspection_shader::sight> inspection_shader::look_at(patch_paramet
         result.bend.normal_v = -bend->normal_v;
         result.bend.mean = -bend->mean;
     }
-    // A pixel further, a point that is seen is further by its distance over the focal length.
+    // A seen point moves from pixel to pixel by its distance over the focal length.
     const parameter_steps steps(jet, ray);
     const double pixel = jet.point[2] / patches_.focal;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspection_shader: what a patch exactly is at a pixel, in colours.
+// inspection_shader: exact properties of a patch at each pixel, as colours.
 #ifndef L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
 #define L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
 
@@ -23,20 +23,20 @@ struct patch_parameters {
     bool is_solved = false;
 };
 
-/// Where the eye sees a patch at a place of the picture, by Newton's method from a guess; the
-/// guess itself if that leads nowhere. Units: pixels.
+/// Finds the parameters of the point of a patch that the eye sees at a place of the picture, by
+/// Newton's method from a guess. Gives the guess itself if that leads nowhere. Units: pixels.
 patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// What shaders that look at exact patches have in common. Only the pixel's place and a guess of
-/// its parameters come from the vertices.
+/// The common part of shaders that look at exact patches. Only the pixel's place and a guess of its
+/// parameters come from the vertices.
 class patch_shader {
 public:
     /// The parameters u and v.
     static constexpr std::size_t components = 2;
 
-    /// The patch that polygons are parts of from now on.
+    /// Chooses the patch of the next polygons.
     void use_material(std::uint32_t index) {
         index_ = index;
         net_ = &patches_.nets[index];
@@ -59,7 +59,7 @@ public:
     std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
 
 protected:
-    /// Lives: borrows the shading and what it has of patches.
+    /// Lives: borrows the shading and its patches.
     explicit patch_shader(const l3d_shading& shading)
         : shading_(shading), patches_(*shading.inspected) {}
 
@@ -73,7 +73,7 @@ protected:
     std::int64_t unsolved_ = 0;
 
 private:
-    std::array<float, components> least_{}, most_{}; ///< of the polygon's corners
+    std::array<float, components> least_{}, most_{}; ///< bounds of the polygon's corners
 };
 
 /// Shows a number, or stripes, of the exact patch in each pixel.
@@ -84,9 +84,9 @@ public:
     /// Units: pixels from the picture's top left corner.
     std::uint32_t word_at(const float* guess, double x, double y);
 
-    /// The same for a part of a pixel, the place being in it: stripes are means over whole pixels
-    /// already, so that all parts of a patch in one pixel should show the same. Beside outlines the
-    /// eye misses the patch at the pixel's middle.
+    /// The word of a part of a pixel around a place: stripes are means over whole pixels already,
+    /// so all parts of a patch in one pixel should show the same. Beside outlines the eye misses
+    /// the patch at the pixel's middle.
     std::uint32_t word_around(const float* guess, double x, double y);
 
 private:

@@ -52,9 +52,9 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// How far levels are from those of the true parameters, at most. Weights of corners that add
-    /// up to 1 change by a quarter of the ratio of w, less 1, if each is multiplied by its w. The
-    /// levels that they weigh lie in the range of all that is interpolated.
+    /// A bound of the levels' distance from those of the true parameters. Weights of corners that
+    /// add up to 1 change by a quarter of the ratio of w, less 1, if each is multiplied by its w.
+    /// The weighed levels lie in the range of all interpolated numbers.
     float error() const { return error_; }
 
 private:
@@ -132,7 +132,7 @@ private:
                4 * t * (1 - t) * ((1 - s) * bends_[3] + s * bends_[1]);
     }
 
-    /// The one of two roots that is nearer to [0, 1], brought to it; 0 if neither is a number.
+    /// The one of two roots that is nearer to [0, 1], clamped to it; 0 if neither is a number.
     static double nearest_parameter(double a, double b) {
         const auto beside = [](double p) {
             return std::isfinite(p) ? std::max({-p, p - 1, 0.0}) : HUGE_VAL;

@@ -34,7 +34,7 @@ HWY_INLINE half_vec products(half_vec levels, half_vec colors) {
     return hn::Add(x, hn::ShiftRight<8>(x));
 }
 
-/// Colours of a vector of words, apart: where red and blue are, and where green is.
+/// Colours of a vector of words, apart: red and blue, and green.
 struct color_halves {
     half_vec red_blue, green;
 
@@ -90,7 +90,7 @@ private:
     }
 
     const std::uint32_t* colors_;
-    word_vec material_; ///< of the last vector, and its colour
+    word_vec material_; ///< the last vector's material, and its colour
     color_halves color_;
 };
 #endif

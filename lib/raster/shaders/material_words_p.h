@@ -45,7 +45,7 @@ public:
     /// nothing was filled elsewhere.
     void color(const material_pixels& pixels) const;
 
-    /// The same, pixel by pixel. The slow twin.
+    /// Colours pixel by pixel, as the slow twin.
     void color_slowly(const material_pixels& pixels) const;
 
 private:

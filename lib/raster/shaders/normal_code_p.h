@@ -31,7 +31,7 @@ struct normal_code {
         return {rounded(normal[0]) | rounded(normal[1]) << 16, rounded(normal[2]) << 16};
     }
 
-    /// The normal times `scale`; all else that `z` has is ignored.
+    /// The normal times `scale`; the lower half of `z` is ignored.
     std::array<float, 3> scaled() const {
         const auto upper = [](std::uint32_t word) {
             return static_cast<float>(static_cast<std::int32_t>(word) >> 16);

@@ -11,12 +11,14 @@
 
 namespace l3d_detail {
 
-/// Finds what is seen in each pixel of a run, and has the program colour them with one call.
+/// Finds the point of the patch in each pixel of a run, and has the program colour them with one
+/// call.
 class own_shader : public patch_shader {
 public:
     explicit own_shader(const l3d_shading& shading) : patch_shader(shading) {}
 
-    /// A pixel whose word comes with end_run(). Units: pixels from the picture's top left corner.
+    /// Notes a pixel whose word comes with end_run(). Units: pixels from the picture's top left
+    /// corner.
     void note(const float* guess, double x, double y, std::uint32_t& word) {
         places_.push_back(seen(guess, x, y));
         targets_.push_back(&word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shaders: what is interpolated over a polygon, and the pixel word made of it.
+// The shaders: numbers interpolated over a polygon, and the pixel word made of them.
 #ifndef L3D_RASTER_SHADERS_SURFACE_SHADER_P_H
 #define L3D_RASTER_SHADERS_SURFACE_SHADER_P_H
 
@@ -22,7 +22,7 @@
 //   corner(v, out)     the numbers of one corner
 //   word(values)       the pixel word for interpolated numbers
 //
-// If its rows may be filled in lanes, in_lanes() says how these make the same words.
+// If a shader's rows may be filled in lanes, in_lanes() says how lanes make the same words.
 
 namespace l3d_detail {
 
@@ -32,7 +32,7 @@ inline float dot(const vector3& a, const float* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Least |n|^2 that is divided by: a zero normal then has cosine 0 instead of NaN.
+/// The square |n|^2 as a divisor, bounded from below: a zero normal has cosine 0 instead of NaN.
 inline float safe_square(float square) {
     return square > FLT_MIN ? square : FLT_MIN;
 }
@@ -121,7 +121,7 @@ public:
     }
     void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
 
-    /// The plane of four corners that are not in one plane runs past their greys near a corner.
+    /// If four corners are not in one plane, their plane runs past their greys near a corner.
     std::uint32_t word(const float* value) const {
         const float least = *value > darkest_ ? *value : darkest_;
         return grey_word(least < brightest_ ? least : brightest_);

@@ -38,7 +38,7 @@ template <std::size_t Count> class attribute_planes {
 public:
     using numbers = std::array<float, Count>;
 
-    /// Through three corners. `area2` is cross(b - a, c - a). Expects: area2 != 0.
+    /// Makes the planes through three corners. `area2` is cross(b - a, c - a). Expects: area2 != 0.
     attribute_planes(const std::array<scan_point, 3>& p, const std::array<numbers, 3>& v,
                      std::int64_t area2)
         : base_x_(p[0].x), base_y_(p[0].y) {
@@ -47,7 +47,7 @@ public:
         set_gradients(p[1] - p[0], p[2] - p[0], v[1], v[0], v[2], v[0], area2);
     }
 
-    /// Through the mean of four corners, parallel to both diagonals' differences.
+    /// Makes the planes through the mean of four corners, parallel to both diagonals' differences.
     /// `area2` is cross(c - a, d - b). Expects: area2 != 0.
     attribute_planes(const std::array<scan_point, 4>& p, const std::array<numbers, 4>& v,
                      std::int64_t area2)

@@ -21,7 +21,7 @@ inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int covera
            ((odd + 1 + (odd >> 8)) & 0x0000ff00);
 }
 
-/// The same of a word that may be transparent: both colours count by what they cover.
+/// Blends a word that may be transparent: each colour counts by its share of the pixel.
 inline std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
     if (word >> 24 == 0)
         return blended(word, color, coverage);

@@ -12,7 +12,7 @@
 /// Units:   pixels, y down.
 /// Source:  Cohen, Sutherland; in Newman, Sproull: Principles of Interactive Computer Graphics.
 struct L3D_PUBLIC l3d_clip_region {
-    /// Its corners, top left and bottom right; both belong to it.
+    /// The box's corners, top left and bottom right; both belong to it.
     l3d_point_2d least{}, most{};
 
     /// The bits of outcode(), one for each side of the box.
@@ -24,7 +24,7 @@ struct L3D_PUBLIC l3d_clip_region {
                (p.y > most.y ? below : 0) | (p.y < least.y ? above : 0);
     }
 
-    /// Moves the ends of a line to the sides. False if nothing of it is inside.
+    /// Moves the ends of a line to the sides. Returns false if no part of it is inside.
     /// Expects: finite numbers.
     bool clip(l3d_point_2d& from, l3d_point_2d& to) const;
 

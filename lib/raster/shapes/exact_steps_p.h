@@ -38,7 +38,7 @@ constexpr whole_range where_within(whole_range among, wide_integer slope, wide_i
             std::min(among.last, floor_quotient(high, slope))};
 }
 
-/// (n + i s) / d for i = 0, 1, 2...: its floor, and what is left over.
+/// (n + i s) / d for i = 0, 1, 2...: its floor and its remainder.
 ///
 /// Expects: 0 < d < 2^62; every floor that is asked for fits 62 bits.
 /// Cost:    two divisions to set up, three additions and a comparison for each step.

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// A convex polygon with what the rasterizer needs to know besides.
+/// A convex polygon with the colour that the rasterizer needs.
 ///
 /// Lives:   a value; copies are deep, and of the same type.
 class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
@@ -20,7 +20,7 @@ public:
     l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, std::uint32_t color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
 
-    /// Fills what clipping has left.
+    /// Fills the part that clipping has left.
     template <class Vertex>
     void draw(const l3d_two_part_list<Vertex>& vertices, l3d_rasterizer_2d& rasterizer) {
         corners_.clear();

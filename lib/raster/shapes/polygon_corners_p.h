@@ -25,11 +25,11 @@ bool is_number(l3d_point_2d position);
 /// Cost: allocates when there are more corners than ever before.
 class polygon_corners {
 public:
-    /// Takes the corners of a polygon. False if nothing is to be drawn: fewer than three, no area,
-    /// or one that is not a number.
+    /// Takes the corners of a polygon. Returns false if nothing is to be drawn: fewer than three
+    /// corners, no area, or a corner that is not a number.
     bool set(std::span<const l3d_point_2d> corners);
 
-    /// As seen on the screen, y down.
+    /// Whether corners go round clockwise, as seen on the screen, y down.
     bool clockwise() const { return clockwise_; }
 
     /// Whether near() has the corners: all are within scan_limit, where scanning is fastest.

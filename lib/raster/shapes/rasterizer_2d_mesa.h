@@ -9,15 +9,15 @@
 #include <array>
 #include <vector>
 
-/// Draws the same pixels as l3d_rasterizer_2d_sw_imp, by another's hand.
+/// Draws the same pixels as l3d_rasterizer_2d_sw_imp, through GL.
 ///
-/// All becomes triangles on the lattice of 1/256 pixel, which GL fills by the same rule. Points,
-/// the straight runs of a line and the spans of outlines are drawn as rectangles. GL's own lines
-/// leave open which of two equally near pixels is lit, and its polygons must be convex. The words
-/// are the same, too; only where GL computes colours, in Gouraud-shaded polygons, smooth lines and
-/// coverage, may red, green and blue differ by 1. The CPU draws what GL cannot draw exactly. This
-/// includes polygons that reach further than 8191 pixels from the middle of the picture, and
-/// pictures larger than GL's largest.
+/// All shapes become triangles on the lattice of 1/256 pixel, which GL fills by the same rule.
+/// Points, the straight runs of a line and the spans of outlines are drawn as rectangles. GL's own
+/// lines leave open which of two equally near pixels is lit, and its polygons must be convex. The
+/// words are the same, too; only where GL computes colours, in Gouraud-shaded polygons, smooth
+/// lines and coverage, may red, green and blue differ by 1. The CPU draws shapes that GL cannot
+/// draw exactly. This includes polygons that reach further than 8191 pixels from the middle of the
+/// picture, and pictures larger than GL's largest.
 /// Cost:    drawing gathers; the picture goes to GL with the first batch after finish, set_target
 ///          or a change of hands, and comes back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
@@ -47,7 +47,7 @@ private:
         float x, y;
         std::array<std::uint8_t, 4> color; ///< red, green, blue, and the word's highest byte
     };
-    /// Where the picture is up to date besides, or instead of, the target.
+    /// The state of GL's picture against the target: absent, black, or newer.
     enum class held { not_at_all, as_black, newer_than_target };
     /// The meaning of the highest byte of the batch's colours: the word's own byte, or the
     /// coverage.

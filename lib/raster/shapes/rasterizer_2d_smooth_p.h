@@ -8,7 +8,7 @@
 namespace l3d_detail {
 
 /// Draws polygons of one colour as paths, and lines in Wu's way. A program that asks for hard edges
-/// gets smooth ones without a change. All else is as of l3d_rasterizer_2d_sw_imp.
+/// gets smooth ones without a change. All other calls draw as l3d_rasterizer_2d_sw_imp does.
 class rasterizer_2d_smooth final : public l3d_rasterizer_2d_sw_imp {
 public:
     using l3d_rasterizer_2d_sw_imp::l3d_rasterizer_2d_sw_imp;

@@ -113,7 +113,8 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
     });
 }
 
-/// Gives paint(x, y, word, share of 255) each pixel that is covered; it returns what is stored.
+/// Calls paint(x, y, word, share of 255) for each covered pixel, and stores the word that it
+/// returns.
 template <class Paint>
 void l3d_rasterizer_2d_sw_imp::paint_run(const covered_run& run, const Paint& paint) const {
     std::uint32_t* const row = target_.row(run.row).data();

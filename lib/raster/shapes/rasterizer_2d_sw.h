@@ -42,7 +42,7 @@ private:
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
 
     l3d_pixels target_;
-    std::array<double, 2> ends_{}; ///< how far fill_small_triangle serves
+    std::array<double, 2> ends_{}; ///< limits of x and y that fill_small_triangle takes
     l3d_detail::polygon_corners corners_;
     l3d_detail::scan_polygon scan_;
     l3d_detail::shaded_triangle triangle_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scan_edge: where a polygon's edge crosses the rows of pixel centres, exactly.
+// scan_edge: the exact crossings of a polygon's edge with the rows of pixel centres.
 #ifndef L3D_RASTER_SHAPES_SCAN_EDGE_P_H
 #define L3D_RASTER_SHAPES_SCAN_EDGE_P_H
 
@@ -57,13 +57,13 @@ public:
 
     void step() { m_ += m_per_row_; }
 
-    /// More than the least column, -2^15: what is truncated is then positive.
+    /// An offset above the least column, -2^15, so that truncated numbers are positive.
     static constexpr std::int32_t offset = 1 << 16;
 
     /// The column k rows below is (first + k per_row) inverse, rounded down, minus `offset`.
     ///
-    /// That is true of all of the edge's line and not of the edge alone, since all numbers stay
-    /// exact: per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
+    /// This holds for all of the edge's line, not only for the edge, since all numbers stay exact:
+    /// per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
     struct line {
         double first = 0, per_row = 0, inverse = 0;
     };
@@ -75,7 +75,7 @@ private:
     double m_, m_per_row_, inverse_;
 };
 
-/// The same columns for corners however far, and how far the edge is from them.
+/// The columns of scan_edge for corners however far, and the edge's distance from their samples.
 ///
 /// With D = 256 dy <= 2^47 the column is ceil(n / D) = floor((n + D - 1) / D); n is below 2^79.
 /// Expects: as scan_edge.
@@ -90,13 +90,14 @@ public:
 
     std::int32_t column() const { return static_cast<std::int32_t>(steps_.floor()); }
 
-    /// How far the column's sample is right of the edge, in pixels: in [0, 1).
+    /// The distance of the column's sample to the right of the edge, in pixels: in [0, 1).
     double beyond() const {
         return static_cast<double>(steps_.denominator() - 1 - steps_.rest()) /
                static_cast<double>(steps_.denominator());
     }
 
-    /// How far the edge is right of the sample before: 1 - beyond(), with all its digits.
+    /// The distance of the edge to the right of the previous sample: 1 - beyond(), with all its
+    /// digits.
     double short_of() const {
         return static_cast<double>(steps_.rest() + 1) / static_cast<double>(steps_.denominator());
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scan_polygon: the pixels of a convex polygon, one span per row. The one fill rule.
+// scan_polygon: the pixels of a convex polygon, one span per row, by the fill rule of all shapes.
 #ifndef L3D_RASTER_SHAPES_SCAN_POLYGON_P_H
 #define L3D_RASTER_SHAPES_SCAN_POLYGON_P_H
 
@@ -29,7 +29,7 @@ using scan_ends = std::array<std::int32_t, 2>;
 /// stay until the next convert.
 class scan_polygon {
 public:
-    /// Only these rows are kept from now on. Cost: allocates only when there are more than before.
+    /// Sets the rows that are kept. Cost: allocates only when there are more than before.
     void set_rows(scan_rows kept) {
         kept_ = kept;
         const auto count = static_cast<std::size_t>(std::max(kept.bottom - kept.top, 0));
@@ -60,7 +60,7 @@ public:
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 
-    /// The same for some rows that convert gave.
+    /// The first columns and ends of some rows that convert gave.
     std::span<const scan_ends> ends(scan_rows rows) const {
         return {&span_of(rows.top), static_cast<std::size_t>(rows.bottom - rows.top)};
     }

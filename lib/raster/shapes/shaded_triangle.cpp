@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaded_triangle: edges first, then what lies between them.
+// shaded_triangle: edges first, then the spans between them.
 #include "raster/shapes/shaded_triangle_p.h"
 
 #include <algorithm>

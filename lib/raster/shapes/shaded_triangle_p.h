@@ -22,7 +22,7 @@ struct shaded_corner {
 
 /// Pixels first <= column < last of a row; the colour of column i is start + step (i - anchor).
 ///
-/// The anchor depends on the triangle alone, so no colour depends on what is clipped.
+/// The anchor depends on the triangle alone, so no colour depends on clipping.
 struct shaded_span {
     std::int32_t row, first, last, anchor;
     std::array<float, 3> start, step;
@@ -30,7 +30,7 @@ struct shaded_span {
 
 /// Finds the spans of triangles: exact in coverage, colours along the edges and then across.
 ///
-/// Every number on the way is a mean of the corners'. Its weights are exact quotients of whole
+/// Every intermediate number is a mean of the corners'. Its weights are exact quotients of whole
 /// numbers except for a few roundings. So nothing cancels, however thin the triangle. The roundings
 /// of float remain, 2^-24 of at most 255 each: start, the step over the whole span, its product for
 /// a pixel, the sum. That is less than 2^-13 in all; 2^-12 is promised.
@@ -41,7 +41,8 @@ public:
                                          l3d_size size);
 
 private:
-    /// Where a row begins or ends; `distance` is that of the edge from the nearest sample inside.
+    /// The beginning or end of a row; `distance` is the edge's distance from the nearest sample
+    /// inside.
     struct end {
         std::int32_t column = 0;
         double distance = 0;

@@ -23,7 +23,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// At most so many pixels side by side.
+/// A vector of at most `Most` pixels side by side.
 template <std::size_t Most> struct pixel_lanes {
     static constexpr hn::CappedTag<std::uint32_t, Most> words{};
     static constexpr hn::RebindToSigned<hn::CappedTag<std::uint32_t, Most>> integers{};
@@ -38,7 +38,7 @@ struct small_box {
     std::int32_t left, top, columns, rows;
 };
 
-/// An edge function at the first sample of the box, and what it gains to the right and downwards:
+/// An edge function at the first sample of the box, and its increments to the right and downwards:
 /// not below 0 where the sample is inside. On an edge that is neither left nor top it is -1.
 struct small_edge {
     std::int32_t first, per_column, per_row;
@@ -55,14 +55,14 @@ template <class Lanes> struct edge_lanes {
         per_row = hn::Set(d, of.per_row);
     }
 
-    /// To the next vector of columns.
+    /// Steps to the next vector of columns.
     HWY_INLINE void step_right() {
         const auto lanes = static_cast<std::int32_t>(hn::Lanes(Lanes::words));
         value = hn::Add(value, hn::Set(Lanes::integers, lanes * per_column));
     }
 };
 
-/// `colors` gives the words of a row of the box, from a column on: begin_block(column), then
+/// Fills a box. `colors` gives the words of its rows from a column on: begin_block(column), then
 /// next_row() row by row.
 /// Expects: the box lies in the picture.
 template <class Lanes, class Colors>

@@ -28,12 +28,12 @@ template <class Lanes> struct one_color {
     HWY_INLINE auto next_row() { return hn::Set(Lanes::words, color); }
 };
 
-/// To whole units of 1/256 pixel. Expects: |position| <= 2^15.
+/// Rounds to whole units of 1/256 pixel. Expects: |position| <= 2^15.
 HWY_INLINE std::int32_t units(double position) {
     return static_cast<std::int32_t>(std::lrint(position * l3d_subpixel_one));
 }
 
-/// Where three coordinates lie, in pixels.
+/// The range of three coordinates, in pixels.
 struct bounds {
     double low, high;
 
@@ -53,7 +53,7 @@ private:
     }
 };
 
-/// Corners as seen from the first sample.
+/// The edge function between two corners, relative to the first sample.
 HWY_INLINE small_edge edge_between(scan_point from, scan_point to) {
     const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
     // negative on a left or top edge, where dy < 0, or dy = 0 and dx > 0; for |dx| < 2^14

@@ -17,8 +17,8 @@ namespace l3d_detail {
 inline constexpr int small_side = 32;
 
 /// Fills a triangle by its three edge functions, at all pixels of its box: for a small one that
-/// costs less than finding spans. False if it is not small, or not wholly in the picture, and
-/// nothing is drawn.
+/// costs less than finding spans. Draws nothing and returns false if it is not small, or not wholly
+/// in the picture.
 /// Shape:   three corners of any winding; NaN may be among them.
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,

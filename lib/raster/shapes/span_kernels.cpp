@@ -26,7 +26,8 @@ constexpr hn::RebindToSigned<decltype(words)> integers;
 constexpr hn::RebindToFloat<decltype(words)> floats;
 using word_lanes = hn::Vec<decltype(words)>;
 
-/// Two halves of a vector, which may overlap, or less. Expects: 1 <= count < Lanes, or both 1.
+/// Fills less than a vector by two halves, which may overlap. Expects: 1 <= count < Lanes, or both
+/// 1.
 template <std::size_t Lanes>
 HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     if constexpr (Lanes == 1) {
@@ -40,7 +41,8 @@ HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint3
     }
 }
 
-/// The last vector ends where the span does and may overlap the one before. Expects: count >= 1.
+/// Fills a span by vectors; the last one ends with the span and may overlap the one before.
+/// Expects: count >= 1.
 HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     constexpr std::size_t lanes = hn::MaxLanes(words);
     const word_lanes colors = hn::Set(words, color);
@@ -76,9 +78,9 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
                   static_cast<std::size_t>(s.last - s.first), color);
 }
 
-/// Words towards a colour by shares of 255, each channel to nearest. Two channels share a lane, 16
-/// bits each: sums stay below 2^16. For whole t, t / 255 to nearest is (u + u / 256) / 256 with u =
-/// t + 128, rounded down each time, up to t = 255^2.
+/// Moves words towards a colour by shares of 255, each channel to nearest. Two channels share a
+/// lane, 16 bits each: sums stay below 2^16. For whole t, t / 255 to nearest is (u + u / 256) / 256
+/// with u = t + 128, rounded down each time, up to t = 255^2.
 /// Expects: the highest eight bits of words and of the colour are 0.
 template <class D>
 HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {
@@ -94,7 +96,7 @@ HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::
     return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::AndNot(low, odd));
 }
 
-/// Blends a vector of neighbours. False, and nothing is done, if one may be transparent.
+/// Blends a vector of neighbours. Does nothing and returns false if one may be transparent.
 template <class D, class Shares>
 HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const Shares& shares,
                              std::size_t i) {
@@ -105,7 +107,7 @@ HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const 
     return true;
 }
 
-/// One by one, as a word may be transparent.
+/// Blends one by one, as a word may be transparent.
 template <class Shares>
 HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t color,
                              const Shares& shares, std::size_t i) {
@@ -123,7 +125,7 @@ HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t co
     for (; i + lanes <= count; i += lanes)
         if (!cover_vector(words, at, color, shares, i))
             return cover_each(at, count, color, shares, i);
-    // As many as a straight side of a path has.
+    // A straight side of a path has four values.
     if (constexpr hn::CappedTag<std::uint32_t, 4> four;
         count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
         return;
@@ -159,8 +161,8 @@ struct listed_shares {
 };
 
 #if HWY_MAX_BYTES >= 32
-/// Four columns of values before the middle of a span and four behind it. False, and nothing is
-/// done, if a word may be transparent.
+/// Blends four columns of values before the middle of a span and four behind it. Does nothing and
+/// returns false if a word may be transparent.
 HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const std::uint8_t* values,
                            std::uint32_t color) {
     constexpr hn::CappedTag<std::uint32_t, 4> four;
@@ -217,8 +219,8 @@ void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span
     }
 }
 
-/// A channel of neighbouring columns; no bound is needed, for the numbers leave [0, 255] by less
-/// than rounding forgives.
+/// A channel of neighbouring columns, without a bound: rounding brings the numbers back to [0,
+/// 255].
 HWY_INLINE word_lanes channel_at(const shaded_span& span, std::size_t channel,
                                  hn::Vec<decltype(floats)> i) {
     const auto value = hn::Add(hn::Set(floats, span.start[channel]),

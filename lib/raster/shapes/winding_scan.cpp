@@ -52,7 +52,7 @@ void winding_scan::add_edge(far_point from, far_point to, std::int32_t height) {
         edges_.push_back({top, bottom, down ? -1 : 1, exact_edge(upper, lower, top)});
 }
 
-/// By insertion: from one row to the next few crossings change places.
+/// Sorts by insertion: from one row to the next few crossings change places.
 void winding_scan::sort_crossings() {
     for (auto place = crossings_.begin(); place != crossings_.end(); ++place) {
         const crossing moving = *place;

@@ -20,8 +20,8 @@ struct pixel_span {
 
 /// Walks down the rows with the edges that cross them, in order of their columns.
 ///
-/// An edge counts for a pixel if its column is not right of it. So the inside is exact for every
-/// pixel, however close edges cross.
+/// An edge counts for a pixel unless the edge's column is right of the pixel. So the inside is
+/// exact for every pixel, however close edges cross.
 /// Cost: for each row, one step and about one comparison for each edge that crosses it; allocates
 ///       when there are more edges or spans than ever before.
 class winding_scan {
@@ -34,7 +34,7 @@ public:
 private:
     struct edge {
         std::int32_t top, bottom; ///< rows top <= row < bottom are crossed
-        int direction;            ///< 1 if it leads upwards: what is right of it is wound clockwise
+        int direction;            ///< 1 if it leads upwards: places right of it are wound clockwise
         exact_edge columns;
     };
     struct crossing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// away_from_eye: which side of a surface is seen.
+// away_from_eye: tells which side of a surface is seen.
 #ifndef L3D_RASTER_SURFACES_AWAY_FROM_EYE_P_H
 #define L3D_RASTER_SURFACES_AWAY_FROM_EYE_P_H
 
@@ -12,8 +12,9 @@ namespace l3d_detail {
 
 /// Positive if the normal points away from the eye, and is to be turned round.
 ///
-/// It is interpolated like the normal itself. The polygon's orientation in the picture would not
-/// do instead: where a surface bends away, and in the slivers that close slits, it is chance.
+/// The number is interpolated like the normal itself. The polygon's orientation in the picture
+/// would not do instead: where a surface bends away, and in the slivers that close slits,
+/// orientation is chance.
 inline float away_from_eye(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
     const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
     const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;

@@ -35,7 +35,7 @@ HWY_INLINE lane_bounds nothing() {
 }
 
 /// Takes `count` elements from `begin` into account. Lanes of others are masked; the vector starts
-/// earlier where it would end outside of the `size` elements that there are.
+/// earlier where it would end behind the last of `size` elements.
 /// Expects: size >= 16.
 HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
                      const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {

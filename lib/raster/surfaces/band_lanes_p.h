@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_lanes: where many vertices are.
+// band_lanes: bounds of many vertices.
 #ifndef L3D_RASTER_SURFACES_BAND_LANES_P_H
 #define L3D_RASTER_SURFACES_BAND_LANES_P_H
 
@@ -16,7 +16,7 @@ struct band_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// Where some polygons are, and the inv_w that no pixel of them is above.
+/// The box of some polygons, and an upper bound of their pixels' inv_w.
 struct polygon_bounds {
     l3d_subpixel_box box;
     float nearest = 0;

@@ -39,8 +39,8 @@ unsigned bits_of(block_range rows, block_range columns) {
 
 /// Calls visit(cells) for every item's share of a grid. A grid of fewer than 32 x 32 quads is one
 /// item, since its rows would leave lanes idle if they were cut into blocks. Else an item is a
-/// block, or up to 2 x 2 of them while that is fewer than 128. The fill kernel leaves out what is
-/// hidden quad by quad; items only make that cheaper. Blocks that nobody sees are left out; those
+/// block, or up to 2 x 2 of them while that is fewer than 128. The fill kernel leaves out hidden
+/// quads one by one; items only make that cheaper. Blocks that nobody sees are left out; those
 /// beside them are then items of their own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 128, few_in_all = 32 * 32;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_list: what there is to draw in each band of a picture, front to back.
+// band_list: the items to draw in each band of a picture, front to back.
 #ifndef L3D_RASTER_SURFACES_BAND_LIST_P_H
 #define L3D_RASTER_SURFACES_BAND_LIST_P_H
 
@@ -18,19 +18,19 @@
 
 namespace l3d_detail {
 
-/// Some blocks of a part's grid, or some of its triangles: what is tested for being hidden, and
+/// Some blocks of a part's grid, or some of its triangles. They are tested for being hidden, and
 /// filled, as a whole.
 struct band_item {
     const l3d_surface_part* part = nullptr;
     l3d_pixel_box box{}; ///< the pixels it may cover, of those in the window
     float nearest = 0;   ///< no pixel of it has a larger inv_w
     grid_cells cells{};
-    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< of the part's triangles
-    std::uint32_t rows_at = 0;                          ///< where its cells' rows begin in the list
-    std::uint32_t levels_at = 0; ///< where its vertices' grey levels begin in the list
+    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles
+    std::uint32_t rows_at = 0;   ///< beginning of its cells' rows in the list
+    std::uint32_t levels_at = 0; ///< beginning of its vertices' grey levels in the list
 };
 
-/// Items, sorted front to back, and which bands they touch.
+/// Items, sorted front to back, and the bands that they touch.
 ///
 /// The order is by the nearest vertex, to a part in 2^8, then by the place in the list of parts.
 /// It does not depend on the bands nor on the number of workers.
@@ -40,10 +40,10 @@ public:
     /// Triangles in an item: as many as are set up side by side in lanes.
     static constexpr std::uint32_t triangles_in_item = l3d_micro_triangles::lanes;
 
-    /// The picture's part that is drawn, and which pixels a polygon in it belongs to.
+    /// The drawn part of the picture, and the rule for the pixels of a polygon.
     struct frame {
         l3d_pixel_box window;
-        int rows = 1;         ///< of a band; >= 1
+        int rows = 1;         ///< rows of a band; >= 1
         bool squares = false; ///< pixels whose squares it reaches, not only those of its centres
 
         l3d_pixel_box pixels(const l3d_subpixel_box& box) const {
@@ -78,7 +78,7 @@ public:
 
 private:
     struct place {
-        std::uint32_t items, rows, levels; ///< where those of a part begin
+        std::uint32_t items, rows, levels; ///< beginnings of a part's items, rows and levels
     };
 
     void lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels);

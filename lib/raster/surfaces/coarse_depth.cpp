@@ -28,7 +28,7 @@ inline l3d_pixel_box tiles_of(const fill_band& band) {
 
 /// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
 struct tile_pixels {
-    std::ptrdiff_t words_at, depths_at; ///< of the first, in the band
+    std::ptrdiff_t words_at, depths_at; ///< the first pixel's places, in the band
     std::int32_t width, height;
 
     tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
@@ -161,8 +161,7 @@ std::int64_t covered(const tile_table& table, const fill_band& band) {
     return rest + static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(bits, in_lanes)));
 }
 
-/// A tile's farthest depth, or a depth below `limit` if there is one: then there is no need to
-/// know.
+/// A tile's farthest depth, or any depth below `limit`, which is enough to know.
 float find(std::int32_t column, std::int32_t row, const fill_band& band, float limit) {
     const tile_pixels p(column, column + 1, row, band);
     const float* depths = band.depths + p.depths_at;

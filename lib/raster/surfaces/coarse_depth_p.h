@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// coarse_depth: what is known of a picture's depth tile by tile.
+// coarse_depth: bounds of a picture's depths, tile by tile.
 #ifndef L3D_RASTER_SURFACES_COARSE_DEPTH_P_H
 #define L3D_RASTER_SURFACES_COARSE_DEPTH_P_H
 
@@ -24,14 +24,15 @@ struct depth_tile {
 struct tile_table {
     std::size_t columns = 0, words = 0;
     std::vector<float> farthest;      ///< no pixel has a smaller inv_w
-    std::vector<std::uint64_t> drawn; ///< something may be there; else depths are not even defined
-    std::vector<std::uint64_t> newer; ///< something may have come since `farthest` was found
+    std::vector<std::uint64_t> drawn; ///< whether drawn to; else depths are not even defined
+    std::vector<std::uint64_t> newer; ///< whether drawn to since `farthest` was found
 };
 
-/// The tiles of a picture: they tell what is behind what is there, and which depths nobody has set
-/// to 0 yet. That is done when something comes to them and they are wanted in the nearest cache.
+/// The tiles of a picture, which tell hidden shapes, and depths that nobody has set to 0 yet. A
+/// tile's depths are set to 0 when something is drawn there, for then they are wanted in the
+/// nearest cache.
 ///
-/// Depth only ever comes nearer in a frame, so what was found for a tile stays a bound.
+/// Depths only come nearer in a frame, so the farthest one found for a tile stays a bound.
 /// Expects: boxes not empty, inside the window, and inside the band where there is one; bands of
 ///          whole rows of tiles. Threads that change different bands do not meet.
 class coarse_depth {
@@ -42,23 +43,23 @@ public:
     void clear_words(const fill_band& band, const l3d_background& background,
                      std::int32_t height) const;
 
-    /// Nothing is in rows [top, bottom), whatever their depths say.
+    /// Forgets all drawing in rows [top, bottom), whatever their depths say.
     void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Something will be drawn in the box: sets the depths of its tiles to 0 unless that was done.
+    /// Prepares a box for drawing: sets the depths of its tiles to 0 unless that was done.
     void open(const l3d_pixel_box& box, const fill_band& band);
 
-    /// All depths of the band will be looked at: sets those of other tiles to 0, too.
+    /// Prepares all depths of the band for reading: sets those of other tiles to 0, too.
     void open_others(const fill_band& band);
 
     /// Whether nothing in the box that is no nearer than `nearest` would be seen.
     /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// The same from what is known already.
+    /// Whether something is hidden by the bounds found already.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
-    /// Finds out about all tiles of the band that something came to.
+    /// Finds the farthest depths of all tiles of the band that were drawn to.
     void refresh(const fill_band& band);
 
     /// Whether something may be in the pixel's tile; else its depth is not defined.
@@ -85,7 +86,7 @@ public:
             }
     }
 
-    /// Pixels of the band in which something is.
+    /// The number of pixels of the band that something covers.
     std::int64_t covered(const fill_band& band) const;
 
 private:

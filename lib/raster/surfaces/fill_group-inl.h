@@ -80,7 +80,7 @@ private:
         return hn::Add(hn::ShiftLeft<l3d_subpixel_bits>(index), set(pixel / 2));
     }
 
-    /// Which polygons are filled here. The others are written down, whole or in pieces.
+    /// Tells which polygons are filled here. The others are noted, whole or in pieces.
     HWY_INLINE int_mask classify(const fill_target& to, std::size_t at, int_mask candidates) {
         light_.load(to.queue, at);
         places_.piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));

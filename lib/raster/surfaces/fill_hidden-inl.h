@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_hidden: which polygons of a queue are behind what is there, all over their boxes.
+// fill_hidden: finds polygons of a queue that are hidden all over their boxes.
 #if defined(L3D_RASTER_SURFACES_FILL_HIDDEN_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_HIDDEN_INL_H
 #undef L3D_RASTER_SURFACES_FILL_HIDDEN_INL_H

@@ -77,7 +77,7 @@ public:
         const void* source;
         std::int32_t name, step;
         bool shows_both;                          ///< as l3d_micro_grid has it
-        std::uint32_t material;                   ///< of all of them, unless they have their own:
+        std::uint32_t material;                   ///< material of all, unless they have their own:
         const std::uint32_t* materials = nullptr; ///< as l3d_micro_triangles has them
     };
 

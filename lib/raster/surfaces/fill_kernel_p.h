@@ -43,7 +43,7 @@ inline bool fill_shades(l3d_shade mode) {
 
 struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
-    std::int64_t written = 0; ///< of those, nearer than what was there
+    std::int64_t written = 0; ///< samples nearer than the pixel's depth
 
     /// Polygons, each in every band, whose light is a plane instead of that of a unit normal in
     /// each pixel.
@@ -140,7 +140,7 @@ struct fill_piece {
 /// Shape: polygon i is in element i of each array, [corner][component]. Components are x, y, 1/w
 ///        and the light's inputs: the vertex's three numbers for lambert and levels, else the grey
 ///        level. Floats as their bits. A triangle's last corner is there twice.
-/// Lives: of one worker, kept for its memory. Empty between bands.
+/// Lives: one per worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
     /// Number of polygons that are filled together: whole vectors of every width. So the set of

@@ -174,7 +174,7 @@ private:
     }
 
     float_vec normal_[3][4], spread_;
-    float_vec square1_, square2_; ///< of the differences of opposite corners' normals
+    float_vec square1_, square2_; ///< squared differences of opposite corners' normals
     float_vec lean_;              ///< how much these are along the twist, a - b + c - d
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;

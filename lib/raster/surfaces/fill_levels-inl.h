@@ -130,8 +130,8 @@ private:
     }
 
     float_vec level_[4];
-    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< what their middles are above the corners'
-    float_vec off_plane_; ///< of corners a and c above the quad's plane, of b and d below it
+    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< the sides' middles above their corners
+    float_vec off_plane_; ///< corners a and c above the quad's plane, b and d below
     lane_parabola level_of_;
     lane_plane slope_;
 };

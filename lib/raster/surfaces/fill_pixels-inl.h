@@ -251,7 +251,7 @@ private:
         return make_.of_cosines(lit);
     }
 
-    std::uint32_t* words_; ///< of the band, copied: what is stored might be the band's own members
+    std::uint32_t* words_; ///< the band's, copied: stores might change the band's members
     float* depths_;
     std::uint32_t* normals_;
     run_place pitch_;

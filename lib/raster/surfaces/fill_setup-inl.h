@@ -198,7 +198,7 @@ struct lane_frame {
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;
-    float_vec column_s, column_t; ///< what a column adds to s and t
+    float_vec column_s, column_t; ///< change of s and t from column to column
     int_mask fits, piece;         ///< which are filled here, which come from a quad in pieces
     int_mask triangle;            ///< which have their last corner twice
     float_vec uneven; ///< how far the middles of a quad's diagonals are apart, in parts of these

@@ -52,8 +52,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// the pixel at `begin`; `_x` is what a column adds.
 struct fill_row {
     lane_array<std::int32_t> from, pixels; ///< which are covered
-    lane_array<std::int32_t> begin; ///< of the first run: `from`, unless that is at the edge or
-                                    ///< no pixel is covered; a run fits there
+    lane_array<std::int32_t> begin; ///< the first run's: `from`, unless that is at the edge or no
+                                    ///< pixel is covered; a run fits there
     lane_array<float> inv_w, lit;
 };
 
@@ -67,21 +67,21 @@ struct fill_row_normal {
     lane_array<float> y, z;
 };
 
-/// The data that the pixel loops need. Of the arrays for greys, it has those that the shape needs.
+/// The data that the pixel loops need. Arrays for greys are only those that the shape needs.
 ///
 /// A row's first run begins at its first covered pixel, the others follow. At the edge of the
-/// picture, what would not fit it begins further left.
+/// picture, a run that would not fit begins further left.
 struct fill_table {
     fill_words words;
     lane_array<std::uint32_t> material;         ///< as fill_words has it
-    lane_array<std::int32_t> word_at, depth_at; ///< of column 0 of the first row
+    lane_array<std::int32_t> word_at, depth_at; ///< column 0 of the first row
     lane_array<std::int32_t> height;            ///< rows; 0 if there is none to fill
     lane_array<std::int32_t> longest;           ///< pixels of a row; > most_pixels at the edge
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
-    lane_array<float> lit_xx;                 ///< of a bent one
-    lane_array<float> normal_y_x, normal_z_x; ///< of a normal
+    lane_array<float> lit_xx;                 ///< for a parabola
+    lane_array<float> normal_y_x, normal_z_x; ///< for a normal
     lane_array<std::int32_t> twisted;         ///< not 0: it is; others are flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];

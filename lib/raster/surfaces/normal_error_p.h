@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// What the shape of a polygon and the change of w in it add to the error of a plane through its
+/// The share of a polygon's shape and of its change of w in the error of a plane through its
 /// corners' normals. The slow twin of normal_lanes. NUMERICS, section 24.
 ///
 /// Shape:   area2 is the cross product of both diagonals, or of a triangle's first two sides.

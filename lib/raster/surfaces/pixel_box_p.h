@@ -16,8 +16,8 @@ inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
             first_centre(box.bottom)};
 }
 
-/// The pixels whose squares a polygon in the box may reach into. What lies on a square's left or
-/// upper side belongs to the pixel before, too: contours are walked a little to the left and up.
+/// The pixels whose squares a polygon in the box may reach into. A side of a square belongs on the
+/// left and above to the pixel before, too: contours are walked a little to the left and up.
 inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
     constexpr std::int32_t last = l3d_subpixel_one - 1;
     return {(box.left - 1) >> l3d_subpixel_bits, (box.top - 1) >> l3d_subpixel_bits,

@@ -54,7 +54,7 @@ private:
     l3d_shading shading_;
     l3d_surface_counts counts_;
     std::uint32_t error_color_ = 0x00ffffff;
-    std::array<std::uint8_t, 4> color_{}; ///< of the material that vertices are of now
+    std::array<std::uint8_t, 4> color_{}; ///< colour of the next vertices' material
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false;    ///< GL can hold the picture

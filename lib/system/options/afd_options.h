@@ -24,8 +24,8 @@ public:
     l3d_afd_options(const l3d_afd_options&) = delete;
     l3d_afd_options& operator=(const l3d_afd_options&) = delete;
 
-    /// The camera that --eye, --target and the others ask for. What they leave out is that of
-    /// --file-camera, or of teapot_view(), turned to the direction that is up.
+    /// The camera that --eye, --target and the others ask for. Values not given come from
+    /// --file-camera, or else from teapot_view(), turned to the direction that is up.
     /// Errors: l3d_error(usage) that names the option if the values do not make a camera, or if the
     ///         file has none of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
@@ -47,7 +47,8 @@ public:
     /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
-    /// What the model's file holds; it is read once even if camera() has looked into it before.
+    /// The contents of the model's file, which is read once even if camera() has looked into it
+    /// before.
     /// Errors: l3d_error(bad_input) with file and line.
     /// Expects: model_file() is not empty.
     l3d_model_file file() const;
