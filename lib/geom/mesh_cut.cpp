@@ -86,8 +86,8 @@ private:
                 normals_.push_back(n[front] + (n[behind] - n[front]) * (f / (f - b)));
             }
             if (!mesh_.vertex_colors.empty())
-                colors_.push_back(l3d_detail::color_between(mesh_.vertex_colors[front],
-                                                    mesh_.vertex_colors[behind], f / (f - b)));
+                colors_.push_back(l3d_detail::color_between(
+                    mesh_.vertex_colors[front], mesh_.vertex_colors[behind], f / (f - b)));
         }
         return found->second;
     }

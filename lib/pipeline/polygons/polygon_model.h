@@ -136,8 +136,7 @@ public:
 
     /// The same faces with pictures on those whose materials name any: mesh().pictures in their
     /// order. Where a pointer is null or missing, faces have the colours of their materials.
-    l3d_polygon_model
-    textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
+    l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
     /// Those pictures.
     std::span<const std::shared_ptr<const l3d_texture>> textures() const {
         return contents_->textures;

@@ -16,9 +16,10 @@
 
 /// A triangle of a model, with what is blended between its corners.
 struct L3D_PUBLIC l3d_painted_triangle {
-    std::array<std::uint32_t, 3> corners{};                ///< places among the model's vertices
-    std::uint32_t material = 0;                            ///< place among the model's materials
-    std::array<std::array<float, 2>, 3> picture_places{};  ///< u and v, as l3d_texture_place has them
+    std::array<std::uint32_t, 3> corners{}; ///< places among the model's vertices
+    std::uint32_t material = 0;             ///< place among the model's materials
+    std::array<std::array<float, 2>, 3>
+        picture_places{}; ///< u and v, as l3d_texture_place has them
     std::array<std::uint32_t, 3> colors{0xffffff, 0xffffff, 0xffffff}; ///< 0x00RRGGBB
 };
 

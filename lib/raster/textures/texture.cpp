@@ -20,9 +20,8 @@ struct float_picture {
     std::vector<float> light;
 
     float_picture(int of_width, int of_height)
-        : width(of_width), height(of_height),
-          light(channels * static_cast<std::size_t>(of_width) *
-                static_cast<std::size_t>(of_height)) {}
+        : width(of_width), height(of_height), light(channels * static_cast<std::size_t>(of_width) *
+                                                    static_cast<std::size_t>(of_height)) {}
 
     float* at(int x, int y) {
         return &light[channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -180,7 +179,8 @@ void l3d_texture::add_anisotropic(const l3d_texture_place& place, sum& to) const
         along_v = uv;
     }
     const double scale = longer / std::sqrt(along_u * along_u + along_v * along_v);
-    const double step_u = along_u * scale / width / count, step_v = along_v * scale / height / count;
+    const double step_u = along_u * scale / width / count,
+                 step_v = along_v * scale / height / count;
     for (int i = 0; i < count; ++i) {
         const double from_middle = i - 0.5 * (count - 1);
         add_trilinear(std::max(shorter, longer / count), place.u + from_middle * step_u,
