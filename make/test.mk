@@ -48,7 +48,7 @@ longest_pipeline := lit_doubts.hold_for_highlights_of_two_lights_on_four_models:
 judge = $(if $(dry_run),: $(1),\
         rm -f $(1); $(MAKE) $(call jobs,2) -k $(2) $(1) || true; awk -f tests/lint/summary.awk $(1))
 
-test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run every test; ends with "N passed, N failed"
+test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run the tests; ends with "N passed, N failed"
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	+@$(if $(filter install,$(WITH)),$(build_other) || true)
 	+@$(call judge,$(TEST_LOGS))
@@ -59,7 +59,7 @@ stress: packages-test ## what takes minutes: servers that die, a million shapes 
 test-%: packages-test ## the tests of one layer: make test-geom
 	+@$(call judge,$(OUT)/log/$*.log,WITH=thorough)
 
-matrix: packages-test packages-matrix ## every test: each scalar, plain and sanitized, both compilers
+matrix: packages-test packages-matrix ## every test, the thorough and the lab's as well: each scalar, plain and sanitized, both compilers
 	+@$(if $(dry_run),:,MAKE="$(again)" tests/lint/matrix.sh $(BUILD)/matrix)
 
 golden: packages-test $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes that tests/x11/programs_test.py compares with
