@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -49,24 +50,35 @@ struct all_fragments {
     }
 };
 
-/// Whether a sample lies in a polygon, by the fill rule, from its sides as they are.
-bool is_inside(const fragment_polygon& of, std::int64_t x, std::int64_t y) {
+/// How far a place lies inside of a polygon's sides, in the measure of half_planes; less than 0 if
+/// it is outside. Units: pixels; places in 1/256 pixel.
+double inside_by(const fragment_polygon& of, std::int64_t x, std::int64_t y) {
     const std::int64_t way_round = of.area2 > 0 ? 1 : -1;
+    double least = HUGE_VAL;
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
         const std::int64_t dx = way_round * (of.x[next] - of.x[i]);
         const std::int64_t dy = way_round * (of.y[next] - of.y[i]);
         const std::int64_t right = dx * (y - of.y[i]) - dy * (x - of.x[i]);
-        const bool takes_side = dy < 0 || (dy == 0 && dx >= 0);
-        if (right < 0 || (right == 0 && !takes_side))
-            return false;
+        if (dx != 0 || dy != 0)
+            least = std::min(least, static_cast<double>(right) /
+                                        (256.0 * static_cast<double>(std::abs(dx) + std::abs(dy))));
     }
-    return true;
+    return least;
 }
 
-fragment_polygon polygon_of(std::span<const l3d_micro_vertex> corners) {
+double inside_by(const fragment_polygon& of, const marked_pixel& pixel, std::size_t sample) {
+    return inside_by(of, 256 * pixel.x + 16 * the_samples.x[sample] + 8,
+                     256 * pixel.y + 16 * the_samples.y[sample] + 8);
+}
+
+/// Half a step in direction moves a line by 1/128 at the ends of a pixel, and half a step of the
+/// distance is 1/252.
+constexpr double most_moved = 1.0 / 128 + 1.0 / 252 + 1e-3;
+
+fragment_polygon polygon_of(const std::array<l3d_micro_vertex, 3>& corners) {
     fragment_polygon result{};
-    result.set_corners(corners);
+    result.set_triangle(corners);
     result.set_plane();
     return result;
 }
@@ -107,30 +119,29 @@ struct masks {
     std::uint32_t name = 0;
 };
 
-/// Sides of up to 8.5 pixels are taken as they are.
-TEST(PixelSamples, AreInSmallPolygonsByTheFillRule) {
+TEST(PixelSamples, AreInPolygonsButForThoseAtTheirSides) {
     random_polygons random(scene_seed, size);
     for (int n = 0; n < 400; ++n) {
         std::array<l3d_micro_vertex, 3> corners;
-        // Every other time at whole sixteenths, where samples lie on sides.
-        const int unit = n % 2 == 0 ? 1 : 8;
         for (l3d_micro_vertex& v : corners)
-            v = {unit * random.number(0, 1000 / unit), unit * random.number(0, 1000 / unit), 1, {}};
+            v = {random.number(0, 1000), random.number(0, 1000), 1, {}};
         const fragment_polygon polygon = polygon_of(corners);
         if (polygon.area2 == 0)
             continue;
         const masks all(std::span(&polygon, 1), {5, 5});
         for (const marked_pixel& pixel : all.pixels.pixels())
-            for (std::size_t i = 0; i < the_samples.count; ++i)
-                ASSERT_EQ(all.of(pixel, 0) >> i & 1,
-                          is_inside(polygon, 256 * pixel.x + 16 * the_samples.x[i] + 8,
-                                    256 * pixel.y + 16 * the_samples.y[i] + 8))
-                    << n << ", pixel " << pixel.x << ", " << pixel.y << ", sample " << i;
+            for (std::size_t i = 0; i < the_samples.count; ++i) {
+                const double by = inside_by(polygon, pixel, i);
+                if (std::abs(by) > most_moved) {
+                    ASSERT_EQ(all.of(pixel, 0) >> i & 1, by > 0)
+                        << n << ", pixel " << pixel.x << ", " << pixel.y << ", sample " << i;
+                }
+            }
     }
 }
 
-/// A fan of triangles round a point, of any size. Where it covers all, each sample belongs to
-/// exactly one of them. That is the one that it lies in, but for few beside a long side.
+/// A fan of triangles round a point, of any size. Each sample belongs to exactly one of them, but
+/// for few in the pixel of the point: lines that are moved do not meet in one place.
 TEST(PixelSamples, BelongToExactlyOneOfTwoNeighbours) {
     random_polygons random(scene_seed, size);
     constexpr l3d_size around{40, 40};
@@ -156,17 +167,19 @@ TEST(PixelSamples, BelongToExactlyOneOfTwoNeighbours) {
         }
         const masks all(fan, around);
         for (const marked_pixel& pixel : all.pixels.pixels()) {
-            std::uint64_t any = 0;
+            std::uint64_t any = 0, twice = 0;
             for (std::uint32_t i = 0; i < 4; ++i) {
                 const std::uint64_t of = all.of(pixel, i);
-                ASSERT_EQ(any & of, 0U) << n << ": " << pixel.x << ", " << pixel.y;
+                twice |= any & of;
                 any |= of;
                 for (std::size_t k = 0; k < the_samples.count; ++k)
-                    of_another += (of >> k & 1) != 0 &&
-                                  !is_inside(fan[i], 256 * pixel.x + 16 * the_samples.x[k] + 8,
-                                             256 * pixel.y + 16 * the_samples.y[k] + 8);
+                    of_another +=
+                        (of >> k & 1) != 0 && inside_by(fan[i], pixel, k) < -most_moved;
             }
-            ASSERT_EQ(any, ~std::uint64_t{0}) << n << ": " << pixel.x << ", " << pixel.y;
+            const bool has_middle = std::abs(256 * pixel.x + 128 - middle.x) <= 128 + 4 &&
+                                    std::abs(256 * pixel.y + 128 - middle.y) <= 128 + 4;
+            ASSERT_LE(std::popcount(~any | twice), has_middle ? 2 : 0)
+                << n << ": " << pixel.x << ", " << pixel.y;
             samples += the_samples.count;
         }
     }
@@ -229,7 +242,6 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
     for (std::size_t i = 0; i < band.pixels().size(); ++i)
         for (const seen_fragment& seen : band.seen_in(i)) {
             ++fragments;
-            const std::int32_t x = band.pixels()[i].x, y = band.pixels()[i].y;
             for (std::size_t k = 0; k < the_samples.count; ++k) {
                 if ((seen.samples >> k & 1) == 0)
                     continue;
@@ -241,8 +253,8 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
                                              part.triangles.vertex(std::size_t(later), 1),
                                              part.triangles.vertex(std::size_t(later), 2)};
                     ASSERT_FALSE(corners[0].inv_w > nearest.inv_w[0] &&
-                                 is_inside(polygon_of(corners), 256 * x + 16 * the_samples.x[k] + 8,
-                                           256 * y + 16 * the_samples.y[k] + 8));
+                                 inside_by(polygon_of(corners), band.pixels()[i], k) >
+                                     most_moved);
                 }
             }
         }
