@@ -127,7 +127,7 @@ double measured_on(const l3d_nurbs_surface& surface, const l3d_nurbs_curve& curv
 } // namespace
 
 l3d_pipe l3d_pipe_along(const l3d_nurbs_curve& curve, double radius, double tolerance) {
-    constexpr std::size_t most_spans = 4096;
+    constexpr std::size_t most_spans = 1024;
     for (int cuts = 1;; cuts *= 2) {
         const std::vector<double> t = places_along(curve.along(), cuts);
         std::vector<section> sections;

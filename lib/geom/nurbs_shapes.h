@@ -41,7 +41,7 @@ struct L3D_PUBLIC l3d_pipe {
 /// along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.
-/// Errors:  throws l3d_error(bad_input) if 4096 spans do not keep the tolerance.
+/// Errors:  throws l3d_error(bad_input) if 1024 spans do not keep the tolerance.
 L3D_PUBLIC l3d_pipe l3d_pipe_along(const l3d_nurbs_curve& curve, double radius, double tolerance);
 
 /// A sphere of radius 1 about the origin, poles on the y axis.
