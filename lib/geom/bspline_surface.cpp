@@ -9,7 +9,13 @@
 
 namespace {
 
-using point = std::array<double, 4>; // homogeneous: x w, y w, z w, w
+/// A point as it is given, which it stays if it is picked, and in homogeneous coordinates.
+struct point {
+    std::array<double, 3> place{};
+    std::array<double, 4> weighted{}; ///< x w, y w, z w, w
+
+    friend bool operator==(const point&, const point&) = default;
+};
 using curve = std::vector<point>;
 
 /// A line of control points in memory: the first that exists, the distance from one to the next,
@@ -45,9 +51,16 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
     if (weight_a == 0)
         return b;
     point result;
-    for (std::size_t k = 0; k < result.size(); ++k)
-        result[k] = std::clamp((weight_a * a[k] + weight_b * b[k]) / (weight_a + weight_b),
-                               std::min(a[k], b[k]), std::max(a[k], b[k]));
+    const auto clamped = [](double value, double at_a, double at_b) {
+        return std::clamp(value, std::min(at_a, at_b), std::max(at_a, at_b));
+    };
+    for (std::size_t k = 0; k < 4; ++k)
+        result.weighted[k] =
+            clamped((weight_a * a.weighted[k] + weight_b * b.weighted[k]) / (weight_a + weight_b),
+                    a.weighted[k], b.weighted[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        result.place[k] =
+            clamped(result.weighted[k] / result.weighted[3], a.place[k], b.place[k]);
     return result;
 }
 
@@ -150,7 +163,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
     curve net(points.size());
     for (std::size_t i = 0; i < net.size(); ++i) {
         const double w = weights.empty() ? 1 : weights[i];
-        net[i] = {points[i][0] * w, points[i][1] * w, points[i][2] * w, w};
+        net[i] = {points[i], {points[i][0] * w, points[i][1] * w, points[i][2] * w, w}};
     }
     const auto [first_row, end_row] = needed_points(v);
     curve wide; // Bezier points along u, control points along v
@@ -172,9 +185,9 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
         for (std::size_t row = 0; row < rows; ++row)
             for (std::size_t column = 0; column < columns; ++column) {
                 const point& p = lines[(left + column) * height + top + row];
-                patch.points.push_back({p[0] / p[3], p[1] / p[3], p[2] / p[3]});
+                patch.points.push_back(p.place);
                 if (!weights.empty())
-                    patch.weights.push_back(p[3]);
+                    patch.weights.push_back(p.weighted[3]);
             }
     }
     return result;

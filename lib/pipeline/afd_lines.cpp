@@ -90,9 +90,9 @@ void l3d_pipeline_afd::mark_part(const std::string& name) {
             continue;
         const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
         const std::vector<bool> marked =
-            model.parts().things_of(std::array{*part}, model.patches().size());
-        for (std::size_t i = 0; i < marked.size(); ++i) {
-            if (!marked[i])
+            model.parts().things_of(std::array{*part}, model.pieces());
+        for (std::size_t i = 0; i < model.patches().size(); ++i) {
+            if (!marked[model.piece_of(i)])
                 continue;
             const l3d_image_patch net = l3d_placed_net(to_image, model.patches()[i]);
             for (const int side : {0, 3}) {

@@ -29,8 +29,12 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// Pixels that stay from the last frame, as nothing changed there.
     std::int64_t pixels_kept = 0;
 
-    /// Pixels within any outline's bound, where the visible surface is not certain; none_counted if
-    /// nobody asked, or if only a part of the picture was drawn.
+    /// How much of the bounds of places and depth comes from curved models, whose patches stand for
+    /// surfaces that are not bicubic.
+    double curved_px = 0;
+
+    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
+    /// none_counted if nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 
     /// The largest part of any pixel's square that may show another surface, or the background,

@@ -91,7 +91,8 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     counts_.add(culling_.counts());
     const stopwatch seeking;
     if (outlines_)
-        outlines_->finish(counts_.bound_px, counts_.depth_bound_px, counts_.near);
+        outlines_->finish(counts_.bound_px + frame.curved_px,
+                          counts_.depth_bound_px + frame.curved_px, counts_.near);
     times.outlines += seeking.milliseconds();
 }
 

@@ -30,7 +30,8 @@ void l3d_part_switch::note_parts() {
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const l3d_patch_model& now = instances[i].model();
         const l3d_patch_model& placed = instances_[i].shown;
-        if (now.identity() != placed.identity() || now.paint_identity() != placed.paint_identity())
+        if (now.source_identity() != placed.source_identity() ||
+            now.paint_identity() != placed.paint_identity())
             instances_[i] = {now, now};
         for (const std::string& name : instances_[i].whole.parts().names())
             if (std::ranges::find(names_, name) == names_.end())
@@ -94,7 +95,7 @@ void l3d_part_switch::place_shown() {
         taken& each = instances_[i];
         const l3d_patch_instance& before = scene_.instances()[i];
         const l3d_patch_model now = without(each.whole, hidden_);
-        if (now.patches().size() == before.model().patches().size())
+        if (now.pieces() == before.model().pieces())
             continue;
         const std::optional<l3d_material> material = before.material();
         const double opacity = before.opacity();

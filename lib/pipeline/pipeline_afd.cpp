@@ -27,6 +27,9 @@ namespace {
 
 using l3d_detail::stopwatch;
 
+/// A unit normal that is off by one changes a level by so much at most: NUMERICS, section 1.
+constexpr double lambert_levels = 229.5;
+
 /// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
 /// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
@@ -137,9 +140,19 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
+    // Curved models get a part of both tolerances. Their errors of places fall with the fourth power
+    // of the number of patches along a side, and those of normals with the third, so that a larger
+    // part would save little.
+    constexpr double share = 0.125, share_of_shade = 0.25;
+    stages_->curved = scene_.choose_levels(
+        {.camera = camera_,
+         .size = target.size(),
+         .places_px = settings_.tolerance * share,
+         .normals = settings_.shade_tolerance * share_of_shade / lambert_levels});
+    const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
-    stages_->view = stages_->transform.view(settings_.tolerance);
-    stages_->view.shade_tolerance = settings_.shade_tolerance;
+    stages_->view = stages_->transform.view(settings_.tolerance * (is_curved ? 1 - share : 1));
+    stages_->view.shade_tolerance = settings_.shade_tolerance * (is_curved ? 1 - share_of_shade : 1);
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;
@@ -249,9 +262,16 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
+    report_.curved_px = stages_->curved.places_px;
+    report_.dice.bound_px += report_.curved_px;
+    report_.dice.coarsest.bound_px += report_.curved_px;
+    report_.dice.depth_bound_px += report_.curved_px;
+    report_.dice.normal_off += stages_->curved.normals;
     if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
         if (now.shading.is_lit(scene_.materials()))
             report_.dice.shade_bound = shade_bound_of_lights(now.shading);
+        else
+            report_.dice.shade_bound += lambert_levels * stages_->curved.normals;
         report_.dice.shade_bound += report_.surface.level_error;
         report_.dice.unproven_quads += report_.surface.unproven_levels;
         report_.dice.shade_bound += shade_bound_of_fog();
@@ -285,7 +305,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
                                  .untouched = untouched_ && of.target == now.target,
                                  .counts_pixels = settings_.count_pixels,
                                  .part = of.part,
-                                 .outlines = settings_.outlines};
+                                 .outlines = settings_.outlines,
+                                 .curved_px = stages_->curved.places_px};
     stages_->method->draw(frame, times);
     report_.renderer = stages_->method->renderer();
     report_.dice.add(stages_->method->counts());
@@ -374,6 +395,8 @@ void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     picture.finish();
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
+    report_.curved_px = stages_->curved.places_px;
+    report_.dice.bound_px += report_.curved_px;
     report_.renderer = {};
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;

@@ -12,6 +12,7 @@
 #include "raster/color/light_mix_p.h"
 #include "scene/dice_view.h"
 #include "scene/image_transform.h"
+#include "scene/level_choice.h"
 #include "scene/scene_culling.h"
 #include "tool_2d/image.h"
 
@@ -47,6 +48,7 @@ struct l3d_pipeline_afd::stages {
     basis drawn; ///< basis of the picture that is in the pixels
     l3d_image_transform transform;
     l3d_dice_view view;
+    l3d_curved_error curved;
     l3d_box_lanes moved_to; ///< kept for its memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;

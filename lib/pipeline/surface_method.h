@@ -41,7 +41,8 @@ struct L3D_PUBLIC l3d_method_frame {
     /// unless the method draws parts and nobody wants depth.
     l3d_pixel_box part;
 
-    bool outlines = false; ///< whether the pixels that outlines reach are wanted
+    bool outlines = false; ///< somebody wants to know the pixels that outlines reach
+    double curved_px = 0;  ///< how far the scene's patches are off the surfaces that they stand for
 
     /// Whether less than the whole picture is drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }

@@ -7,10 +7,12 @@
 #include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
+#include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
 #include "scene/bends/surface_bends.h"
 #include "scene/box_lanes.h"
 #include "scene/closed_body.h"
+#include "scene/curved_pieces.h"
 #include "scene/facing_cones.h"
 #include "scene/model_loader.h"
 #include "base/error.h"
@@ -19,7 +21,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
+#include <mutex>
 #include <tuple>
 #include <utility>
 
@@ -51,6 +55,33 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
              largest_of(p, 3, 4, 4)}};
 }
 
+/// Why a patch is no piece of a curved model; "" if it is one.
+std::string complaint_of(const l3d_patch_points& patch) {
+    const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
+    const std::string of_degree =
+        " of degree " + std::to_string(patch.degree_u) + " by " + std::to_string(patch.degree_v);
+    if (!well(patch.degree_u) || !well(patch.degree_v))
+        return of_degree + ": degrees are from 1 to " + std::to_string(l3d_bpt_largest_degree);
+    const auto wanted =
+        static_cast<std::size_t>((patch.degree_u + 1) * (patch.degree_v + 1));
+    if (patch.points.size() != wanted ||
+        (!patch.weights.empty() && patch.weights.size() != wanted))
+        return of_degree + " has " + std::to_string(patch.points.size()) + " points and " +
+               std::to_string(patch.weights.size()) + " weights";
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const std::string point = ": point " + std::to_string(i + 1);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!(std::abs(patch.points[i][k]) <= l3d_bpt_largest_coordinate))
+                return point + l3d_detail::formatted(": %c is not finite, or beyond 1e12", "xyz"[k]);
+        if (!patch.weights.empty() &&
+            !(patch.weights[i] > 0 && patch.weights[i] <= l3d_bpt_largest_coordinate))
+            return point + l3d_detail::formatted(
+                               " has the weight %g, which is not positive, or beyond 1e12",
+                               patch.weights[i]);
+    }
+    return "";
+}
+
 } // namespace
 
 struct l3d_patch_model::contents {
@@ -64,11 +95,43 @@ struct l3d_patch_model::contents {
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
+
+    // Of a curved model.
+    std::vector<std::uint32_t> pieces; ///< of each patch, the piece that it stands for
+    double surface_error = 0, normal_error = 0;
 };
+
+/// The pieces of a curved model, and the levels that somebody has asked for.
+struct l3d_patch_model::source {
+    explicit source(l3d_curved_pieces of) : pieces(std::move(of)) {}
+
+    std::shared_ptr<const contents> at_level(int places, int normals) const;
+
+    l3d_curved_pieces pieces;
+
+private:
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<int, int>, std::shared_ptr<const contents>> levels_;
+};
+
+std::shared_ptr<const l3d_patch_model::contents>
+l3d_patch_model::source::at_level(int places, int normals) const {
+    const std::scoped_lock lock(mutex_);
+    std::shared_ptr<const contents>& kept = levels_[{places, normals}];
+    if (!kept) {
+        l3d_curved_pieces::cells cells = pieces.at_level(places, normals);
+        const auto made = std::make_shared<contents>(std::move(cells.patches));
+        made->pieces = std::move(cells.pieces);
+        made->surface_error = cells.error;
+        made->normal_error = cells.normal_error;
+        kept = made;
+    }
+    return kept;
+}
 
 struct l3d_patch_model::paint {
     std::vector<l3d_material> materials;   ///< each once
-    std::vector<std::uint32_t> of_patches; ///< places in `materials`; empty if there is only one
+    std::vector<std::uint32_t> of_pieces; ///< places in these; empty if there is only one
 };
 
 l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
@@ -96,6 +159,58 @@ l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
     : contents_(std::make_shared<const contents>(std::move(patches))) {}
+
+l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces)
+    : source_(std::make_shared<const source>(std::move(pieces))) {
+    contents_ = source_->at_level(0, 0);
+}
+
+std::size_t l3d_patch_model::pieces() const {
+    return source_ ? source_->pieces.pieces().size() : patches().size();
+}
+
+std::size_t l3d_patch_model::piece_of(std::size_t index) const {
+    return source_ ? contents_->pieces[index] : index;
+}
+
+l3d_patch_model l3d_patch_model::at_level(int places, int normals) const {
+    l3d_patch_model result = *this;
+    if (source_)
+        result.contents_ = source_->at_level(places, normals);
+    return result;
+}
+
+int l3d_patch_model::most_level() const {
+    return source_ ? l3d_curved_pieces::most_level : 0;
+}
+
+double l3d_patch_model::place_target(int level) const {
+    return source_ ? source_->pieces.place_target(level) : 0;
+}
+
+double l3d_patch_model::normal_target(int level) const {
+    return source_ ? l3d_curved_pieces::normal_target(level) : 0;
+}
+
+double l3d_patch_model::surface_error() const {
+    return contents_->surface_error;
+}
+
+double l3d_patch_model::normal_error() const {
+    return contents_->normal_error;
+}
+
+const void* l3d_patch_model::source_identity() const {
+    return source_ ? static_cast<const void*>(source_.get()) : identity();
+}
+
+const l3d_patch_model::vector& l3d_patch_model::pieces_least() const {
+    return source_ ? source_->pieces.least() : least();
+}
+
+const l3d_patch_model::vector& l3d_patch_model::pieces_most() const {
+    return source_ ? source_->pieces.most() : most();
+}
 
 std::span<const l3d_patch_model::patch> l3d_patch_model::patches() const {
     return contents_->patches;
@@ -146,11 +261,11 @@ std::span<const l3d_material> l3d_patch_model::materials() const {
 }
 
 std::uint32_t l3d_patch_model::material_of(std::size_t index) const {
-    return paint_ && !paint_->of_patches.empty() ? paint_->of_patches[index] : 0;
+    return paint_ && !paint_->of_pieces.empty() ? paint_->of_pieces[piece_of(index)] : 0;
 }
 
 l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials) const {
-    assert(materials.size() == 1 || materials.size() == patches().size());
+    assert(materials.size() == 1 || materials.size() == pieces());
     l3d_patch_model result = *this;
     result.paint_ = nullptr;
     if (std::ranges::all_of(materials, &l3d_material::is_plain))
@@ -163,25 +278,25 @@ l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials
             places.try_emplace({m.color, m.highlight, m.sharpness, m.opacity}, next);
         if (is_new)
             made->materials.push_back(m);
-        made->of_patches.push_back(place->second);
+        made->of_pieces.push_back(place->second);
     }
     if (made->materials.size() == 1)
-        made->of_patches.clear();
+        made->of_pieces.clear();
     result.paint_ = made;
     return result;
 }
 
-std::vector<l3d_material> l3d_patch_model::patch_materials() const {
-    std::vector<l3d_material> result(patches().size());
+std::vector<l3d_material> l3d_patch_model::piece_materials() const {
+    std::vector<l3d_material> result(pieces());
     if (paint_)
         for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] = paint_->materials[material_of(i)];
+            result[i] = paint_->materials[paint_->of_pieces.empty() ? 0 : paint_->of_pieces[i]];
     return result;
 }
 
 l3d_patch_model l3d_patch_model::with_parts(std::span<const l3d_part_run> runs) const {
     l3d_patch_model result = *this;
-    result.parts_ = std::make_shared<const l3d_parts>(runs, patches().size());
+    result.parts_ = std::make_shared<const l3d_parts>(runs, pieces());
     return result;
 }
 
@@ -192,7 +307,7 @@ const l3d_parts& l3d_patch_model::parts() const {
 
 l3d_patch_model l3d_patch_model::part_painted(std::size_t part,
                                               const l3d_material& material) const {
-    std::vector<l3d_material> materials = patch_materials();
+    std::vector<l3d_material> materials = piece_materials();
     for (std::size_t i = 0; i < materials.size(); ++i)
         if (parts().of(i) == part)
             materials[i] = material;
@@ -200,18 +315,18 @@ l3d_patch_model l3d_patch_model::part_painted(std::size_t part,
 }
 
 l3d_patch_model l3d_patch_model::only(std::span<const std::size_t> parts) const {
-    return chosen(this->parts().things_of(parts, patches().size()));
+    return chosen(this->parts().things_of(parts, pieces()));
 }
 
 l3d_patch_model l3d_patch_model::without(std::span<const std::size_t> parts) const {
-    std::vector<bool> patches = this->parts().things_of(parts, this->patches().size());
-    patches.flip();
-    return chosen(patches);
+    std::vector<bool> kept = this->parts().things_of(parts, pieces());
+    kept.flip();
+    return chosen(kept);
 }
 
 std::vector<float> l3d_patch_model::opacities() const {
     std::vector<float> result;
-    for (const l3d_material& m : patch_materials())
+    for (const l3d_material& m : piece_materials())
         if (std::ranges::find(result, m.opacity) == result.end())
             result.push_back(m.opacity);
     return result;
@@ -219,24 +334,32 @@ std::vector<float> l3d_patch_model::opacities() const {
 
 l3d_patch_model l3d_patch_model::of_opacity(float least, float most) const {
     std::vector<bool> is_chosen;
-    for (const l3d_material& m : patch_materials())
+    for (const l3d_material& m : piece_materials())
         is_chosen.push_back(m.opacity >= least && m.opacity <= most);
     return chosen(is_chosen);
 }
 
 l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {
-    const std::vector<l3d_material> all = patch_materials();
+    const std::vector<l3d_material> all = piece_materials();
     std::vector<patch> kept;
+    std::vector<l3d_patch_points> curved;
     std::vector<l3d_material> materials;
     std::vector<l3d_part_run> runs;
     for (std::size_t i = 0; i < is_chosen.size(); ++i) {
         if (!is_chosen[i])
             continue;
-        runs.push_back({std::string(parts().name_of(i)), static_cast<std::uint32_t>(kept.size())});
-        kept.push_back(patches()[i]);
+        runs.push_back(
+            {std::string(parts().name_of(i)), static_cast<std::uint32_t>(materials.size())});
+        if (source_)
+            curved.push_back(source_->pieces.pieces()[i]);
+        else
+            kept.push_back(patches()[i]);
         materials.push_back(all[i]);
     }
-    const l3d_patch_model result = l3d_patch_model(std::move(kept)).with_parts(runs);
+    const l3d_patch_model of = curved.empty()
+                                   ? l3d_patch_model(std::move(kept))
+                                   : l3d_patch_model(l3d_curved_pieces(std::move(curved)));
+    const l3d_patch_model result = of.with_parts(runs);
     return materials.empty() ? result : result.painted(materials);
 }
 
@@ -304,17 +427,38 @@ std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d
     patches.reserve(read.size());
     for (const l3d_patch_points& points : read) {
         const auto bicubic = l3d_as_bicubic(points);
-        if (!bicubic) {
-            why = std::string(name) + ": patch " + std::to_string(patches.size() + 1) +
-                  " has degree " + std::to_string(points.degree_u) + " by " +
-                  std::to_string(points.degree_v) + " and is no bicubic one; at most 3 by 3 can " +
-                  "be drawn";
-            return std::nullopt;
-        }
+        if (!bicubic)
+            return curved(read, name, why);
         patch& p = patches.emplace_back();
         for (std::size_t i = 0; i < 16; ++i)
             for (int k = 0; k < 3; ++k)
                 p.points[i][k] = (*bicubic)[i][static_cast<std::size_t>(k)];
     }
     return checked(std::move(patches), name, why);
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::curved(std::span<const l3d_patch_points> read,
+                                                       std::string_view name, std::string& why) {
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const std::string what = complaint_of(read[i]);
+        if (what.empty())
+            continue;
+        why = std::string(name) + ": patch " + std::to_string(i + 1) + what;
+        return std::nullopt;
+    }
+    return l3d_patch_model(l3d_curved_pieces({read.begin(), read.end()}));
+}
+
+l3d_patch_model l3d_patch_model::from_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
+    std::vector<l3d_patch_points> pieces;
+    for (const l3d_nurbs_surface& surface : surfaces) {
+        std::vector<l3d_patch_points> more = surface.pieces();
+        pieces.insert(pieces.end(), std::make_move_iterator(more.begin()),
+                      std::make_move_iterator(more.end()));
+    }
+    std::string why;
+    const auto model = from_patches(pieces, "surfaces", why);
+    if (!model)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *model;
 }

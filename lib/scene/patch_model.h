@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: bicubic patches, with everything that frames need of them computed once.
+// l3d_patch_model: patches with what can be known of them before any frame.
 #ifndef L3D_SCENE_PATCH_MODEL_H
 #define L3D_SCENE_PATCH_MODEL_H
 
@@ -20,7 +20,9 @@
 
 class l3d_box_lanes;
 class l3d_facing_cones;
+class l3d_curved_pieces;
 class l3d_normal_net;
+class l3d_nurbs_surface;
 class l3d_surface_bends;
 struct l3d_model_file;
 struct l3d_patch_points;
@@ -35,6 +37,11 @@ struct L3D_PUBLIC l3d_patch_reach {
 
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
 /// l3d_patch_scene places them elsewhere.
+///
+/// A curved model is made of pieces that are no bicubic patches: rational ones, or of degrees above
+/// 3. Its patches stand for these, and are within surface_error() of them. A pipeline puts the
+/// model's next level in its place where a picture needs finer ones. Materials and parts are those
+/// of pieces. In any other model each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and
@@ -79,8 +86,11 @@ public:
     static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,
                                                    std::string& why);
 
-    /// Patches as files have them, brought to degree 3 by 3.
-    /// Errors: nothing, with the patch and its degrees in `why`, if it is no bicubic one.
+    /// Patches as files have them, brought to degree 3 by 3; a curved model if one is no bicubic
+    /// patch, for its weights or its degrees.
+    /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, its points
+    ///         or weights are not as many as these say, or a weight is not positive. Nothing also
+    ///         for what checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
@@ -89,9 +99,53 @@ public:
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
 
-    /// The same patches of these materials: one for all of them, or one for each, in their order.
-    /// Expects: 1 or patches().size() materials.
-    /// Cost: the patches and their bounds are shared.
+    /// The pieces of NURBS surfaces, in their order. They meet without a gap where they have the
+    /// same control points, weights and knots along a boundary.
+    /// Errors: throws l3d_error(bad_input) as from_patches.
+    static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces);
+
+    /// The pieces that it is made of: as many as patches(), unless it is curved.
+    std::size_t pieces() const;
+    /// The piece that a patch stands for, or is. Expects: index < patches().size().
+    std::size_t piece_of(std::size_t index) const;
+
+    /// Whether its patches stand for pieces that are not bicubic.
+    bool is_curved() const { return source_ != nullptr; }
+    /// The same curved model with other patches. Levels of places and of normals are from the
+    /// coarsest, 0, which every model is made with, to most_level(). A level of places is within a
+    /// 16th of what the one before is within, and one of normals within an eighth, as long as that
+    /// takes no more than 2^17 patches. Any other model is as it is at all levels.
+    /// Expects: 0 <= places, normals <= most_level().
+    /// Cost:    some 20 us a patch when a level is first asked for. It is kept as long as any copy
+    ///          of the model lives.
+    l3d_patch_model at_level(int places, int normals) const;
+    /// The finest level of both; 0 of a model that is not curved.
+    int most_level() const;
+    /// How far places may be off at a level by its design, in the model's unit; 0 of a model that
+    /// is not curved. Expects: as at_level.
+    double place_target(int level) const;
+    /// The same for unit normals. Expects: as at_level.
+    double normal_target(int level) const;
+
+    /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless
+    /// it is curved.
+    double surface_error() const;
+    /// Bound of the distance between unit normals at the same parameters; infinite where a normal
+    /// vanishes inside of a patch.
+    double normal_error() const;
+
+    /// The same address for copies of one model, as identity(), also at other levels.
+    const void* source_identity() const;
+
+    /// The corner of the box of the pieces' control points with the smallest x, y and z: that of
+    /// least(), unless the model is curved.
+    const vector& pieces_least() const;
+    /// The corner of that box with the largest x, y and z.
+    const vector& pieces_most() const;
+
+    /// The same patches of these materials: one for all of them, or one for each piece, in order.
+    /// Expects: 1 or pieces() materials.
+    /// Cost:    the patches and all that is known of them are shared.
     l3d_patch_model painted(std::span<const l3d_material> materials) const;
     /// The same patches, all of one material.
     l3d_patch_model painted(const l3d_material& material) const {
@@ -102,7 +156,7 @@ public:
     /// Expects: runs as l3d_parts takes them.
     l3d_patch_model with_parts(std::span<const l3d_part_run> runs) const;
 
-    /// The named parts of the patches.
+    /// The named parts of the pieces.
     const l3d_parts& parts() const;
 
     /// The same patches, with another material for those of one part. Expects: an index of
@@ -117,7 +171,7 @@ public:
     /// A model without some parts. Expects, Cost: as only().
     l3d_patch_model without(std::span<const std::size_t> parts) const;
 
-    /// The different opacities of the patches' materials, in the order of the patches.
+    /// The different opacities of the pieces' materials, in their order.
     std::vector<float> opacities() const;
     /// A model of the patches whose materials have an opacity from `least` to `most`. Cost: as
     /// only().
@@ -163,9 +217,15 @@ private:
     struct contents;
     std::shared_ptr<const contents> contents_;
 
+    struct source;
+    std::shared_ptr<const source> source_; ///< null unless it is curved
+    explicit l3d_patch_model(l3d_curved_pieces pieces);
+    static std::optional<l3d_patch_model> curved(std::span<const l3d_patch_points> patches,
+                                                 std::string_view name, std::string& why);
+
     struct paint;
-    l3d_patch_model chosen(const std::vector<bool>& patches) const;
-    std::vector<l3d_material> patch_materials() const;
+    l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
+    std::vector<l3d_material> piece_materials() const;
 
     std::shared_ptr<const paint> paint_;     ///< null if all is plain
     std::shared_ptr<const l3d_parts> parts_; ///< null if there are none

@@ -184,6 +184,7 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
     const l3d_patch_instance& instance = instances_.emplace_back(model, placement);
     boxes_.add(instance.box());
     patch_count_ += patches_of(instance.model());
+    curved_count_ += model.is_curved() ? 1 : 0;
     is_moved_.push_back(false);
     is_rebuilt_ = true;
     knows_materials_ = false;
@@ -192,7 +193,7 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
 void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
                             const l3d_matrix<double>& placement) {
     l3d_patch_instance& instance = instances_[index];
-    const bool is_same = model.identity() == instance.model().identity() &&
+    const bool is_same = model.source_identity() == instance.model().source_identity() &&
                          model.paint_identity() == instance.model().paint_identity();
     if (is_same && placement == instance.placement())
         return;
@@ -202,6 +203,8 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
         instance.place(placement);
     } else {
         patch_count_ += patches_of(model) - patches_of(instance.model());
+        curved_count_ -= instance.model().is_curved() ? 1 : 0;
+        curved_count_ += model.is_curved() ? 1 : 0;
         transparent_count_ -= instance.opacity() < 1 ? 1 : 0;
         instance = l3d_patch_instance(model, placement);
         knows_materials_ = false;
@@ -347,7 +350,7 @@ void l3d_patch_scene::clear() {
     instances_.clear();
     boxes_.clear();
     patch_count_ = 0;
-    transparent_count_ = 0;
+    transparent_count_ = curved_count_ = 0;
     extent_ = {};
     extent_count_ = 0;
     knows_materials_ = false;

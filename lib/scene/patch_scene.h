@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+struct l3d_curved_error;
+struct l3d_level_view;
+
 /// A model at a place in the world.
 ///
 /// Lives: shares the model.
@@ -30,7 +33,10 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Gives the whole instance one material; without one, the model's own are seen.
+    /// Puts another level of the same model in its place. Expects: what at_level() made of model().
+    void take_level(const l3d_patch_model& level) { model_ = level; }
+
+    /// Gives all of it one material; without one, the model's own are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
     /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
@@ -167,6 +173,14 @@ public:
         return first_materials_[instance] + (of.material() ? 0 : of.model().material_of(patch));
     }
 
+    /// Puts that level of each curved model in its place that a picture needs, and says how far off
+    /// these are. Pipelines do so before each frame. Levels depend on the view and on placements
+    /// alone, and no program sees a change.
+    l3d_curved_error choose_levels(const l3d_level_view& view);
+
+    /// Whether any instance's model is curved.
+    bool is_curved() const { return curved_count_ > 0; }
+
     /// Takes all instances away, and keeps their memory.
     void clear();
 
@@ -213,10 +227,11 @@ private:
 
     const whole& extent() const;
     void note_change(std::size_t index);
+    void take_level(std::size_t index, int places, int normals);
 
     std::vector<l3d_patch_instance> instances_;
     std::int64_t patch_count_ = 0;
-    std::size_t transparent_count_ = 0;
+    std::size_t transparent_count_ = 0, curved_count_ = 0;
     l3d_box_lanes boxes_;
     mutable whole extent_; ///< extent of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;

@@ -116,6 +116,10 @@ void add_line(std::string& text, const char* name, std::initializer_list<double>
     text += formatted(" +- %.2g\n", error);
 }
 
+std::string part_of(const l3d_patch_model& model, std::size_t patch) {
+    return std::string(model.parts().name_of(model.piece_of(patch)));
+}
+
 } // namespace
 
 std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick_view& view,
@@ -160,7 +164,7 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     l3d_pick pick{
         .instance = where.instance,
         .patch = where.patch,
-        .part = std::string(scene.instances()[where.instance].model().parts().name_of(where.patch)),
+        .part = part_of(scene.instances()[where.instance].model(), where.patch),
         .u = hit->u,
         .v = hit->v,
         .u_error = hit->u_error,

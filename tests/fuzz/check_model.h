@@ -65,6 +65,11 @@ inline bool is_within_limits(const l3d_model_file& model) {
         for (const std::array<double, 3>& p : patch.points)
             if (!std::all_of(p.begin(), p.end(), within))
                 return false;
+        if (!patch.weights.empty() && patch.weights.size() != patch.points.size())
+            return false;
+        for (const double weight : patch.weights)
+            if (!(weight > 0) || !within(weight))
+                return false;
     }
     return true;
 }

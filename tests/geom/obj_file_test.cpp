@@ -196,14 +196,19 @@ TEST(obj_surface, range_may_be_a_part) {
               (std::vector<point>{{1.5, 2, 3}, {2, 2, 3}, {1.5, 2, 5}, {2, 2, 5}}));
 }
 
-TEST(obj_surface, with_equal_weights_is_not_rational) {
+TEST(obj_surface, is_rational_if_its_weights_differ) {
     const std::string_view statements = "cstype rat bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\n"
                                         "parm u 0 1\nparm v 0 1\nend\n";
     const std::string equal = "v 1 2 3 2\nv 3 2 3 2\nv 1 2 5 2\nv 3 2 5 2\n";
     EXPECT_EQ(read(equal + std::string(statements)).patches.at(0).points[1], (point{3, 2, 3}));
     const std::string unequal = "v 1 2 3\nv 3 2 3\nv 1 2 5\nv 3 2 5 0.5\n";
-    EXPECT_EQ(complaint(unequal + std::string(statements)),
-              "name:10: the surface is rational: its control points have different weights");
+    const l3d_patch_points rational = read(unequal + std::string(statements)).patches.at(0);
+    EXPECT_EQ(rational.points[3], (point{3, 2, 5}));
+    EXPECT_EQ(rational.weights, (std::vector<double>{1, 1, 1, 0.5}));
+    for (const char* const wrong : {"0", "-1"})
+        EXPECT_EQ(complaint("v 1 2 3\nv 3 2 3\nv 1 2 5\nv 3 2 5 " + std::string(wrong) + "\n" +
+                            std::string(statements)),
+                  "name:10: the weight of vertex 4, a control point, is not positive");
 }
 
 TEST(obj_surface, says_where_and_what_is_wrong) {

@@ -92,6 +92,19 @@ TEST(patch_file, does_not_depend_on_the_locale) {
     std::locale::global(before);
 }
 
+TEST(patch_file, has_weights_where_it_says_so) {
+    const std::string text = "2\n1 1 rational # of a circle\n0 0 0 1\n1 0 0 .5\n0 1 0 2\n1 1 0 4\n"
+                             "1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+    const patches expected = read(text);
+    ASSERT_EQ(expected.size(), 2u);
+    EXPECT_EQ(expected[0].weights, (std::vector<double>{1, 0.5, 2, 4}));
+    EXPECT_TRUE(expected[1].weights.empty());
+    EXPECT_EQ(expected[0].points, expected[1].points);
+    EXPECT_EQ(read(l3d_write_bpt(expected)), expected);
+    EXPECT_EQ(complaint(with(text, ".5", "0")), "some.bpt:4: a weight is '0', not positive");
+    EXPECT_EQ(complaint(with(text, ".5", "-.5")), "some.bpt:4: a weight is '-.5', not positive");
+}
+
 TEST(patch_file, says_where_and_what_is_wrong) {
     EXPECT_EQ(complaint(""), "some.bpt:1: the text ends where the number of patches should be");
     EXPECT_EQ(complaint("\n\n"), "some.bpt:3: the text ends where the number of patches should be");

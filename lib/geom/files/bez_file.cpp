@@ -2,6 +2,8 @@
 // Reader of geomview's Bezier patches: BEZ and BBP, text or binary.
 #include "geom/files/model_reader_p.h"
 
+#include <algorithm>
+
 namespace {
 
 using l3d_detail::quoted;
@@ -48,7 +50,7 @@ public:
             l3d_patch_points& patch = patches_.emplace_back();
             patch.degree_u = kind_.degree_u;
             patch.degree_v = kind_.degree_v;
-            if (!read_points(patch.points) || !skip(kind_.texture ? 4 * 2 : 0) ||
+            if (!read_points(patch) || !skip(kind_.texture ? 4 * 2 : 0) ||
                 !skip(kind_.color ? 4 * 4 : 0))
                 return false;
         }
@@ -89,37 +91,38 @@ private:
         return true;
     }
 
-    bool read_points(std::vector<std::array<double, 3>>& points) {
-        double weight = 0;
+    bool read_points(l3d_patch_points& patch) {
         for (int i = 0; i < (kind_.degree_u + 1) * (kind_.degree_v + 1); ++i) {
-            std::array<double, 3>& p = points.emplace_back();
+            std::array<double, 3>& p = patch.points.emplace_back();
             for (double& value : p)
                 if (!real(value, "a coordinate") || !text_.is_coordinate(value))
                     return false;
-            if (kind_.components == 4 && !divide(p, weight, i == 0))
+            if (kind_.components == 4 && !divide(p, patch.weights))
                 return false;
         }
+        // A common weight of all points of a patch means nothing.
+        if (std::ranges::all_of(patch.weights, [&](double w) { return w == patch.weights[0]; }))
+            patch.weights.clear();
         return true;
     }
 
-    /// Takes a homogeneous point to space. A common weight of all points of a patch means nothing.
-    bool divide(std::array<double, 3>& p, double& common, bool is_first) {
+    /// Takes a homogeneous point to space. Weights may be negative if all are the same.
+    bool divide(std::array<double, 3>& p, std::vector<double>& weights) {
         double weight = 0;
         if (!real(weight, "a weight"))
             return false;
-        if (is_first)
-            common = weight;
         if (weight == 0)
             return text_.fail("the weight of a control point is 0");
-        if (weight != common)
+        weights.push_back(weight);
+        if (weight != weights.front() && std::min(weight, weights.front()) < 0)
             return text_.fail("patch " + std::to_string(patches_.size()) +
-                              " is rational: its control points have different weights");
+                              " has different weights, and a negative one among them");
         for (double& value : p) {
             value /= weight;
             if (!text_.is_coordinate(value))
                 return false;
         }
-        return true;
+        return text_.is_coordinate(weight);
     }
 
     text_cursor& text_;

@@ -163,12 +163,12 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
                           " control points; its parameters ask for " + std::to_string(points_u) +
                           " by " + std::to_string(points_v));
     // A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
-    // bicubic patch of 416 bytes. A text that asks for more names the same vertices again and
+    // rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again and
     // again.
     constexpr std::size_t most_per_byte = 48;
     const std::size_t per_patch =
         sizeof(l3d_patch_points) +
-        sizeof(std::array<double, 3>) * static_cast<std::size_t>((degree_u_ + 1) * (degree_v_ + 1));
+        sizeof(std::array<double, 4>) * static_cast<std::size_t>((degree_u_ + 1) * (degree_v_ + 1));
     patch_bytes_ += per_patch * u_.segments() * v_.segments();
     if (patch_bytes_ > most_per_byte * text_bytes_)
         return text_.fail("the surfaces take more than " + std::to_string(most_per_byte) +
@@ -176,15 +176,22 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
 
     const auto weight = [&weights](std::uint32_t i) { return i < weights.size() ? weights[i] : 1; };
     std::vector<std::array<double, 3>> points;
+    std::vector<double> weights_here;
+    bool has_equal = true; // what all points are multiplied by means nothing
     points.reserve(indices_.size());
     is_control_point_.resize(vertices.size());
     for (const std::uint32_t i : indices_) {
-        if (is_rational_ && weight(i) != weight(indices_.front()))
-            return text_.fail("the surface is rational: its control points have different weights");
+        if (is_rational_ && !(weight(i) > 0))
+            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
+                              ", a control point, is not positive");
+        weights_here.push_back(weight(i));
+        has_equal = has_equal && weight(i) == weight(indices_.front());
         points.push_back({vertices[i][0], vertices[i][1], vertices[i][2]});
         is_control_point_[i] = true;
     }
-    std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points);
+    if (!is_rational_ || has_equal)
+        weights_here.clear();
+    std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));
     return true;

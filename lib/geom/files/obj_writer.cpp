@@ -65,8 +65,14 @@ void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
 }
 
 void append_patch(std::string& text, const l3d_patch_points& patch) {
-    for (const auto& [x, y, z] : patch.points)
+    for (std::size_t i = 0; i < patch.points.size(); ++i) {
+        const auto& [x, y, z] = patch.points[i];
         append_vector(text, "v ", x, y, z);
+        if (!patch.weights.empty()) {
+            text.back() = ' '; // a weight goes on with the line
+            l3d_detail::append(text, patch.weights[i], '\n');
+        }
+    }
     text += "deg " + std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) +
             "\nsurf 0 1 0 1";
     for (std::size_t i = patch.points.size(); i > 0; --i)
@@ -77,9 +83,10 @@ void append_patch(std::string& text, const l3d_patch_points& patch) {
 void append_patches(std::string& text, const l3d_model_file& model) {
     const std::vector<std::uint32_t>& materials = model.patch_materials;
     auto part = model.patch_parts.begin();
-    if (!model.patches.empty())
-        text += "cstype bezier\n";
     for (std::size_t i = 0; i < model.patches.size(); ++i) {
+        const auto is_rational = [&](std::size_t k) { return !model.patches[k].weights.empty(); };
+        if (i == 0 || is_rational(i) != is_rational(i - 1))
+            text += is_rational(i) ? "cstype rat bezier\n" : "cstype bezier\n";
         if (!materials.empty() && (i == 0 || materials[i] != materials[i - 1]))
             text += "usemtl " + model.mesh.materials[materials[i]] + '\n';
         append_parts(text, model.patch_parts, part, i);

@@ -40,10 +40,17 @@ bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& 
         patch.degree_u = static_cast<int>(degree_u);
         patch.degree_v = static_cast<int>(degree_v);
         patch.points.resize(points_along(patch.degree_u) * points_along(patch.degree_v));
-        for (point& p : patch.points)
+        const bool is_rational = text.take_in_line("rational");
+        for (point& p : patch.points) {
             for (double& value : p)
                 if (!text.coordinate(value))
                     return false;
+            if (is_rational && !(text.coordinate(patch.weights.emplace_back())))
+                return false;
+            if (is_rational && !(patch.weights.back() > 0))
+                return text.fail("a weight is " + l3d_detail::quoted(text.token()) +
+                                 ", not positive");
+        }
     }
     return !text.next() || text.fail(l3d_detail::quoted(text.token()) + " follows the last of " +
                                      std::to_string(count) + " patches");
@@ -104,11 +111,16 @@ std::optional<std::vector<l3d_patch_points>> l3d_read_bpt(std::string_view text,
 std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
     std::string text = std::to_string(patches.size()) + '\n';
     for (const l3d_patch_points& patch : patches) {
-        text += std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) + '\n';
-        for (const point& p : patch.points) {
+        const bool is_rational = !patch.weights.empty();
+        text += std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) +
+                (is_rational ? " rational\n" : "\n");
+        for (std::size_t i = 0; i < patch.points.size(); ++i) {
+            const point& p = patch.points[i];
             l3d_detail::append(text, p[0], ' ');
             l3d_detail::append(text, p[1], ' ');
-            l3d_detail::append(text, p[2], '\n');
+            l3d_detail::append(text, p[2], is_rational ? ' ' : '\n');
+            if (is_rational)
+                l3d_detail::append(text, patch.weights[i], '\n');
         }
     }
     return text;

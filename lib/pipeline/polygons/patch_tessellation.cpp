@@ -122,7 +122,7 @@ l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     };
     for (std::size_t i = 0; i < model.patches().size(); ++i) {
         const patch& p = model.patches()[i];
-        if (run != runs.end() && run->first == i)
+        if (run != runs.end() && run->first == model.piece_of(i))
             mesh.parts.push_back({run++->name, static_cast<std::uint32_t>(mesh.faces())});
         for (int row = 0; row <= n; ++row)
             for (int column = 0; column <= n; ++column) {

@@ -4,6 +4,7 @@
 
 #include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
+#include "geom/nurbs_shapes.h"
 #include "system/options/output_names_p.h"
 #include "system/install_paths.h"
 #include "system/long_work_p.h"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -25,15 +27,25 @@ std::vector<std::string> l3d_detail::model_names() {
     for (const fs::directory_entry& entry : fs::directory_iterator(l3d_data_folder(), unknown))
         if (std::ranges::count(endings, ending_of(entry.path())) > 0)
             names.push_back(entry.path().stem().string());
+    for (const std::string_view name : l3d_exact_shape_names())
+        names.emplace_back(name);
     std::ranges::sort(names);
+    const auto twice = std::ranges::unique(names); // a file, and an exact shape
+    names.erase(twice.begin(), twice.end());
     return names;
 }
 
 l3d_model_file l3d_detail::load_named_model(const std::string& name) {
-    const std::string path = l3d_data_file(name);
     std::error_code unknown;
-    if (fs::exists(path, unknown) || fs::path(name).has_parent_path()) {
-        const auto work = tell_work("reading", name);
+    if (const auto shape = l3d_exact_shape(name); shape && !fs::exists(name, unknown)) {
+        l3d_model_file model;
+        for (const l3d_nurbs_surface& surface : *shape)
+            for (l3d_patch_points& piece : surface.pieces())
+                model.patches.push_back(std::move(piece));
+        return model;
+    }
+    const std::string path = l3d_data_file(name);
+    if (fs::exists(path, unknown) || fs::path(name).has_parent_path())
         return l3d_load_model(path, name);
     }
     const std::vector<std::string> names = model_names();

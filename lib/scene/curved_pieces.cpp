@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// l3d_curved_pieces: as many cells as a level needs.
+#include "scene/curved_pieces.h"
+
+#include "geom/bicubic_approximation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace {
+
+using patch = l3d_curved_pieces::patch;
+
+/// Calls `visit` with each of 2^m by 2^n parts.
+template <class Visit>
+void for_each_part(const l3d_rational_piece& piece, int m, int n, const Visit& visit) {
+    if (m == 0 && n == 0)
+        return visit(piece);
+    // The direction with more cuts to come goes first, so that parts stay compact.
+    const bool along_u = m >= n;
+    const auto halves = piece.halves(along_u);
+    for (const l3d_rational_piece* half : {&halves.first, &halves.second})
+        for_each_part(*half, along_u ? m - 1 : m, along_u ? n : n - 1, visit);
+}
+
+/// The part of a piece that is off the most.
+struct worst_part {
+    double off = 0;
+    std::optional<l3d_rational_piece> part;
+
+    void take(double here, const l3d_rational_piece& of) {
+        if (!(here > off))
+            return;
+        off = here;
+        part = of;
+    }
+};
+
+/// The control points of the four boundaries, as numbers, in the direction that is first in order.
+/// Nothing for a boundary that is a point.
+std::array<std::optional<std::vector<double>>, 4> boundaries_of(const l3d_patch_points& piece) {
+    const auto m = static_cast<std::size_t>(piece.degree_u);
+    const auto n = static_cast<std::size_t>(piece.degree_v);
+    const std::size_t width = m + 1;
+    const std::array<std::array<std::size_t, 3>, 4> lines{
+        {{0, 1, m}, {n * width, 1, m}, {0, width, n}, {m, width, n}}}; // first, step, degree
+    std::array<std::optional<std::vector<double>>, 4> result;
+    for (std::size_t side = 0; side < 4; ++side) {
+        const auto [first, step, degree] = lines[side];
+        std::vector<double> there, back;
+        bool is_point = true;
+        for (std::size_t i = 0; i <= degree; ++i) {
+            for (const auto& [to, k] : {std::pair{&there, i}, std::pair{&back, degree - i}}) {
+                const std::size_t at = first + k * step;
+                for (const double value : piece.points[at])
+                    to->push_back(value + 0.0); // no -0, which is 0
+                to->push_back(piece.weights.empty() ? 1 : piece.weights[at]);
+            }
+            is_point = is_point && piece.points[first + i * step] == piece.points[first];
+        }
+        if (!is_point)
+            result[side] = std::min(there, back);
+    }
+    return result;
+}
+
+} // namespace
+
+l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces)
+    : pieces_(std::move(pieces)), alike_(2 * pieces_.size()) {
+    bool is_first = true;
+    for (const l3d_patch_points& piece : pieces_)
+        for (const auto& p : piece.points) {
+            for (int k = 0; k < 3; ++k) {
+                const double value = p[static_cast<std::size_t>(k)];
+                least_[k] = is_first ? value : std::min(least_[k], value);
+                most_[k] = is_first ? value : std::max(most_[k], value);
+            }
+            is_first = false;
+        }
+    std::iota(alike_.begin(), alike_.end(), std::size_t{0});
+    unite_common_boundaries();
+}
+
+std::size_t l3d_curved_pieces::root_of(std::size_t line) const {
+    while (alike_[line] != line)
+        line = alike_[line];
+    return line;
+}
+
+void l3d_curved_pieces::unite_common_boundaries() {
+    std::map<std::vector<double>, std::size_t> lines;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const auto boundaries = boundaries_of(pieces_[i]);
+        for (std::size_t side = 0; side < 4; ++side) {
+            if (!boundaries[side])
+                continue;
+            const std::size_t line = 2 * i + side / 2;
+            const auto [there, is_new] = lines.try_emplace(*boundaries[side], line);
+            if (!is_new)
+                alike_[root_of(line)] = root_of(there->second);
+        }
+    }
+}
+
+double l3d_curved_pieces::place_target(int level) const {
+    return std::ldexp(l3d_length(most_ - least_), -10 - 4 * level);
+}
+
+double l3d_curved_pieces::normal_target(int level) {
+    return std::ldexp(1.0, -9 - 3 * level);
+}
+
+/// Each line is halved until places are well in all cells along it, and then until normals are. The
+/// worst cell of a piece decides which way the piece is cut: its halves tell.
+std::vector<l3d_curved_pieces::halvings>
+l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal) const {
+    // Where normals have no bound, as at a cusp, cutting may never give one.
+    constexpr int most_for_normals = 4;
+    // Rounding, or a cusp, is reached where halving no longer gains a tenth.
+    constexpr double gain = 0.9;
+    std::vector<int> of_line(alike_.size(), 0);
+    std::vector<bool> is_done(pieces_.size(), false);
+    const auto now = [&](std::size_t i) {
+        return halvings{of_line[root_of(2 * i)], of_line[root_of(2 * i + 1)]};
+    };
+    const auto cells_now = [&] {
+        double sum = 0;
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            sum += std::ldexp(1.0, now(i).u + now(i).v);
+        return sum;
+    };
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        std::vector<int> next = of_line;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (is_done[i])
+                continue;
+            const halvings have = now(i);
+            worst_part of_places, of_normals;
+            for_each_part(l3d_rational_piece(pieces_[i]), have.u, have.v,
+                          [&](const l3d_rational_piece& part) {
+                              const l3d_bicubic_approximation by(part);
+                              of_places.take(by.error, part);
+                              of_normals.take(by.normal_error, part);
+                          });
+            const bool is_off = of_places.off > wanted_place;
+            if (!is_off && !(of_normals.off > wanted_normal)) {
+                is_done[i] = true; // finer cells of neighbours make it no worse
+                continue;
+            }
+            const worst_part& worst = is_off ? of_places : of_normals;
+            const double now_off = worst.off;
+            const auto left_by = [&](int m, int n) {
+                double most = 0;
+                for_each_part(*worst.part, m, n, [&](const l3d_rational_piece& part) {
+                    const l3d_bicubic_approximation by(part);
+                    most = std::max(most, is_off ? by.error : by.normal_error);
+                });
+                return most;
+            };
+            const double by_u = left_by(1, 0), by_v = left_by(0, 1);
+            bool in_u = by_u < gain * now_off && by_u <= by_v;
+            bool in_v = by_v < gain * now_off && by_v < by_u;
+            if (!in_u && !in_v) {
+                const bool helps = left_by(1, 1) < gain * now_off;
+                const bool may_help =
+                    std::isinf(now_off) && std::max(have.u, have.v) < most_for_normals;
+                in_u = in_v = helps || may_help;
+                is_done[i] = !in_u;
+            }
+            for (const auto& [line, is_cut] : {std::pair{2 * i, in_u}, std::pair{2 * i + 1, in_v}})
+                if (is_cut)
+                    next[root_of(line)] = of_line[root_of(line)] + 1;
+            goes_on = goes_on || in_u || in_v;
+        }
+        std::swap(of_line, next);
+        if (cells_now() > static_cast<double>(most_cells)) {
+            of_line = next; // as it was before
+            break;
+        }
+    }
+    std::vector<halvings> result;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        result.push_back(now(i));
+    return result;
+}
+
+l3d_curved_pieces::cells l3d_curved_pieces::at_level(int places, int normals) const {
+    const std::vector<halvings> cuts = halvings_at(place_target(places), normal_target(normals));
+    cells result;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        for_each_part(l3d_rational_piece(pieces_[i]), cuts[i].u, cuts[i].v,
+                      [&](const l3d_rational_piece& part) {
+                          const l3d_bicubic_approximation by(part);
+                          result.patches.push_back(by.patch);
+                          result.pieces.push_back(static_cast<std::uint32_t>(i));
+                          result.error = std::max(result.error, by.error);
+                          result.normal_error = std::max(result.normal_error, by.normal_error);
+                      });
+    return result;
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// l3d_curved_pieces: rational patches of any degree, cut until bicubic ones can stand for them.
+#ifndef L3D_SCENE_CURVED_PIECES_H
+#define L3D_SCENE_CURVED_PIECES_H
+
+#include "geom/bezier_patch.h"
+#include "geom/files/patch_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// Rational Bezier patches, the pieces, that models draw as bicubic ones, the cells.
+///
+/// A piece is cut into 2^m by 2^n cells. Pieces with a common boundary have as many cells along it,
+/// and these have the same boundaries, bit for bit.
+class l3d_curved_pieces {
+public:
+    using patch = l3d_bezier_patch<double, 3>;
+    using vector = l3d_vector<double, 3>;
+
+    /// Expects: what l3d_rational_piece expects of each.
+    explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces);
+
+    std::span<const l3d_patch_points> pieces() const { return pieces_; }
+
+    /// The box of all control points, which holds all pieces.
+    const vector& least() const { return least_; }
+    const vector& most() const { return most_; }
+
+    /// Levels of places and of normals are from 0 to this. The finest of places asks for 2^-42 of
+    /// the diagonal of the box; rounding of doubles would leave little of a finer one.
+    static constexpr int most_level = 8;
+    /// How far places may be off at a level, which the cells keep if there are no more than
+    /// most_cells: each level is a 16th of the one before, which takes twice the cells along a
+    /// side.
+    double place_target(int level) const;
+    /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and each level an
+    /// eighth of the one before.
+    static double normal_target(int level);
+    /// Cells that a model may have at any level: some 300 MB.
+    static constexpr std::size_t most_cells = std::size_t{1} << 17;
+
+    /// The cells of a level.
+    struct cells {
+        std::vector<patch> patches;
+        std::vector<std::uint32_t> pieces; ///< of each patch, the piece that it is a cell of
+        double error = 0;        ///< how far places are off, in the pieces' unit
+        double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
+    };
+    /// Expects: 0 <= places, normals <= most_level.
+    cells at_level(int places, int normals) const;
+
+private:
+    /// The same for pieces along one line through common boundaries: how many halvings.
+    struct halvings {
+        int u = 0, v = 0;
+    };
+    std::vector<halvings> halvings_at(double wanted_place, double wanted_normal) const;
+    void unite_common_boundaries();
+    std::size_t root_of(std::size_t line) const;
+
+    std::vector<l3d_patch_points> pieces_;
+    /// Of the lines 2 i and 2 i + 1, along u and v of the piece i: another line that is cut alike,
+    /// or itself.
+    std::vector<std::size_t> alike_;
+    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+};
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Levels of curved models, by the view alone (NUMERICS, section 21).
+#include "scene/level_choice.h"
+
+#include "geom/transform.h"
+#include "scene/patch_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using vector = l3d_patch_scene::vector;
+
+/// Frobenius' norm of the upper left three by three: no vector becomes longer by more than that.
+double norm_of(const l3d_matrix<double>& m) {
+    double squares = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            squares += m(row, column) * m(row, column);
+    return std::sqrt(squares);
+}
+
+/// What an instance's placement does to errors, and where the instance is.
+struct seen_instance {
+    double stretch = 1; ///< of lengths
+    double turn = 1;    ///< of the distance of unit normals
+    double least_w = 0, most_w = 0;
+    double focal = 0;     ///< of the farthest corner of the window: the most pixels of a unit
+    double near = 0;
+
+    seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
+        stretch = instance.scale();
+        if (!(stretch > 0)) {
+            // n / |n| and m / |m| turn by no more than twice the condition of the normals' matrix.
+            stretch = norm_of(instance.placement());
+            const auto back = l3d_inverted(instance.normal_matrix());
+            turn = back ? 2 * norm_of(instance.normal_matrix()) * norm_of(*back)
+                        : std::numeric_limits<double>::infinity();
+        }
+        const vector ahead = view.camera.axes().forward;
+        const vector middle = (instance.model().pieces_least() + instance.model().pieces_most()) * 0.5;
+        const vector half = (instance.model().pieces_most() - instance.model().pieces_least()) * 0.5;
+        const l3d_matrix<double>& to_world = instance.placement();
+        double at = 0, reach = 0;
+        for (int row = 0; row < 3; ++row)
+            at += ahead[row] * (to_world(row, 0) * middle[0] + to_world(row, 1) * middle[1] +
+                                to_world(row, 2) * middle[2] + to_world(row, 3) -
+                                view.camera.eye[row]);
+        for (int k = 0; k < 3; ++k)
+            reach += half[k] * std::abs(ahead[0] * to_world(0, k) + ahead[1] * to_world(1, k) +
+                                        ahead[2] * to_world(2, k));
+        least_w = at - reach;
+        most_w = at + reach;
+        focal = std::hypot(view.camera.focal_length(view.size), view.size.width / 2.0,
+                           view.size.height / 2.0);
+        near = view.camera.near;
+    }
+
+    /// How many pixels a place in front of the near plane may be off that is off by `error` in the
+    /// model.
+    double pixels(double error) const {
+        const double e = error * stretch;
+        const double w = std::max(least_w, near - e);
+        return w > 0 ? e * focal / w : std::numeric_limits<double>::infinity();
+    }
+};
+
+} // namespace
+
+l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
+    l3d_curved_error result;
+    if (curved_count_ == 0)
+        return result;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const l3d_patch_model& model = instances_[i].model();
+        if (!model.is_curved())
+            continue;
+        const seen_instance seen(instances_[i], view);
+        if (seen.most_w <= seen.near)
+            continue; // behind the near plane
+        const auto first = [&](const auto& is_well) {
+            int level = 0;
+            while (level < model.most_level() && !is_well(level))
+                ++level;
+            return level;
+        };
+        take_level(i, first([&](int level) {
+                       return seen.pixels(model.place_target(level)) <= view.places_px;
+                   }),
+                   first([&](int level) {
+                       return seen.turn * model.normal_target(level) <= view.normals;
+                   }));
+        const l3d_patch_model& drawn = instances_[i].model();
+        result.places_px = std::max(result.places_px, seen.pixels(drawn.surface_error()));
+        result.normals = std::max(result.normals, seen.turn * drawn.normal_error());
+    }
+    return result;
+}
+
+/// It is the same model: nothing has changed that a program knows of.
+void l3d_patch_scene::take_level(std::size_t index, int places, int normals) {
+    l3d_patch_instance& instance = instances_[index];
+    const l3d_patch_model finer = instance.model().at_level(places, normals);
+    if (finer.identity() == instance.model().identity())
+        return;
+    patch_count_ += static_cast<std::int64_t>(finer.patches().size()) -
+                    static_cast<std::int64_t>(instance.model().patches().size());
+    instance.take_level(finer);
+    boxes_.set(index, instance.box());
+    extent_count_ = 0;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Which level of a curved model a picture needs.
+#ifndef L3D_SCENE_LEVEL_CHOICE_H
+#define L3D_SCENE_LEVEL_CHOICE_H
+
+#include "scene/camera.h"
+#include "tool_2d/pixels.h"
+
+/// A picture, and how far its curved models may be off in it.
+struct l3d_level_view {
+    const l3d_camera& camera;
+    l3d_size size;
+    double places_px; ///< of places, in pixels
+    double normals;   ///< of unit normals
+};
+
+/// Bounds of how far curved models are off in a picture.
+struct l3d_curved_error {
+    double places_px = 0; ///< of places, and of depth along the drawn normal; in pixels
+    double normals = 0;   ///< of unit normals
+};
+
+#endif

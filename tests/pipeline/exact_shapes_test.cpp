@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// Curved models against spheres, cylinders, cones and tori in closed form: no code of the library.
+#include "hard_edged.h"
+#include "words_of.h"
+
+#include "geom/nurbs_shapes.h"
+#include "pipeline/pipeline_afd.h"
+#include "raster/rasterizer_factory_sw.h"
+#include "tool_2d/screen_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace {
+
+using real = long double;
+using place = std::array<real, 3>;
+
+place operator+(const place& a, const place& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+place operator*(const place& a, real s) {
+    return {a[0] * s, a[1] * s, a[2] * s};
+}
+real dot(const place& a, const place& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+place place_of(const l3d_vector<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+/// The signed distance of a place from a shape, in its half plane (r, y).
+real half_plane_distance(const std::string& shape, real r, real y) {
+    if (shape == "sphere")
+        return std::hypot(r, y) - 1;
+    if (shape == "torus")
+        return std::hypot(r - 1, y) - 0.4L;
+    if (shape == "cylinder") {
+        const real beside = r - 1, above = std::abs(y) - 1;
+        return beside > 0 && above > 0 ? std::hypot(beside, above) : std::max(beside, above);
+    }
+    // A cone: its base y = -1, and the side from (1, -1) to the tip (0, 1).
+    const auto from_segment = [&](real ax, real ay, real bx, real by) {
+        const real dx = bx - ax, dy = by - ay;
+        const real t = std::clamp(((r - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), real{0},
+                                  real{1});
+        return std::hypot(r - ax - t * dx, y - ay - t * dy);
+    };
+    const real apart = std::min(from_segment(0, -1, 1, -1), from_segment(1, -1, 0, 1));
+    return y > -1 && 2 * r + y < 1 ? -apart : apart;
+}
+
+real distance_of(const std::string& shape, const place& p) {
+    return half_plane_distance(shape, std::hypot(p[0], p[2]), p[1]);
+}
+
+place normal_of(const std::string& shape, const place& p) {
+    constexpr real h = 1e-6L;
+    place n{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        place more = p, less = p;
+        more[k] += h;
+        less[k] -= h;
+        n[k] = distance_of(shape, more) - distance_of(shape, less);
+    }
+    return n * (1 / std::sqrt(dot(n, n)));
+}
+
+/// Where a ray first meets a shape, as a factor of its direction; negative if it does not.
+real first_hit(const std::string& shape, const place& from, const place& ray) {
+    const real length = std::sqrt(dot(ray, ray));
+    real t = 0;
+    for (int step = 0; step < 4000; ++step) {
+        const real d = distance_of(shape, from + ray * t);
+        if (d < 1e-16L)
+            return t;
+        t += d / length;
+        if (t * length > 1e3L)
+            return -1;
+    }
+    return -1; // along the surface: beside an outline
+}
+
+struct view {
+    l3d_camera camera;
+    l3d_size size{96, 72};
+    place right{}, down{}, ahead{}, eye{};
+    real focal = 1;
+
+    explicit view(const l3d_camera& of) : camera(of) {
+        const auto axes = of.axes();
+        right = place_of(axes.right);
+        down = place_of(axes.up) * -1;
+        ahead = place_of(axes.forward);
+        eye = place_of(of.eye);
+        focal = of.focal_length(size);
+    }
+    place ray(real x, real y) const {
+        return ahead + right * ((x - size.width / 2.0L) / focal) +
+               down * ((y - size.height / 2.0L) / focal);
+    }
+};
+
+/// Cameras at all sides. Half of them come near, half of them have a long lens.
+l3d_camera random_camera(const std::string& shape, double zoom, bool is_near,
+                         std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> any(-1, 1);
+    l3d_vector<double, 3> away{normal(random), normal(random), normal(random)};
+    away = l3d_normalized(away);
+    l3d_camera camera;
+    // A place of the surface from large zooms on, for there is nothing else to see.
+    l3d_vector<double, 3> target{0.0, 0.0, 0.0};
+    if (zoom > 1) {
+        const real t = first_hit(shape, place_of(away * 4.0), place_of(away * -1.0));
+        if (t > 0)
+            target = away * static_cast<double>(4 - t);
+    }
+    camera.target = target;
+    camera.up = std::abs(away[1]) < 0.9 ? l3d_vector<double, 3>{0.0, 1.0, 0.0}
+                                         : l3d_vector<double, 3>{1.0, 0.0, 0.0};
+    const double distance = is_near || zoom < 1 ? 4 / zoom : 4;
+    camera.eye = target + (away + l3d_vector<double, 3>{any(random), any(random), any(random)} *
+                                      0.3) *
+                              distance;
+    camera.near = distance / 100;
+    if (!is_near && zoom > 1)
+        camera.fov = camera.fov / zoom;
+    return camera;
+}
+
+struct sums {
+    std::int64_t judged = 0, drawn = 0, holes = 0, far = 0, shades = 0, unproven = 0;
+    real worst_depth = 0, worst_shade = 0; ///< of their bounds
+};
+
+void judge(const std::string& shape, const view& v, const l3d_pipeline_afd& pipeline, sums& sum) {
+    const l3d_frame_report report = pipeline.report();
+    const real bound = report.dice.bound_px, depth_bound = report.dice.depth_bound_px;
+    ASSERT_TRUE(std::isfinite(report.dice.bound_px));
+    const auto words = words_of(pipeline.screen().pixels());
+    const place light = place_of(l3d_normalized(pipeline.settings().light));
+    for (int y = 0; y < v.size.height; ++y)
+        for (int x = 0; x < v.size.width; ++x) {
+            const place ray = v.ray(x + 0.5L, y + 0.5L);
+            const real hit = first_hit(shape, v.eye, ray);
+            // What is within the bound of an outline or of a crease is not judged: there, the rays
+            // around it meet nothing, or a plane that is another one.
+            const real round = bound + 0.05L;
+            const place n = hit > 0 ? normal_of(shape, v.eye + ray * hit) : place{};
+            bool is_inside = true, is_smooth = true;
+            real turn = 0;
+            for (int k = 0; k < 8; ++k) {
+                const real angle = k * 0.7853981634L;
+                const place other_ray =
+                    v.ray(x + 0.5L + round * std::cos(angle), y + 0.5L + round * std::sin(angle));
+                const real other = first_hit(shape, v.eye, other_ray);
+                is_inside = is_inside && (other > 0) == (hit > 0);
+                if (hit <= 0 || other <= 0)
+                    continue;
+                const place m = normal_of(shape, v.eye + other_ray * other);
+                const place d = m + n * -1;
+                turn = std::max(turn, std::sqrt(dot(d, d)));
+            }
+            const real slope = hit > 0 ? -dot(n, ray) / std::sqrt(dot(ray, ray)) : 1;
+            is_smooth = turn < 0.2L && slope > 0.05L;
+            if (!is_inside || !is_smooth)
+                continue;
+            ++sum.judged;
+            const real inv_w = static_cast<real>(pipeline.depth().row(y)[static_cast<std::size_t>(x)]);
+            if (hit > 0 && hit < static_cast<real>(v.camera.near))
+                continue;
+            sum.holes += (inv_w > 0) != (hit > 0);
+            if (!(inv_w > 0) || !(hit > 0))
+                continue;
+            ++sum.drawn;
+            // Of the place, what is across the surface; the surface bends within the bound.
+            const real off = std::abs(distance_of(shape, v.eye + ray * (1 / inv_w))) * v.focal / hit;
+            const real bent = turn * (bound + depth_bound) / slope;
+            const real allowed = depth_bound + bent;
+            sum.worst_depth = std::max(sum.worst_depth, off / allowed);
+            sum.far += off > allowed;
+            const real level = 25.5L + 229.5L * std::max(real{0}, dot(n, light));
+            const real drawn = words[static_cast<std::size_t>(y * v.size.width + x)] & 0xff;
+            const real shade_allowed = report.dice.shade_bound + 229.5L * turn;
+            sum.worst_shade = std::max(sum.worst_shade, std::abs(drawn - level) / shade_allowed);
+            sum.shades += std::abs(drawn - level) > shade_allowed;
+        }
+    sum.unproven += report.dice.unproven_quads;
+}
+
+class exact_shapes : public testing::TestWithParam<const char*> {};
+
+} // namespace
+
+TEST_P(exact_shapes, are_drawn_within_their_bounds_at_any_zoom) {
+    const std::string shape = GetParam();
+    const bool is_long = std::getenv("L3D_STRESS") != nullptr;
+    const int views = is_long ? 50 : 8;
+    std::mt19937 random(52);
+    const l3d_patch_model model = l3d_patch_model::from_surfaces(*l3d_exact_shape(shape));
+    EXPECT_EQ(model.orientation(), shape == "torus" ? 0 : 1);
+    sums sum;
+    for (int i = 0; i < views; ++i) {
+        const double zoom = std::pow(10, -3 + 9.0 * i / (views - 1));
+        const view v(random_camera(shape, zoom, i % 2 == 0, random));
+        ASSERT_EQ(v.camera.complaint(), "");
+        for (const double tolerance : {0.25, 0.05}) {
+            l3d_afd_settings settings = hard_edged();
+            settings.tolerance = tolerance;
+            settings.depth = true;
+            settings.threads = 1;
+            l3d_pipeline_afd pipeline(l3d_memory_canvas(v.size), model, v.camera, settings);
+            pipeline.draw_event();
+            const sums before = sum;
+            judge(shape, v, pipeline, sum);
+            if (sum.holes > before.holes || sum.far > before.far || sum.shades > before.shades)
+                std::printf("%s, zoom %g, %s, tolerance %g: %ld holes, %ld far, %ld shades, "
+                            "%ld unproven; bounds %g %g %g\n",
+                            shape.c_str(), zoom, i % 2 == 0 ? "near" : "lens", tolerance,
+                            static_cast<long>(sum.holes - before.holes),
+                            static_cast<long>(sum.far - before.far),
+                            static_cast<long>(sum.shades - before.shades),
+                            static_cast<long>(sum.unproven - before.unproven),
+                            pipeline.report().dice.bound_px, pipeline.report().dice.depth_bound_px,
+                            pipeline.report().dice.shade_bound);
+        }
+    }
+    std::printf("%s: %ld pixels judged, %ld drawn; depth at most %.2Lf, shade at most %.2Lf of what "
+                "is allowed; %ld quads unproven\n",
+                shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn),
+                sum.worst_depth, sum.worst_shade, static_cast<long>(sum.unproven));
+    EXPECT_GT(sum.drawn, 100 * views);
+    EXPECT_EQ(sum.holes, 0);
+    EXPECT_EQ(sum.far, 0);
+    EXPECT_EQ(sum.shades, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(shapes, exact_shapes,
+                         testing::Values("sphere", "cylinder", "cone", "torus"));
