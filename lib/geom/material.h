@@ -24,8 +24,16 @@ struct L3D_PUBLIC l3d_material {
 
     static constexpr int most_sharpness = 1000; ///< that of .mtl files
 
+    /// Which of its mesh's pictures is laid on it, in the product of both colours' light; or none.
+    /// Patches have none.
+    int picture = no_picture;
+
+    static constexpr int no_picture = -1; ///< the place of no picture
+
     /// Whether it looks like a surface without a material.
-    bool is_plain() const { return color == 0xffffff && highlight == 0 && opacity == 1; }
+    bool is_plain() const {
+        return color == 0xffffff && highlight == 0 && opacity == 1 && picture == no_picture;
+    }
 
     friend bool operator==(const l3d_material&, const l3d_material&) = default;
 };

@@ -262,12 +262,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
-    report_.curved_px = stages_->curved.places_px;
-    report_.dice.bound_px += report_.curved_px;
-    report_.dice.coarsest.bound_px += report_.curved_px;
-    report_.dice.depth_bound_px += report_.curved_px;
-    report_.dice.normal_off += stages_->curved.normals;
-    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0) {
+    if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0 &&
+        now.shading.lighting.point_count == 0) {
         if (now.shading.is_lit(scene_.materials()))
             report_.dice.shade_bound = shade_bound_of_lights(now.shading);
         else
@@ -335,8 +331,9 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
-    const bool has_exact =
-        l3d_is_light(settings_.shade) && !settings_.wireframe && !settings_.background.is_none();
+    const l3d_frame_lights of_frame = lights();
+    const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
+                           !settings_.background.is_none() && of_frame.lighting.point_count == 0;
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;
@@ -344,7 +341,6 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     if (!stages_->doubts)
         stages_->doubts = std::make_unique<l3d_frame_doubts>();
     l3d_frame_doubts& doubts = *stages_->doubts;
-    const l3d_frame_lights of_frame = lights();
     doubts.find({.scene = scene_,
                  .to_image = stages_->transform.matrix(),
                  .view = stages_->view,

@@ -200,8 +200,8 @@ public:
     const l3d_outline_mask* outlines() const;
 
     /// The bound of each pixel's difference from the exact picture, with the settings' lights and
-    /// fog. Null if nobody asked for it, for a wireframe, for shades that are not light, and
-    /// without a background.
+    /// fog. Null if nobody asked for it, for a wireframe, for shades that are not light,
+    /// with point lights, and without a background.
     const l3d_error_map* error_map() const;
 
     /// The report of the last frame drawn; each call computes the hash.

@@ -67,6 +67,13 @@ struct L3D_PUBLIC l3d_shading {
     /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
+    /// The place that a pixel shows is eye + aside + distance / look_depth look, where `aside`
+    /// grows with the pixel's place as `look` does. It is 0 in perspective; in a parallel
+    /// projection `look` is the same everywhere. World space.
+    std::array<double, 3> eye{};
+    float look_depth = 1;
+    std::array<float, 3> aside{}, aside_right{}, aside_down{};
+
     /// The quantity that inspecting shades show, and its settings. Such shades expect patches,
     /// vertices with their parameters u and v in place of the first two numbers of normals, and
     /// parts whose material is the index of their patch.

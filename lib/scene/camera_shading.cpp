@@ -38,6 +38,8 @@ l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shad
     result.look = result.ray;
     result.look_right = result.ray_right;
     result.look_down = result.ray_down;
+    result.eye = {camera.eye[0], camera.eye[1], camera.eye[2]};
+    result.look_depth = static_cast<float>(camera.focal_length(size));
     return result;
 }
 

@@ -32,9 +32,10 @@ place wide(const std::array<float, 3>& v) {
     return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
-/// A channel by the rule that l3d_lighting states. Expects: a unit normal, turned to the eye.
+/// A channel by the rule that l3d_lighting states, of what lies at a place.
+/// Expects: a unit normal, turned to the eye.
 double channel(const l3d_shading& shading, const l3d_material& material, const place& normal,
-               const place& to_eye, std::size_t i) {
+               const place& to_eye, const place& at, std::size_t i) {
     const int shift = 16 - 8 * static_cast<int>(i);
     double scattered = double{shading.lighting.ambient[i]}, mirrored = 0;
     const auto add = [&](const place& to_light, double brightness) {
@@ -50,6 +51,14 @@ double channel(const l3d_shading& shading, const l3d_material& material, const p
     for (std::size_t k = 0; k < shading.lighting.count; ++k)
         add(wide(shading.lighting.lights[k].direction),
             double{shading.lighting.lights[k].color[i]});
+    for (std::size_t k = 0; k < shading.lighting.point_count; ++k) {
+        const l3d_point_light& light = shading.lighting.points[k];
+        const place way{light.position[0] - at[0], light.position[1] - at[1],
+                        light.position[2] - at[2]};
+        const double reach = double{light.reach};
+        add(unit_of(way),
+            double{light.color[i]} * (reach > 0 ? reach * reach / dot_of(way, way) : 1));
+    }
     return std::clamp((material.color >> shift & 255) * scattered +
                           (material.highlight >> shift & 255) * mirrored,
                       0.0, 255.0);
@@ -64,6 +73,24 @@ l3d_shading with_lights(l3d_shade mode = l3d_shade::lambert) {
     shading.lighting.ambient = {0.05F, 0.1F, 0.2F};
     shading.lighting.add(-3, 1, 2, {0.2F, 0.3F, 1});
     shading.lighting.add(0.1, -1, 0.5, {0.6F, 0, 0});
+    return shading;
+}
+
+/// Two of them at places, in perspective or in a parallel projection.
+l3d_shading with_points(bool parallel, l3d_shade mode = l3d_shade::lambert) {
+    l3d_shading shading = with_lights(mode);
+    shading.eye = {1, 2, 3};
+    shading.look_depth = 1;
+    if (parallel) {
+        shading.look_right = shading.look_down = {};
+        shading.aside = {-1, 1, 0};
+        shading.aside_right = {0.01F, 0, 0};
+        shading.aside_down = {0, -0.02F, 0};
+        shading.depth_base = 2.5;
+        shading.depth_step = -0.5;
+    }
+    shading.lighting.add_point({{0.5, 2.5, 2}, 0.9F, {0.9F, 0.7F, 0.3F}});
+    shading.lighting.add_point({{2, 1, 4}, 0, {0.1F, 0.2F, 0.4F}});
     return shading;
 }
 
@@ -88,9 +115,10 @@ void draw_in(surface_picture& picture, const surface_parts& scene, const l3d_sha
     picture.rasterizer.finish();
 }
 
-TEST(surface_lights, are_as_blinns_rule_says) {
-    const l3d_shading shading = with_lights();
+/// Compares words of random normals, ways and depths with the rule.
+void expect_blinns_rule(const l3d_shading& shading) {
     random_polygons random(scene_seed, scene_size);
+    const bool parallel = shading.depth_step != 0;
     int bright = 0;
     for (int n = 0; n < 20'000; ++n) {
         const std::uint32_t material = static_cast<std::uint32_t>(n % 3);
@@ -98,20 +126,37 @@ TEST(surface_lights, are_as_blinns_rule_says) {
         shader.use_material(material);
         const place raw{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
         const place away{random.real(-1, 1), random.real(-1, 1), random.real(-1, -0.1F)};
+        const double depth = random.real(0.5F, 2);
         const float at[lit_shader::components] = {float(raw[0]),  float(raw[1]),  float(raw[2]),
-                                                  float(away[0]), float(away[1]), float(away[2])};
+                                                  float(away[0]), float(away[1]), float(away[2]),
+                                                  float(depth)};
+        const place look = parallel ? wide(shading.look) : away;
         place normal = unit_of(raw);
-        if (dot_of(raw, away) > 0)
+        if (dot_of(raw, look) > 0)
             normal = {-normal[0], -normal[1], -normal[2]};
-        const place to_eye = unit_of({-away[0], -away[1], -away[2]});
+        const place to_eye = unit_of({-look[0], -look[1], -look[2]});
+        const double distance =
+            parallel ? (depth - shading.depth_base) / shading.depth_step : 1 / depth;
+        place there = shading.eye;
+        for (std::size_t i = 0; i < 3; ++i)
+            there[i] += look[i] * distance + (parallel ? away[i] : 0);
         const std::uint32_t word = shader.word(at);
         for (std::size_t i = 0; i < 3; ++i) {
-            const double exact = channel(shading, shining[material], normal, to_eye, i);
+            const double exact = channel(shading, shining[material], normal, to_eye, there, i);
             ASSERT_NEAR(word >> (16 - 8 * static_cast<int>(i)) & 255, exact, 0.51) << n;
             bright += exact > 200;
         }
     }
     EXPECT_GT(bright, 100);
+}
+
+TEST(surface_lights, are_as_blinns_rule_says) {
+    expect_blinns_rule(with_lights());
+}
+
+TEST(surface_lights, at_places_are_as_blinns_rule_says) {
+    expect_blinns_rule(with_points(false));
+    expect_blinns_rule(with_points(true));
 }
 
 TEST(surface_lights, of_one_white_light_and_no_highlights_are_the_greys_of_before) {
@@ -140,7 +185,7 @@ TEST(surface_lights, of_one_white_light_and_no_highlights_are_the_greys_of_befor
 TEST(surface_lights, have_the_same_bits_for_all_threads_bands_and_instructions) {
     for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::flat})
         for (const bool antialias : {false, true}) {
-            l3d_shading shading = with_lights(mode);
+            l3d_shading shading = with_points(false, mode);
             shading.antialias = antialias;
             const surface_parts scene = painted_scene(scene_seed + 9, 30);
             surface_picture one(scene_size.width, scene_size.height, 1);
@@ -160,8 +205,8 @@ TEST(surface_lights, are_the_slow_twins) {
         const surface_parts scene = painted_scene(scene_seed + 2, 30);
         surface_picture fast(scene_size.width, scene_size.height, 2),
             slow(scene_size.width, scene_size.height);
-        draw_in(fast, scene, with_lights(mode));
-        draw_in(slow, scene, with_lights(mode));
+        draw_in(fast, scene, with_points(false, mode));
+        draw_in(slow, scene, with_points(false, mode));
         int other = 0;
         for (int y = 0; y < scene_size.height; ++y)
             for (int x = 0; x < scene_size.width; ++x) {
@@ -194,7 +239,7 @@ struct coded_pixels {
             const normal_code code = normal_code::of(normal.data());
             words[i] = code.z | material;
             normals[i] = code.xy;
-            depths[i] = random.real(-1, 4) > 0 ? 1.0F : 0.0F;
+            depths[i] = random.real(-1, 4) > 0 ? random.real(0.3F, 2) : 0.0F;
         }
     }
     lit_pixels pixels() {
@@ -205,7 +250,8 @@ struct coded_pixels {
 TEST(surface_lights, in_lanes_are_lit_shaders_bits) {
     l3d_shading turned = with_lights();
     turned.ray = turned.ray_right = turned.ray_down = {};
-    for (const l3d_shading& shading : {with_lights(), turned})
+    for (const l3d_shading& shading :
+         {with_lights(), turned, with_points(false), with_points(true)})
         for (const auto materials :
              {std::span<const l3d_material>(shining), std::span<const l3d_material>()}) {
             lit_words lights;

@@ -110,14 +110,6 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     }
     assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool smooth = settings_.shade != l3d_shade::flat;
-    const l3d_frame_lights lights = settings_.headlight
-                                        ? l3d_headlight(camera_, settings_.lighting)
-                                        : l3d_frame_lights{settings_.light, settings_.lighting};
-    l3d_shading shading = view.shading(settings_.shade, lights.light, lights.lighting);
-    shading.antialias = settings_.antialias && is_solid;
-    shading.background = settings_.background;
-    if (is_solid && settings_.projection == l3d_projection::perspective)
-        shading.fog = settings_.fog;
     l3d_polygon_frame::way how{.cull = settings_.cull,
                                .smooth = smooth,
                                .antialias = shading.antialias,

@@ -105,6 +105,19 @@ l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
             result.look[i] = static_cast<float>(forward[static_cast<int>(i)]);
         result.look_right = result.look_down = {0, 0, 0};
     }
+    if (is_parallel()) {
+        const l3d_camera::frame axes = camera_.axes();
+        const double unit = l3d_length(camera_.target - camera_.eye) / camera_.focal_length(size_);
+        for (int i = 0; i < 3; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const double right = axes.right[i] * unit / fit_.stretch, down = -axes.up[i] * unit;
+            result.aside[k] = static_cast<float>(-right * (size_.width / 2.0 + fit_.shift) -
+                                                 down * (size_.height / 2.0 + fit_.shift));
+            result.aside_right[k] = static_cast<float>(right);
+            result.aside_down[k] = static_cast<float>(down);
+        }
+        result.look_depth = 1;
+    }
     // A column is 1 / stretch as wide, and the picture's middle lies `shift` to the right and down.
     const double left = size_.width / 2.0 * (1 - 1 / fit_.stretch) - fit_.shift / fit_.stretch;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -112,6 +112,8 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
     l3d_lighting lighting = settings.lighting;
     for (std::size_t i = 0; i < lighting.count; ++i)
         lighting.lights[i].direction[2] = -lighting.lights[i].direction[2];
+    for (std::size_t i = 0; i < lighting.point_count; ++i)
+        lighting.points[i].position[2] = -lighting.points[i].position[2];
     const l3d_polygon_view view(ours, size, l3d_projection::perspective, l3d_identity<double>(),
                                 fit);
     in.shading = view.shading(settings.shade, mirrored(settings.light), lighting);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace l3d_detail {
@@ -50,8 +51,8 @@ private:
 /// corners'; the eye and highlights are each pixel's own.
 class lit_shader {
 public:
-    /// The normal, and the way from the eye.
-    static constexpr std::size_t components = 6;
+    /// The normal, what pixels have of their own of the way from the eye, and the depth.
+    static constexpr std::size_t components = 7;
     static constexpr bool interpolates_normals = true;
 
     /// Lives: borrows both.
@@ -70,6 +71,12 @@ public:
     }
 
     void begin_polygon(std::span<const l3d_micro_vertex> corners) {
+        const auto by_depth = [](const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
+            return a.inv_w < b.inv_w;
+        };
+        const auto [farthest, nearest] = std::ranges::minmax_element(corners, by_depth);
+        farthest_ = farthest->inv_w;
+        nearest_ = nearest->inv_w;
         if (shading_.mode != l3d_shade::flat)
             return;
         std::array<float, 4> sum{};
@@ -87,16 +94,24 @@ public:
         std::copy_n(shading_.mode == l3d_shade::flat ? normal_.data() : vertex.normal, 3, out);
         const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
         const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;
-        const vector3 look = look_at(shading_, x, y);
-        std::copy(look.begin(), look.end(), out + 3);
+        const vector3 own = own_way(shading_, x, y);
+        std::copy(own.begin(), own.end(), out + 3);
+        out[6] = vertex.inv_w;
     }
 
-    /// The way from the eye to a place of the picture.
-    static vector3 look_at(const l3d_shading& shading, float x, float y) {
-        vector3 look;
-        for (std::size_t i = 0; i < look.size(); ++i)
-            look[i] = shading.look[i] + y * shading.look_down[i] + x * shading.look_right[i];
-        return look;
+    static bool is_parallel(const l3d_shading& shading) { return shading.depth_step != 0; }
+
+    /// What differs from pixel to pixel of the way from the eye: the look in perspective, else what
+    /// lies aside.
+    static vector3 own_way(const l3d_shading& shading, float x, float y) {
+        const bool parallel = is_parallel(shading);
+        const vector3 &at = parallel ? shading.aside : shading.look,
+                      &right = parallel ? shading.aside_right : shading.look_right,
+                      &down = parallel ? shading.aside_down : shading.look_down;
+        vector3 own;
+        for (std::size_t i = 0; i < own.size(); ++i)
+            own[i] = at[i] + y * down[i] + x * right[i];
+        return own;
     }
 
     /// Another colour than the material's, 0x00RRGGBB, until the material is set again.
@@ -104,15 +119,23 @@ public:
 
     /// lit_words does the same in lanes, operation by operation.
     std::uint32_t word(const float* at) const {
-        const vector3 raw{at[0], at[1], at[2]}, look{at[3], at[4], at[5]};
+        const vector3 raw{at[0], at[1], at[2]}, own{at[3], at[4], at[5]};
+        const vector3 look = is_parallel(shading_) ? shading_.look : own;
         const float inverse = 1 / length(raw);
         const float side = turns_ && dot(raw, look.data()) > 0 ? -inverse : inverse;
         const seen_normal seen({raw[0] * side, raw[1] * side, raw[2] * side}, look);
         const l3d_lighting& lighting = shading_.lighting;
         l3d_light_color scattered = lighting.ambient, mirrored{};
-        add_light({shading_.light, lighting.color}, seen, scattered, mirrored);
-        for (std::size_t i = 0; i < lighting.count; ++i)
-            add_light(lighting.lights[i], seen, scattered, mirrored);
+        add_light({shading_.light, 1, lighting.color}, seen, scattered, mirrored);
+        for (std::size_t i = 0; i < lighting.count; ++i) {
+            const l3d_far_light& light = lighting.lights[i];
+            add_light({light.direction, 1, light.color}, seen, scattered, mirrored);
+        }
+        if (lighting.point_count > 0) {
+            const vector3 place = place_of(own, std::clamp(at[6], farthest_, nearest_));
+            for (std::size_t i = 0; i < lighting.point_count; ++i)
+                add_light(light_at(lighting.points[i], place), seen, scattered, mirrored);
+        }
         std::uint32_t word = 0;
         for (std::size_t i = 0; i < scattered.size(); ++i) {
             const float level =
@@ -135,6 +158,32 @@ private:
             : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}
     };
 
+    /// Where a light is seen from a place, and how bright.
+    struct seen_light {
+        vector3 direction;
+        float strength;
+        const l3d_light_color& color;
+    };
+
+    /// What a pixel shows, from the eye.
+    vector3 place_of(const vector3& own, float depth) const {
+        const float along = shading_.distance(depth) / shading_.look_depth;
+        vector3 place;
+        for (std::size_t i = 0; i < place.size(); ++i)
+            place[i] = is_parallel(shading_) ? own[i] + along * shading_.look[i] : along * own[i];
+        return place;
+    }
+
+    seen_light light_at(const l3d_point_light& light, const vector3& place) const {
+        vector3 way;
+        for (std::size_t i = 0; i < way.size(); ++i)
+            way[i] = static_cast<float>(light.position[i] - shading_.eye[i]) - place[i];
+        const float square = safe_square(dot(way, way.data())), inverse = 1 / std::sqrt(square);
+        return {{way[0] * inverse, way[1] * inverse, way[2] * inverse},
+                light.strength(square),
+                light.color};
+    }
+
     /// By squares, so that no library's approximation decides a bit.
     static float whole_power(float base, int exponent) {
         float result = 1;
@@ -149,13 +198,13 @@ private:
 
     /// With e the way from the eye, l |e| - e is half-way between l and the way to the eye. Its
     /// square is 2 |e| (|e| - l.e), its product with the normal |e| n.l - n.e.
-    void add_light(const l3d_far_light& light, const seen_normal& seen, l3d_light_color& scattered,
+    void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());
         if (!(lit > 0))
             return;
         for (std::size_t i = 0; i < scattered.size(); ++i)
-            scattered[i] += 0.9F * lit * light.color[i];
+            scattered[i] += 0.9F * lit * light.strength * light.color[i];
         if (!material_.shines())
             return;
         const float product = seen.distance * lit - seen.against;
@@ -166,7 +215,7 @@ private:
         const float facing = std::min(product / std::sqrt(square), 1.0F);
         const float peak = whole_power(facing, material_.sharpness);
         for (std::size_t i = 0; i < mirrored.size(); ++i)
-            mirrored[i] += peak * light.color[i];
+            mirrored[i] += peak * light.strength * light.color[i];
     }
 
     const l3d_shading& shading_;
@@ -174,6 +223,8 @@ private:
     lit_material material_;
     bool turns_;
     vector3 normal_{}; ///< of the polygon, in mode `flat`
+    /// The range of the polygon's depths.
+    float farthest_ = 0, nearest_ = std::numeric_limits<float>::max();
 };
 
 /// The normal, to be shaded later: a word's z and material, and a second word (fill_words).

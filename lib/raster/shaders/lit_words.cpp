@@ -78,25 +78,35 @@ template <std::size_t Channels> struct light_amounts {
 /// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
 template <std::size_t Channels> class lane_light {
 public:
+    /// What pixels have of their own of the way from the eye, as lit_shader has it.
     HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
-                          const lane_vector& look)
-        : shading_(shading), look_(look), distance_(length_of(look)) {
+                          const lane_vector& own, float_vec depth)
+        : shading_(shading), look_(look_of(shading, own)), distance_(length_of(look_)) {
+        if (shading.lighting.point_count > 0)
+            place_ = place_of(own, depth);
         float_vec inverse = hn::Div(set(1), length_of(raw));
         if (lit_shader::turns_normals(shading)) {
-            const auto away = hn::Gt(dot_of(raw, look), hn::Zero(floats()));
+            const auto away = hn::Gt(dot_of(raw, look_), hn::Zero(floats()));
             inverse = hn::IfThenElse(away, hn::Neg(inverse), inverse);
         }
         normal_ = raw.scaled(inverse);
-        against_ = dot_of(look, normal_);
+        against_ = dot_of(look_, normal_);
     }
 
     HWY_INLINE word_vec word(const lit_material& material, const word_vec* colors) const {
         const l3d_lighting& lighting = shading_.lighting;
         light_amounts<Channels> scattered(lighting.ambient), mirrored({0, 0, 0});
         const bool shines = material.shines();
-        bool peaks = add({shading_.light, lighting.color}, material, shines, scattered, mirrored);
+        const auto add_far = [&](const std::array<float, 3>& direction,
+                                 const l3d_light_color& color) HWY_ATTR {
+            return add({broadcast(direction), set(1), color}, material, shines, scattered,
+                       mirrored);
+        };
+        bool peaks = add_far(shading_.light, lighting.color);
         for (std::size_t i = 0; i < lighting.count; ++i)
-            peaks |= add(lighting.lights[i], material, shines, scattered, mirrored);
+            peaks |= add_far(lighting.lights[i].direction, lighting.lights[i].color);
+        for (std::size_t i = 0; i < lighting.point_count; ++i)
+            peaks |= add(light_at(lighting.points[i]), material, shines, scattered, mirrored);
         word_vec result = hn::Zero(words());
         for (std::size_t i = 0; i < 3; ++i) {
             const float_vec color = colors ? channel(*colors, i) : set(material.color[i]);
@@ -109,18 +119,59 @@ public:
     }
 
 private:
+    /// Where a light is seen from places, and how bright.
+    struct seen_light {
+        lane_vector direction;
+        float_vec strength;
+        const l3d_light_color& color;
+    };
+
+    static HWY_INLINE lane_vector look_of(const l3d_shading& shading, const lane_vector& own) {
+        return lit_shader::is_parallel(shading) ? broadcast(shading.look) : own;
+    }
+
+    /// What pixels show, from the eye.
+    HWY_INLINE lane_vector place_of(const lane_vector& own, float_vec depth) const {
+        const floats d;
+        HWY_ALIGN float of[hn::MaxLanes(floats())];
+        hn::Store(depth, d, of);
+        for (float& each : of)
+            each = shading_.distance(each) / shading_.look_depth;
+        const float_vec along = hn::Load(d, of);
+        if (!lit_shader::is_parallel(shading_))
+            return own.scaled(along);
+        const lane_vector ahead = look_.scaled(along);
+        return {hn::Add(own.x, ahead.x), hn::Add(own.y, ahead.y), hn::Add(own.z, ahead.z)};
+    }
+
+    HWY_INLINE seen_light light_at(const l3d_point_light& light) const {
+        const auto from_eye = [&](std::size_t i) HWY_ATTR {
+            return set(static_cast<float>(light.position[i] - shading_.eye[i]));
+        };
+        const lane_vector way{hn::Sub(from_eye(0), place_.x), hn::Sub(from_eye(1), place_.y),
+                              hn::Sub(from_eye(2), place_.z)};
+        const float_vec square = hn::Max(dot_of(way, way), set(FLT_MIN));
+        float_vec strength = set(1);
+        if (light.reach > 0)
+            strength = hn::Min(hn::Div(set(light.reach * light.reach), square),
+                               set(l3d_point_light::brightest));
+        return {way.scaled(hn::Div(set(1), hn::Sqrt(square))), strength, light.color};
+    }
+
     /// Returns whether any highlight was added.
-    HWY_INLINE bool add(const l3d_far_light& light, const lit_material& material, bool shines,
+    HWY_INLINE bool add(const seen_light& light, const lit_material& material, bool shines,
                         light_amounts<Channels>& scattered,
                         light_amounts<Channels>& mirrored) const {
         const floats d;
         const float_vec zero = hn::Zero(d);
-        const lane_vector to_light = broadcast(light.direction);
+        const lane_vector& to_light = light.direction;
         const float_vec cosine = dot_of(to_light, normal_);
         const float_mask is_lit = hn::Gt(cosine, zero);
         if (hn::AllFalse(d, is_lit))
             return false;
-        scattered.add(hn::Mul(set(0.9F), hn::IfThenElseZero(is_lit, cosine)), light.color);
+        scattered.add(
+            hn::Mul(hn::Mul(set(0.9F), hn::IfThenElseZero(is_lit, cosine)), light.strength),
+            light.color);
         if (!shines)
             return false;
         const float_vec product = hn::Sub(hn::Mul(distance_, cosine), against_);
@@ -135,7 +186,7 @@ private:
         const float_vec facing = hn::Min(hn::Div(product, hn::Sqrt(square)), set(1));
         const float_vec peak =
             whole_power(hn::IfThenElse(is_seen, facing, set(1)), material.sharpness);
-        mirrored.add(hn::IfThenElseZero(is_seen, peak), light.color);
+        mirrored.add(hn::Mul(hn::IfThenElseZero(is_seen, peak), light.strength), light.color);
         return true;
     }
 
@@ -153,6 +204,7 @@ private:
 
     const l3d_shading& shading_;
     lane_vector look_, normal_;
+    lane_vector place_; ///< of what pixels show, from the eye; if there are point lights
     float_vec distance_, against_;
 };
 
@@ -168,8 +220,8 @@ struct pixel_row {
     const float* depths;
     const std::uint32_t* normals;
     const std::uint32_t* colors; ///< or null, as lit_pixels has them
-    lane_vector look;            ///< in column 0 of the picture
-    lane_vector look_right;      ///< what a column adds
+    lane_vector own;             ///< of the way from the eye, in column 0 of the picture
+    lane_vector own_right;       ///< what a column adds
 };
 
 /// The words of filled pixels, a material after the other. Mostly there is one.
@@ -199,15 +251,17 @@ HWY_INLINE void color_vector(const l3d_shading& shading, const lit_material* mat
                              const pixel_row& row, std::size_t i, float_vec x) {
     const floats d;
     const words dw;
-    const float_mask filled = hn::Gt(hn::LoadU(d, row.depths + i), hn::Zero(d));
+    const float_vec depth = hn::LoadU(d, row.depths + i);
+    const float_mask filled = hn::Gt(depth, hn::Zero(d));
     if (hn::AllFalse(d, filled))
         return;
     const word_vec there = hn::LoadU(dw, row.words + i), xy = hn::LoadU(dw, row.normals + i);
     const lane_vector raw{upper(hn::ShiftLeft<16>(xy)), upper(xy), upper(there)};
-    const lane_vector along = row.look_right.scaled(x);
+    const lane_vector along = row.own_right.scaled(x);
     const lane_light<Channels> light(
         shading, raw,
-        {hn::Add(row.look.x, along.x), hn::Add(row.look.y, along.y), hn::Add(row.look.z, along.z)});
+        {hn::Add(row.own.x, along.x), hn::Add(row.own.y, along.y), hn::Add(row.own.z, along.z)},
+        depth);
     const word_vec colors = row.colors ? hn::LoadU(dw, row.colors + i) : hn::Zero(dw);
     hn::StoreU(by_materials(light, materials, row.colors ? &colors : nullptr, there, filled), dw,
                row.words + i);
@@ -227,7 +281,7 @@ HWY_NOINLINE void color_last(const l3d_shading& shading, const lit_material* mat
         std::copy(row.colors + from, row.colors + end, colors);
     color_vector<Channels>(
         shading, materials,
-        {of_words, depths, normals, row.colors ? colors : nullptr, row.look, row.look_right}, 0, x);
+        {of_words, depths, normals, row.colors ? colors : nullptr, row.own, row.own_right}, 0, x);
     std::copy_n(of_words, end - from, row.words + from);
 }
 
@@ -236,7 +290,10 @@ HWY_INLINE void light_by(const l3d_shading& shading, const lit_material* materia
                          const lit_pixels& pixels) {
     const floats d;
     const auto width = static_cast<std::size_t>(pixels.width);
-    const lane_vector look = broadcast(shading.look), down = broadcast(shading.look_down);
+    const bool parallel = lit_shader::is_parallel(shading);
+    const lane_vector own = broadcast(parallel ? shading.aside : shading.look),
+                      own_right = broadcast(parallel ? shading.aside_right : shading.look_right),
+                      down = broadcast(parallel ? shading.aside_down : shading.look_down);
     const float_vec first = hn::Add(hn::Iota(d, 0), set(static_cast<float>(pixels.left) + 0.5F));
     for (std::int32_t row = 0; row < pixels.height; ++row) {
         const lane_vector along = down.scaled(set(static_cast<float>(pixels.top + row) + 0.5F));
@@ -245,8 +302,8 @@ HWY_INLINE void light_by(const l3d_shading& shading, const lit_material* materia
             pixels.depths + row * pixels.depth_pitch,
             pixels.normals + row * pixels.depth_pitch,
             pixels.colors,
-            {hn::Add(look.x, along.x), hn::Add(look.y, along.y), hn::Add(look.z, along.z)},
-            broadcast(shading.look_right)};
+            {hn::Add(own.x, along.x), hn::Add(own.y, along.y), hn::Add(own.z, along.z)},
+            own_right};
         std::size_t i = 0;
         const auto x = [&] HWY_ATTR { return hn::Add(first, set(static_cast<float>(i))); };
         for (; i + hn::Lanes(d) <= width; i += hn::Lanes(d))
@@ -266,6 +323,8 @@ void light_pixels(const l3d_shading& shading, const lit_material* materials,
     bool grey = is_grey(lighting.ambient) && is_grey(lighting.color);
     for (std::size_t i = 0; i < lighting.count; ++i)
         grey = grey && is_grey(lighting.lights[i].color);
+    for (std::size_t i = 0; i < lighting.point_count; ++i)
+        grey = grey && is_grey(lighting.points[i].color);
     if (grey)
         light_by<1>(shading, materials, pixels);
     else
@@ -296,11 +355,11 @@ void lit_words::color_slowly(const lit_pixels& pixels) const {
                 continue;
             shader.use_material(word & 0xffff);
             const vector3 normal = normal_code{pixels.normals[at], word}.scaled();
-            const vector3 look =
-                lit_shader::look_at(*shading_, static_cast<float>(pixels.left + column) + 0.5F,
+            const vector3 own =
+                lit_shader::own_way(*shading_, static_cast<float>(pixels.left + column) + 0.5F,
                                     static_cast<float>(pixels.top + row) + 0.5F);
-            const std::array<float, lit_shader::components> numbers{normal[0], normal[1], normal[2],
-                                                                    look[0],   look[1],   look[2]};
+            const std::array<float, lit_shader::components> numbers{
+                normal[0], normal[1], normal[2], own[0], own[1], own[2], pixels.depths[at]};
             word = shader.word(numbers.data());
         }
 }

@@ -86,6 +86,8 @@ void check_shown(const l3d_afd_settings& asked) {
     refuse_if(asked.error_map && (asked.wireframe || !is_light),
               "--error-output: only surfaces that show light have an exact picture, and neither "
               "--wireframe nor --shade normals, error or an inspection does");
+    refuse_if(asked.error_map && asked.lighting.point_count > 0,
+              "--error-output: colours by --point-light have no bounds");
     refuse_if(asked.error_map && is_none, "--error-output: pixels have bounds on a background, and "
                                           "--background none has none");
     refuse_if(asked.wireframe && asked.shade != l3d_afd_settings().shade,
@@ -174,9 +176,14 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                      "1,1,0,orange; each further --light adds one",
                      "X,Y,Z[,COLOR]", text_of(l3d_usual_light),
                      [this](const std::string& text) { add_light(text); });
+    options.add_each("--point-light",
+                     "place of a light, the distance at which it is as bright as its colour, 0: at "
+                     "each, and its colour, if not white; each further one adds one",
+                     "X,Y,Z,REACH[,COLOR]", "",
+                     [this](const std::string& text) { add_point_light(text); });
     options.add_choice<headlight>(
         "--headlight", headlight_,
-        "whether the only light goes with the eye; auto: unless --light is given; off: lights stay "
+        "whether the only light goes with the eye; auto: unless one is given; off: lights stay "
         "in the world",
         {{"auto", headlight::unless_lit}, {"on", headlight::on}, {"off", headlight::off}});
     options.add_each("--ambient", "light that comes from everywhere", l3d_detail::color_kind,
@@ -377,6 +384,24 @@ void l3d_afd_options::add_light(const std::string& text) {
     gives_light_ = true;
 }
 
+/// Without --light, there is no light but such ones.
+void l3d_afd_options::add_point_light(const std::string& text) {
+    std::array<double, 4> numbers{};
+    const auto rest = read_before_color(text, numbers);
+    const auto most = static_cast<double>(std::numeric_limits<float>::max());
+    if (!rest || !(numbers[3] >= 0) ||
+        !std::ranges::all_of(numbers, [most](double number) { return std::abs(number) <= most; }))
+        throw l3d_error(l3d_exit::usage, "--point-light: '" + l3d_detail::printable(text) +
+                                             "' is neither X,Y,Z,REACH nor X,Y,Z,REACH,COLOR");
+    l3d_lighting& lighting = settings_.lighting;
+    if (lighting.point_count == l3d_lighting::most_points)
+        throw l3d_error(l3d_exit::usage, "--point-light: '" + text + "' is one more than " +
+                                             std::to_string(l3d_lighting::most_points));
+    lighting.add_point({.position = {numbers[0], numbers[1], numbers[2]},
+                        .reach = static_cast<float>(numbers[3]),
+                        .color = light_color("--point-light", rest->empty() ? "white" : *rest)});
+}
+
 void l3d_afd_options::read_fog(const std::string& text) {
     std::array<double, 2> distances{};
     l3d_fog fog;
@@ -399,11 +424,15 @@ void l3d_afd_options::read_fog(const std::string& text) {
 
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
-    if (headlight_ == headlight::on && gives_light_)
+    const bool has_points = result.lighting.point_count > 0;
+    if (headlight_ == headlight::on && (gives_light_ || has_points))
         throw l3d_error(l3d_exit::usage,
-                        "--light: nothing is seen of it beside --headlight on, the only light");
-    result.headlight =
-        headlight_ == headlight::on || (headlight_ == headlight::unless_lit && !gives_light_);
+                        std::string(gives_light_ ? "--light" : "--point-light") +
+                            ": nothing is seen of it beside --headlight on, the only light");
+    result.headlight = headlight_ == headlight::on ||
+                       (headlight_ == headlight::unless_lit && !gives_light_ && !has_points);
+    if (has_points && !gives_light_)
+        result.lighting.color = {0, 0, 0};
     result.tolerance = tolerance_.value_or(settings_.tolerance);
     result.most_samples = most_samples_.value_or(0);
     result.count_pixels = !report_.empty();

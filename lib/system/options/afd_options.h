@@ -103,6 +103,7 @@ public:
 private:
     void read_fog(const std::string& text);
     void add_light(const std::string& text);
+    void add_point_light(const std::string& text);
     l3d_camera asked_camera() const;
     const l3d_model_camera& camera_of_file() const;
 
