@@ -125,7 +125,7 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain and no
+    /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
     /// vertex has a colour.
     std::span<const l3d_material> materials() const { return contents_->materials; }
     /// The place of a face's material in materials(); 0 if there are none. Expects: face <
@@ -136,8 +136,7 @@ public:
 
     /// The same faces with pictures on those whose materials name any: mesh().pictures in their
     /// order. Where a pointer is null or missing, faces have the colours of their materials.
-    l3d_polygon_model
-    textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
+    l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
     /// Those pictures.
     std::span<const std::shared_ptr<const l3d_texture>> textures() const {
         return contents_->textures;

@@ -18,7 +18,8 @@ enum class L3D_PUBLIC l3d_texture_filter {
     nearest,    ///< the picture's pixel under the middle of the pixel
     bilinear,   ///< between the four around that place
     trilinear,  ///< the same in two smaller pictures, whose pixels are as wide as the part is long
-    anisotropic ///< the mean of up to 16 of these along the part, in pictures as fine as it is narrow
+    anisotropic ///< the mean of up to 16 of these along the part, in pictures as fine as it is
+                ///< narrow
 };
 
 /// How users call them.
@@ -28,7 +29,7 @@ inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_t
      {"trilinear", l3d_texture_filter::trilinear},
      {"anisotropic", l3d_texture_filter::anisotropic}}};
 
-/// What is seen beyond the borders of a picture.
+/// The continuation of a picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again
     clamp   ///< the pixels at its border
@@ -38,9 +39,9 @@ enum class L3D_PUBLIC l3d_texture_wrap {
 ///
 /// Units: (0, 0) is the picture's top left corner, (1, 1) the bottom right one.
 struct L3D_PUBLIC l3d_texture_place {
-    double u = 0, v = 0;                ///< the place under the middle of the pixel
-    double u_right = 0, v_right = 0;    ///< the way from there to the next pixel on the right
-    double u_down = 0, v_down = 0;      ///< the way to the next one below
+    double u = 0, v = 0;             ///< the place under the middle of the pixel
+    double u_right = 0, v_right = 0; ///< the way from there to the next pixel on the right
+    double u_down = 0, v_down = 0;   ///< the way to the next one below
 };
 
 /// A picture as amounts of light, and smaller ones down to a single pixel.
