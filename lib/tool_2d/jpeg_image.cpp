@@ -53,7 +53,7 @@ public:
         jpeg_read_scanlines(&info_, &row, 1);
         return true;
     }
-    /// What is missing may show behind the last row only.
+    /// A fault may show behind the last row only.
     bool finish() {
         if (setjmp(back_) != 0)
             return false;
