@@ -16,9 +16,10 @@ enum class L3D_PUBLIC l3d_cut_end {
 /// The half of a mesh in front of a plane, as a mesh of its own.
 ///
 /// Neighbours share the vertices of the edges that are cut, vertices that no face uses are left
-/// out, and faces keep colour, material and named part, but no look and no picture. A cap takes colour and material from the
-/// first face that was cut in its loop. The other half is that in front of plane.flipped().
-/// Shape:   vertices keep their order, and new ones follow. Faces keep their order, too. Caps come
+/// out, and faces keep colour, material and named part, but no look and no picture. A cap takes
+/// colour and material from the first face that was cut in its loop. The other half is that in
+/// front of plane.flipped(). Shape:   vertices keep their order, and new ones follow. Faces keep
+/// their order, too. Caps come
 ///          last, and so belong to the last named part.
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop
 ///          inside another.

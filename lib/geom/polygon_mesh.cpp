@@ -119,8 +119,8 @@ void l3d_polygon_mesh::uncross_faces() {
                                          (vertex_normals[b] - vertex_normals[a]) *
                                              next->second.share);
             if (!vertex_colors.empty())
-                vertex_colors.push_back(l3d_detail::color_between(vertex_colors[a], vertex_colors[b],
-                                                        next->second.share));
+                vertex_colors.push_back(l3d_detail::color_between(
+                    vertex_colors[a], vertex_colors[b], next->second.share));
             made.add_face({{middle, corner(3), a}});
             made.add_face({{middle, corner(2), b}});
             if (!picture_places.empty()) {
@@ -134,9 +134,8 @@ void l3d_polygon_mesh::uncross_faces() {
             made.add_face(face(f));
             if (!picture_places.empty()) {
                 const auto begin = picture_places.begin() + (f == 0 ? 0 : face_ends[f - 1]);
-                made.picture_places.insert(
-                    made.picture_places.end(), begin,
-                    begin + static_cast<std::ptrdiff_t>(face(f).size()));
+                made.picture_places.insert(made.picture_places.end(), begin,
+                                           begin + static_cast<std::ptrdiff_t>(face(f).size()));
             }
         }
         if (!face_colors.empty())
@@ -239,10 +238,9 @@ bool l3d_polygon_mesh::is_valid() const {
            std::ranges::all_of(corners, [&](std::uint32_t i) { return i < vertices.size(); }) &&
            std::ranges::all_of(vertices, is_finite) &&
            std::ranges::all_of(vertex_normals, is_finite) &&
-           std::ranges::all_of(picture_places,
-                               [](const picture_place& p) {
-                                   return std::isfinite(p[0]) && std::isfinite(p[1]);
-                               }) &&
+           std::ranges::all_of(
+               picture_places,
+               [](const picture_place& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }) &&
            std::ranges::all_of(looks,
                                [&](const l3d_material& look) {
                                    return look.picture == l3d_material::no_picture ||
@@ -250,8 +248,7 @@ bool l3d_polygon_mesh::is_valid() const {
                                            static_cast<std::size_t>(look.picture) <
                                                pictures.size());
                                }) &&
-           absent_or(vertex_colors, vertices.size()) &&
-           absent_or(picture_places, corners.size()) &&
+           absent_or(vertex_colors, vertices.size()) && absent_or(picture_places, corners.size()) &&
            absent_or(vertex_normals, vertices.size()) && absent_or(face_colors, faces()) &&
            absent_or(face_materials, faces()) && absent_or(looks, materials.size()) &&
            std::ranges::all_of(face_materials,
@@ -260,6 +257,6 @@ bool l3d_polygon_mesh::is_valid() const {
 
 std::size_t l3d_polygon_mesh::bytes() const {
     return bytes_of(vertices) + bytes_of(corners) + bytes_of(face_ends) + bytes_of(vertex_normals) +
-           bytes_of(vertex_colors) + bytes_of(picture_places) +
-           bytes_of(face_colors) + bytes_of(face_materials) + bytes_of(looks);
+           bytes_of(vertex_colors) + bytes_of(picture_places) + bytes_of(face_colors) +
+           bytes_of(face_materials) + bytes_of(looks);
 }

@@ -105,8 +105,7 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera
-        kept_; ///< the view that home or frame set; differs from camera_ once somebody moved it
+    l3d_camera kept_;  ///< view set by home or frame; camera_ differs once it was moved
     bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
     vector upright_;                           ///< the model's, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled

@@ -24,8 +24,9 @@ using fixed = l3d_fixed<std::int64_t, 32>;
 /// The slow twin in number type T; T itself stands for the product.
 template <class T> struct slow {};
 
-/// The product's number types, and these with the slow twins, as they are tested in this build: float has fixed
-/// beside it, and the builds of double and fixed have the twins. `make matrix` makes all three builds.
+/// The product's number types, and these with the slow twins, as they are tested in this build:
+/// float has fixed beside it, and the builds of double and fixed have the twins. `make matrix`
+/// makes all three builds.
 #if defined(L3D_REAL_FLOAT)
 using product_types = ::testing::Types<float, fixed>;
 using number_types = product_types;
@@ -58,7 +59,8 @@ struct type_names {
 };
 
 /// A slanting view, and the size of a picture that no block or tile divides.
-inline constexpr reference::camera oblique{{2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
+inline constexpr reference::camera oblique{
+    {2.5, 3.1, 6.3}, {0.4, 0.2, -0.3}, {0.1, 1, 0.05}, 41, 0.2};
 inline constexpr l3d_size odd{317, 241};
 
 /// Patches, a camera and a picture size, for the library and for the reference.

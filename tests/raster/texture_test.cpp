@@ -90,10 +90,9 @@ TEST(texture, is_its_mean_from_afar) {
                 for (int x = 0; x < size.width; ++x)
                     mean += light(random_word(x, y), c) / (size.width * size.height);
             for (const filter f : {filter::trilinear, filter::anisotropic})
-                EXPECT_NEAR(
-                    double(texture.light(
-                        f, place(0.3, 0.8, 1e6, 1e6, size))[static_cast<std::size_t>(c)]),
-                    mean, 1e-5);
+                EXPECT_NEAR(double(texture.light(
+                                f, place(0.3, 0.8, 1e6, 1e6, size))[static_cast<std::size_t>(c)]),
+                            mean, 1e-5);
         }
     }
 }
@@ -144,13 +143,12 @@ double error_of(const l3d_texture& texture, l3d_image& image, const floor_view& 
             };
             std::array<double, 3> mean{};
             for (int i = 0; i < side * side; ++i) {
-                const auto p =
-                    on_floor((i % side + 0.5) / side, (i / side + 0.5) / side);
+                const auto p = on_floor((i % side + 0.5) / side, (i / side + 0.5) / side);
                 const auto pixel = [](double at, int of) {
                     return std::min(static_cast<int>((at - std::floor(at)) * of), of - 1);
                 };
-                const std::uint32_t word = image.pixels().row(pixel(
-                    p[1], size.height))[static_cast<std::size_t>(pixel(p[0], size.width))];
+                const std::uint32_t word = image.pixels().row(
+                    pixel(p[1], size.height))[static_cast<std::size_t>(pixel(p[0], size.width))];
                 for (int c = 0; c < 3; ++c)
                     mean[static_cast<std::size_t>(c)] +=
                         lights[word >> (16 - 8 * c) & 255] / (side * side);
@@ -158,9 +156,9 @@ double error_of(const l3d_texture& texture, l3d_image& image, const floor_view& 
             constexpr double step = 1e-4;
             const auto p = on_floor(0.5, 0.5), right = on_floor(0.5 + step, 0.5),
                        down = on_floor(0.5, 0.5 + step);
-            const auto seen = texture.light(f, {p[0], p[1], (right[0] - p[0]) / step,
-                                                (right[1] - p[1]) / step, (down[0] - p[0]) / step,
-                                                (down[1] - p[1]) / step});
+            const auto seen =
+                texture.light(f, {p[0], p[1], (right[0] - p[0]) / step, (right[1] - p[1]) / step,
+                                  (down[0] - p[0]) / step, (down[1] - p[1]) / step});
             for (std::size_t c = 0; c < 3; ++c) {
                 const double off =
                     l3d_level_of_light(double(seen[c])) - l3d_level_of_light(mean[c]);

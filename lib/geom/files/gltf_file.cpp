@@ -170,8 +170,8 @@ private:
                    material.at("pbrMetallicRoughness").has("metallicRoughnessTexture");
         };
         has_other_textures_ = has_other_textures_ || material.has("normalTexture") ||
-                              material.has("occlusionTexture") ||
-                              material.has("emissiveTexture") || metal();
+                              material.has("occlusionTexture") || material.has("emissiveTexture") ||
+                              metal();
     }
 
     /// A picture's place in the mesh, and which set of places on it corners have.
@@ -208,8 +208,8 @@ private:
             repeats_v = sampler.whole_or("wrapT", repeat) != clamp;
         }
         const std::uint64_t source = texture.at("source").whole();
-        const auto [found, is_new] = pictures_.try_emplace({source, repeats_u, repeats_v},
-                                                           l3d_material::no_picture);
+        const auto [found, is_new] =
+            pictures_.try_emplace({source, repeats_u, repeats_v}, l3d_material::no_picture);
         if (is_new) {
             const gltf_value image = root_.element("images", source);
             std::string bytes = document_.image_bytes(image, files_);
@@ -412,9 +412,9 @@ private:
     }
 
     /// Those of each vertex in the picture of the primitive's material; none if it has no picture.
-    std::vector<l3d_polygon_mesh::picture_place>
-    read_picture_places(const gltf_value& primitive, const gltf_value& attributes,
-                        std::size_t vertices) {
+    std::vector<l3d_polygon_mesh::picture_place> read_picture_places(const gltf_value& primitive,
+                                                                     const gltf_value& attributes,
+                                                                     std::size_t vertices) {
         std::vector<l3d_polygon_mesh::picture_place> result;
         const std::uint64_t material = primitive.whole_or("material", mesh().looks.size());
         if (material >= mesh().looks.size() ||

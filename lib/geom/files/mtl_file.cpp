@@ -16,8 +16,8 @@ using l3d_detail::text_cursor;
 
 /// Statements of things that are not drawn; their loss is noted once for each kind.
 constexpr std::string_view noted_statements[] = {
-    "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",
-    "disp",   "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
+    "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",  "disp",
+    "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
 /// Those whose loss few would see: what matters to reflections and refraction alone.
 constexpr std::string_view silent_statements[] = {"Ni", "sharpness", "map_aat"};
@@ -56,7 +56,8 @@ private:
         const auto is_in = [word](const auto& list) {
             return std::ranges::find(list, word) != std::end(list);
         };
-        constexpr std::string_view read_statements[] = {"Kd", "Ks", "Ns", "illum", "d", "Tr", "map_Kd"};
+        constexpr std::string_view read_statements[] = {"Kd", "Ks", "Ns",    "illum",
+                                                        "d",  "Tr", "map_Kd"};
         const bool is_read = is_in(read_statements);
         if (is_read && materials_.empty())
             text_.note(quoted(word) + " before the first newmtl is skipped");

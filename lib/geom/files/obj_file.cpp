@@ -255,7 +255,8 @@ private:
             return false;
         mesh().corners.push_back(vertex);
         const std::size_t second = corner.find('/', std::min(first + 1, corner.size()));
-        if (const auto place = corner.substr(std::min(first + 1, corner.size()), second - first - 1);
+        if (const auto place =
+                corner.substr(std::min(first + 1, corner.size()), second - first - 1);
             !place.empty())
             give_picture_place(place);
         if (second == corner.npos || second + 1 == corner.size())
