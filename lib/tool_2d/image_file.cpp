@@ -132,8 +132,7 @@ std::optional<int> next_number(std::string_view text, std::size_t& at) {
             break;
     }
     int number = 0;
-    const auto [end, error] =
-        std::from_chars(text.data() + at, text.data() + text.size(), number);
+    const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
     at = static_cast<std::size_t>(end - text.data());
     return error == std::errc() ? std::optional(number) : std::nullopt;
 }

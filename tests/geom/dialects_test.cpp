@@ -102,9 +102,8 @@ TEST(dialects, obj_vertices_may_have_seven_numbers_and_any_colour) {
                             "f 1 2 3\n");
     EXPECT_EQ(model.mesh.vertices, (std::vector<vector>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_TRUE(model.notes.empty());
-    EXPECT_EQ(
-        read("v 0 0 0 1 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1\nf 1 2 3\n").mesh.vertex_colors,
-        (numbers{0xff0000, 0x00ff00, 0x0000ff}));
+    EXPECT_EQ(read("v 0 0 0 1 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1\nf 1 2 3\n").mesh.vertex_colors,
+              (numbers{0xff0000, 0x00ff00, 0x0000ff}));
     EXPECT_EQ(complaint("v 0 0 0 nan\n"), "name:1: 'nan', a weight, is not finite");
     EXPECT_EQ(complaint("v 0 0 0 1 x 1\n"), "name:1: 'x', a weight or colour, is not a number");
 }
@@ -260,7 +259,7 @@ TEST(dialects, off_colours_of_vertices_may_have_three_components) {
     expect_three("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 nan\n3 0 1 2\n");
     expect_three("COFF\n3 1 0\n0 0 0\n1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n");
     expect_three("STCOFF\n3 1 0\n0 0 0 1 0 0 .5 .5\n1 0 0 0 1 0 1 .5 .5\n0 1 0 0 0 1 0 0\n"
-                "3 0 1 2\n");
+                 "3 0 1 2\n");
     EXPECT_EQ(
         read("COFF\n3 1 0\n0 0 0 nan 0 1\n1 0 0 1 0 1\n0 1 0 1 0 1\n3 0 1 2\n").mesh.face_colors,
         numbers{0xff00ff});

@@ -91,8 +91,8 @@ TEST(gltf_picture, that_is_broken_is_noted) {
               "name: bufferViews: number 7 of 2 is asked for" + rest);
     EXPECT_EQ(note(square(R"("uri":"data:;base64,")")), "name: images[0] is empty" + rest);
     EXPECT_EQ(note(square("", R"("source":3)")), "name: images: number 3 of 1 is asked for" + rest);
-    EXPECT_EQ(note(square("", "")), "name: textures[0] has no source of a kind that is read here" +
-                                        rest);
+    EXPECT_EQ(note(square("", "")),
+              "name: textures[0] has no source of a kind that is read here" + rest);
 }
 
 } // namespace

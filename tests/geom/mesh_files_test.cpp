@@ -195,10 +195,9 @@ TEST(off_file, keeps_normals_and_skips_what_has_no_place) {
              "7 8 9 1 0 0 1 1 1 1 0 0\n3 0 1 2 5\n2 0 1\n");
     EXPECT_EQ(model.mesh.vertex_normals, (std::vector<vector>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     EXPECT_EQ(model.mesh.faces(), 1u);
-    const std::vector<std::string> notes{
-        "name:1: texture coordinates are skipped",
-        "name:6: colours by their place in a map are skipped",
-        "name:7: a face of 2 corners is skipped"};
+    const std::vector<std::string> notes{"name:1: texture coordinates are skipped",
+                                         "name:6: colours by their place in a map are skipped",
+                                         "name:7: a face of 2 corners is skipped"};
     EXPECT_EQ(model.notes, notes);
 }
 

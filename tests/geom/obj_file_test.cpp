@@ -112,14 +112,22 @@ TEST(obj_file, has_places_in_pictures_from_the_bottom_of_these) {
     using places = std::vector<l3d_polygon_mesh::picture_place>;
     const l3d_model_file file = read_after("vt 0.25 0.75\nvt 0.5\nvt 1 2 3\nf 1/1 2/-1/ 3/2\n"
                                            "f 1 2/3 3\nf 1/4 2/x 3/1\nf 1/1 2/1\nf 1 2 3\n");
-    EXPECT_EQ(file.mesh.picture_places,
-              (places{{0.25F, 0.25F}, {1, -1}, {0.5F, 1}, {0, 0}, {1, -1}, {0, 0}, {0, 0}, {0, 0},
-                      {0.25F, 0.25F}, {0, 0}, {0, 0}, {0, 0}}));
+    EXPECT_EQ(file.mesh.picture_places, (places{{0.25F, 0.25F},
+                                                {1, -1},
+                                                {0.5F, 1},
+                                                {0, 0},
+                                                {1, -1},
+                                                {0, 0},
+                                                {0, 0},
+                                                {0, 0},
+                                                {0.25F, 0.25F},
+                                                {0, 0},
+                                                {0, 0},
+                                                {0, 0}}));
     EXPECT_TRUE(file.mesh.is_valid());
-    EXPECT_EQ(file.notes,
-              (std::vector<std::string>{
-                  "name:10: places in pictures that there are not are taken for (0, 0)",
-                  "name:11: a face of 2 corners is skipped"}));
+    EXPECT_EQ(file.notes, (std::vector<std::string>{
+                              "name:10: places in pictures that there are not are taken for (0, 0)",
+                              "name:11: a face of 2 corners is skipped"}));
 }
 
 /// Corners of one vertex with several normals become several vertices, each with its colour.

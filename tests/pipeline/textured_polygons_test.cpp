@@ -129,7 +129,8 @@ class scalar_factory : public l3d_rasterizer_factory {
 
 /// The picture's pixel at the place that a pick finds; none where it is too near to the next.
 TEST(textured_polygons, show_the_pixel_of_the_picture_that_a_pick_finds) {
-    for (const l3d_projection projection : {l3d_projection::perspective, l3d_projection::parallel}) {
+    for (const l3d_projection projection :
+         {l3d_projection::perspective, l3d_projection::parallel}) {
         const l3d_polygon_model model = textured_sphere();
         l3d_polygon_settings settings = plainly();
         settings.projection = projection;
@@ -191,8 +192,7 @@ TEST(textured_polygons, are_exact_where_the_near_plane_cuts_them) {
                     continue;
                 ++judged;
                 off += words[static_cast<std::size_t>(y * window.width + x)] !=
-                       picture_word(static_cast<int>(u),
-                                    static_cast<int>(v) % of_picture.height);
+                       picture_word(static_cast<int>(u), static_cast<int>(v) % of_picture.height);
             }
     EXPECT_GT(judged, 3000);
     EXPECT_LE(off, 20);
@@ -222,7 +222,8 @@ TEST(textured_polygons, are_the_same_by_all_rasterizers) {
             const auto fast = drawn(model, settings);
             EXPECT_EQ(differing(fast, drawn(model, settings, scalar_factory()), 1), 0U);
             EXPECT_LE(differing(fast, drawn<l3d_pipeline_zsort>(model, settings), 1), 5U); // ties
-            EXPECT_EQ(differing(fast, drawn(model, settings, l3d_rasterizer_factory_mesa()), 1), 0U);
+            EXPECT_EQ(differing(fast, drawn(model, settings, l3d_rasterizer_factory_mesa()), 1),
+                      0U);
             settings.antialias = true;
             const auto smooth = drawn(model, settings);
             EXPECT_LE(differing(smooth, drawn<l3d_pipeline_zsort>(model, settings), 1), 5U);
@@ -374,9 +375,9 @@ TEST_F(textured_file, shows_the_picture_beside_its_file_of_materials) {
         const auto seen = std::ranges::find_if(words, [](std::uint32_t w) { return w != 0; });
         ASSERT_NE(seen, words.end());
         EXPECT_EQ(*seen, picture_word(0, 0));
-        EXPECT_EQ(*std::find_if(words.rbegin(), words.rend(),
-                                [](std::uint32_t w) { return w != 0; }),
-                  picture_word(of_picture.width - 1, of_picture.height - 1));
+        EXPECT_EQ(
+            *std::find_if(words.rbegin(), words.rend(), [](std::uint32_t w) { return w != 0; }),
+            picture_word(of_picture.width - 1, of_picture.height - 1));
     }
 }
 
@@ -393,9 +394,8 @@ TEST_F(textured_file, is_drawn_without_a_picture_that_is_missing_or_broken) {
     EXPECT_EQ(only_note("map_Kd text.png"),
               file("more/text.png") + ": neither PNG nor JPEG nor binary PPM" + rest);
     std::ofstream(file("more/huge.ppm")) << "P6 100000 100000 255\n";
-    EXPECT_EQ(only_note("map_Kd huge.ppm"), file("more/huge.ppm") +
-                                                ": 100000 by 100000 pixels are more than 67108864" +
-                                                rest);
+    EXPECT_EQ(only_note("map_Kd huge.ppm"),
+              file("more/huge.ppm") + ": 100000 by 100000 pixels are more than 67108864" + rest);
     l3d_image image = picture();
     l3d_write_image(file("more/cut.png"), image.pixels());
     std::filesystem::resize_file(file("more/cut.png"), 60);

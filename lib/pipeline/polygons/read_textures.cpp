@@ -11,9 +11,9 @@
 namespace {
 
 std::shared_ptr<const l3d_texture> texture_of(const l3d_mesh_picture& picture) {
-    l3d_image image = picture.bytes.empty() ? l3d_read_image(picture.name, l3d_most_texture_pixels)
-                                            : l3d_decoded_image(picture.bytes, picture.name,
-                                                                l3d_most_texture_pixels);
+    l3d_image image = picture.bytes.empty()
+                          ? l3d_read_image(picture.name, l3d_most_texture_pixels)
+                          : l3d_decoded_image(picture.bytes, picture.name, l3d_most_texture_pixels);
     const auto wrap = [](bool repeats) {
         return repeats ? l3d_texture_wrap::repeat : l3d_texture_wrap::clamp;
     };
@@ -23,8 +23,8 @@ std::shared_ptr<const l3d_texture> texture_of(const l3d_mesh_picture& picture) {
 
 } // namespace
 
-std::vector<std::shared_ptr<const l3d_texture>>
-l3d_read_textures(const l3d_polygon_mesh& mesh, std::vector<std::string>& notes) {
+std::vector<std::shared_ptr<const l3d_texture>> l3d_read_textures(const l3d_polygon_mesh& mesh,
+                                                                  std::vector<std::string>& notes) {
     std::vector<std::shared_ptr<const l3d_texture>> textures(mesh.pictures.size());
     if (mesh.looks.empty())
         return textures;

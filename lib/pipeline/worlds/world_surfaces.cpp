@@ -49,7 +49,8 @@ l3d_polygon_model reshaped(const l3d_polygon_model& model, const l3d_matrix<doub
         normal = l3d_transformed_normal(shape, normal).value_or(vector(0.0));
     if (l3d_determinant(shape) < 0)
         for (std::size_t face = 0; face < result.faces(); ++face) {
-            const auto begin = static_cast<std::ptrdiff_t>(face == 0 ? 0 : result.face_ends[face - 1]);
+            const auto begin =
+                static_cast<std::ptrdiff_t>(face == 0 ? 0 : result.face_ends[face - 1]);
             const auto end = static_cast<std::ptrdiff_t>(result.face_ends[face]);
             std::reverse(result.corners.begin() + begin, result.corners.begin() + end);
             if (!result.picture_places.empty())

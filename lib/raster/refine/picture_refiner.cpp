@@ -126,9 +126,8 @@ void picture_refiner::draw_marked(const drawn_frame& frame, int band, worker_spa
     if (space.fragments.pixels().empty())
         return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
-    const bool by_material =
-        l3d_sees_patches(frame.shading.mode) || frame.shading.is_lit(frame.materials) ||
-        frame.shading.paints;
+    const bool by_material = l3d_sees_patches(frame.shading.mode) ||
+                             frame.shading.is_lit(frame.materials) || frame.shading.paints;
     space.fragments.use_colors(frame.colors, by_material);
     const auto add_items = [&](bool hidden_ones) {
         for (const std::uint32_t index : frame.list.items(band)) {

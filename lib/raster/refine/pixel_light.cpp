@@ -101,9 +101,7 @@ public:
     bool is_grey() const { return has_bends<Shader> && !has_color_ && !shading_.fog.is_on(); }
 
     /// The amount of all channels, if they are the same.
-    float grey_of(const seen_fragment& seen) const {
-        return tables_.light_between(level_of(seen));
-    }
+    float grey_of(const seen_fragment& seen) const { return tables_.light_between(level_of(seen)); }
 
     light_sum of(const seen_fragment& seen) {
         const fragment_polygon& polygon = polygons_[seen.polygon];
@@ -115,7 +113,8 @@ public:
         const auto [farthest, nearest] =
             std::minmax({polygon.inv_w[0], polygon.inv_w[1], polygon.inv_w[2], polygon.inv_w[3]});
         const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
-        const std::uint32_t amount = fog.amount(std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest));
+        const std::uint32_t amount =
+            fog.amount(std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest));
         return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
     }
 
@@ -130,7 +129,8 @@ private:
         else if constexpr (has_bends<Shader>)
             return of_level(levels_[seen.polygon].at(seen.x, seen.y), color_of(polygon, seen));
         else
-            return of_word(word_at(polygon, double{seen.x}, double{seen.y}), color_of(polygon, seen));
+            return of_word(word_at(polygon, double{seen.x}, double{seen.y}),
+                           color_of(polygon, seen));
     }
 
     std::uint32_t color_of(const fragment_polygon& polygon, const seen_fragment& seen) {
@@ -186,7 +186,7 @@ private:
     int height_; ///< of the picture
     std::span<const fragment_polygon> polygons_;
     std::optional<face_painter> painter_; ///< if polygons have names in place of colours
-    std::vector<level_surface> levels_; ///< of the polygons, if the shader takes levels
+    std::vector<level_surface> levels_;   ///< of the polygons, if the shader takes levels
 };
 
 /// The word of light before what is behind all surfaces, which fills `empty` of the pixel.

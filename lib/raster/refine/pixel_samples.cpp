@@ -272,9 +272,8 @@ HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
     std::uint64_t covered = 0;
     for (std::uint32_t at = pixel.last; at != fragment::none; at = fragments[at].before) {
         const fragment_polygon& of = polygons[fragments[at].polygon];
-        seen_so_far here{
-            fragments[at].samples, fragments[at].polygon,
-            of.at(of.depth, x, y), of.depth.right, of.depth.down};
+        seen_so_far here{fragments[at].samples, fragments[at].polygon, of.at(of.depth, x, y),
+                         of.depth.right, of.depth.down};
         if ((here.samples & covered) != 0)
             count = divide(seen, count, here, planes);
         covered |= here.samples;

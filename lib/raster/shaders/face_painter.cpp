@@ -117,10 +117,10 @@ std::uint32_t face_painter::painted(double x, double y) const {
     l3d_light_color light = corners_[0];
     if (blends_)
         for (std::size_t c = 0; c < light.size(); ++c)
-            light[c] = static_cast<float>(
-                (shares[0] * double{corners_[0][c]} + shares[1] * double{corners_[1][c]} +
-                 shares[2] * double{corners_[2][c]}) /
-                (shares[0] + shares[1] + shares[2]));
+            light[c] = static_cast<float>((shares[0] * double{corners_[0][c]} +
+                                           shares[1] * double{corners_[1][c]} +
+                                           shares[2] * double{corners_[2][c]}) /
+                                          (shares[0] + shares[1] + shares[2]));
     if (texture_)
         light = product(light, texture_->light(paints_->filter, place_at(shares)));
     const linear_light& tables = linear_light_tables();
@@ -133,8 +133,8 @@ void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t 
         for (std::int32_t column = 0; column < pixels.width; ++column) {
             std::uint32_t& word = pixels.words[row * pixels.word_pitch + column];
             if (pixels.depths[row * pixels.depth_pitch + column] > 0)
-                word = color_of_level(painter.color(word >> 8, left + column + 0.5, top + row + 0.5),
-                                      word & 0xff);
+                word = color_of_level(
+                    painter.color(word >> 8, left + column + 0.5, top + row + 0.5), word & 0xff);
         }
 }
 

@@ -142,8 +142,7 @@ private:
     static HWY_INLINE float_vec channel(word_vec colors, std::size_t i) {
         const word_vec level = hn::ShiftRightSame(colors, static_cast<int>(16 - 8 * i));
         const hn::RebindToSigned<floats> d;
-        return hn::ConvertTo(floats(),
-                             hn::BitCast(d, hn::And(level, hn::Set(words(), 0xffu))));
+        return hn::ConvertTo(floats(), hn::BitCast(d, hn::And(level, hn::Set(words(), 0xffu))));
     }
 
     static HWY_INLINE word_vec whole(float_vec level) {
@@ -169,8 +168,8 @@ struct pixel_row {
     const float* depths;
     const std::uint32_t* normals;
     const std::uint32_t* colors; ///< or null, as lit_pixels has them
-    lane_vector look;       ///< in column 0 of the picture
-    lane_vector look_right; ///< what a column adds
+    lane_vector look;            ///< in column 0 of the picture
+    lane_vector look_right;      ///< what a column adds
 };
 
 /// The words of filled pixels, a material after the other. Mostly there is one.

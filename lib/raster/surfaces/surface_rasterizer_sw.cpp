@@ -276,8 +276,15 @@ void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
         const l3d_face_paints* const paints = shading.paints;
         const std::span<const l3d_material> materials = work_->frame.materials;
         if (band.normals) {
-            const lit_pixels lit{words,    band.word_pitch, band.depths + at, band.normals + at,
-                                 band.depth_pitch, box.left, box.top, width, height};
+            const lit_pixels lit{words,
+                                 band.word_pitch,
+                                 band.depths + at,
+                                 band.normals + at,
+                                 band.depth_pitch,
+                                 box.left,
+                                 box.top,
+                                 width,
+                                 height};
             if (paints)
                 light_painted(work_->lights, lit, {*paints, materials});
             else
