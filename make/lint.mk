@@ -66,7 +66,7 @@ $(OUT)/log/errors-doc.log: FORCE
 # Of documents and comments: nobody should have to read a sentence twice.
 longest_sentence := 35
 $(OUT)/log/sentences.log: FORCE
-	$(call logged,tests/lint/sentences.py --self-test --longest $(longest_sentence) && echo ok sentences)
+	$(call logged,tests/lint/sentences.py --self-test --riddles --longest $(longest_sentence) && echo ok sentences)
 
 $(OUT)/log/tidy.log: FORCE
 	$(call logged,$(MAKE) tidy && echo ok tidy)

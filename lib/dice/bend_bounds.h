@@ -20,7 +20,7 @@
 /// Lives: borrows the bends.
 class l3d_bend_bounds {
 public:
-    /// Asks for nothing, and proves nothing.
+    /// Makes bounds without bends, which need no finer steps and prove nothing.
     l3d_bend_bounds() = default;
 
     /// Units: w_per_length: factor from a length of the model to scaled w; focal as l3d_dice_view

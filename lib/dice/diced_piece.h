@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-/// A vertex with the patch parameters whose exact point it stands for.
+/// A vertex with the patch parameters of the exact point that it stands for.
 struct l3d_dice_vertex {
     l3d_micro_vertex vertex;
     double u = 0, v = 0;

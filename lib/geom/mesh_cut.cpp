@@ -149,7 +149,7 @@ private:
     l3d_polygon_mesh kept_;
     std::vector<point> points_;
     std::vector<double> sides_;
-    std::vector<l3d_polygon_mesh::vector> normals_; ///< of new vertices
+    std::vector<l3d_polygon_mesh::vector> normals_; ///< normals of new vertices
     std::vector<std::uint32_t> colors_;             ///< likewise
     std::vector<index> corners_;
     std::map<edge, index> crossings_; ///< by the ends of the edge, the one in front first

@@ -19,7 +19,7 @@
 /// A picture that a material names, to be laid on faces.
 struct L3D_PUBLIC l3d_mesh_picture {
     std::string name;      ///< the file's path; of a picture in the model's file, its place there
-    std::string bytes{};   ///< what the file would hold, of a picture in the model's file
+    std::string bytes{};   ///< contents of a picture that lies in the model's file
     bool repeats_u = true; ///< beyond 0 to 1 in u it comes again; else its border goes on
     bool repeats_v = true; ///< the same in v
 
@@ -55,7 +55,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> vertex_colors;
     /// Optional, one per corner: what is seen there of the picture of the face's material.
     std::vector<picture_place> picture_places;
-    std::vector<l3d_mesh_picture> pictures;    ///< what l3d_material::picture names
+    std::vector<l3d_mesh_picture> pictures;    ///< pictures that l3d_material::picture names
     std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names

@@ -105,8 +105,8 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera kept_;  ///< set by a home or a frame; differs from camera_ if that was moved
-    bool is_home_ = false, is_framed_ = false; ///< whether kept_ is so
+    l3d_camera kept_;  ///< view set by home or frame; camera_ differs once it was moved
+    bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
     vector upright_;                           ///< the model's, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled
     double turn_speed_ = 1;

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-/// Writes the files that a name asks for: "" nothing; name.png, .ppm the last frame; name%04d.png
-/// every frame, numbered from 0 (%d, %5d and %05d are understood);
+/// Writes the files that a name asks for. "" means nothing; name.png or .ppm the last frame;
+/// name%04d.png every frame, numbered from 0 (as by %d, %5d, %05d);
 ///   -               every frame, as a stream of PPM pictures on the standard output.
 /// Any other percent sign is a part of the name, and so is %%, as one.
 class L3D_PUBLIC l3d_frame_writer {

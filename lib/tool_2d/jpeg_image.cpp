@@ -17,8 +17,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// A file that is read row by row. What goes wrong ends a step by a jump, so a step has no locals
-/// that would have to be destroyed.
+/// A file that is read row by row. A fault ends a step by a jump, so a step has no locals that
+/// would have to be destroyed.
 class jpeg_reader {
 public:
     explicit jpeg_reader(const std::string& bytes) : bytes_(bytes) {
@@ -53,7 +53,7 @@ public:
         jpeg_read_scanlines(&info_, &row, 1);
         return true;
     }
-    /// What is missing may show behind the last row only.
+    /// A fault may show behind the last row only.
     bool finish() {
         if (setjmp(back_) != 0)
             return false;

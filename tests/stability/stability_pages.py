@@ -140,7 +140,7 @@ def conclusions(runs):
                  f"{sum(r['polygons'] == 'VIOLATED' for r in polygons)} pictures are off by more than their bound, or differ.")
     if first.curves:
         top = max(first.curves, key=lambda r: float(r["measured_px"]) / float(r["bound_px"]))
-        lines.append(f"Of {len(first.curves)} plane curves, the worst chord uses {100 * float(top['measured_px']) / float(top['bound_px']):.0f} % "
+        lines.append(f"Among {len(first.curves)} plane curves, the worst chord uses {100 * float(top['measured_px']) / float(top['bound_px']):.0f} % "
                      f"of its 1/1024 px: {top['group']}, {top['case']}.")
     return "".join(f"- {line}\n" for line in lines)
 

@@ -65,7 +65,7 @@ private:
     const l3d_doubt_leaf* first_ = nullptr; ///< first of the leaves that are added
     bool is_one_look_ = true, is_known_ = true;
     l3d_light_bounds light_;       ///< light of all of them
-    light_ranges ranges_, beside_; ///< of numbers; of distances from the best
+    light_ranges ranges_, beside_; ///< numbers; distances from the best
 };
 
 } // namespace l3d_detail

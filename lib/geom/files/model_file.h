@@ -132,15 +132,15 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
     l3d_material look; ///< its colour and highlights
-    /// What is laid on it, as the file names it; without a name there is nothing.
+    /// The picture laid on it, as the file names it; none if it has no name.
     l3d_mesh_picture picture{};
 
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
 };
 
-/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d, Tr and map_Kd. What cannot be read is
-/// skipped, with a note "name:line: what" for each of the first 20 such lines: no model is lost for
-/// a colour.
+/// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d, Tr and map_Kd. Lines that cannot be
+/// read are skipped, with a note "name:line: what" for each of the first 20: no model is lost for a
+/// colour.
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 

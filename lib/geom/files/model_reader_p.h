@@ -138,7 +138,7 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
     return word;
 }
 
-/// What is said of vertices that are nowhere.
+/// The note on vertices without a finite place.
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 

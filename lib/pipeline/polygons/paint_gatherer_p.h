@@ -48,7 +48,7 @@ public:
         return first;
     }
 
-    /// What rasterizers are given: null if nothing was added.
+    /// The paints for rasterizers: null if nothing was added.
     const l3d_face_paints* paints() const { return out_.models.empty() ? nullptr : &out_; }
 
 private:

@@ -47,7 +47,7 @@ public:
         bool cull_hidden = false;
         /// The place of the model's first material among those of the picture.
         std::uint32_t first_material = 0;
-        /// What the first triangle is called among materials, if each has a name of its own
+        /// The first triangle's number among materials, if each triangle has one of its own
         /// (l3d_face_paints). Expects: the model has materials.
         std::optional<std::uint32_t> first_painted{};
     };

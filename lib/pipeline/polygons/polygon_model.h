@@ -125,7 +125,7 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// What faces are made of (l3d_polygon_mesh::look_of), each once; none if all are plain and no
+    /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
     /// vertex has a colour.
     std::span<const l3d_material> materials() const { return contents_->materials; }
     /// The place of a face's material in materials(); 0 if there are none. Expects: face <

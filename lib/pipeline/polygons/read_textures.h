@@ -16,8 +16,8 @@
 inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 
 /// The textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. A picture
-/// that no face shows is null, and so is one that cannot be read or is too large. Of those, `notes`
-/// get one line each, with file and reason: no model is lost for a picture.
+/// that no face shows is null, and so is one that cannot be read or is too large. For each of the
+/// latter, `notes` get a line with file and reason: no model is lost for a picture.
 ///
 ///     std::vector<std::string> notes;
 ///     const l3d_polygon_model plain(mesh);

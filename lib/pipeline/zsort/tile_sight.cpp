@@ -68,7 +68,7 @@ public:
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
-    /// Where what is painted last does not lie wholly in front of `nearest`.
+    /// The cells whose last painted member does not lie wholly in front of `nearest`.
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)

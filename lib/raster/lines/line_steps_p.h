@@ -23,7 +23,7 @@ struct line_steps {
     std::int64_t length, rise;         ///< 0 <= |rise| <= length < 2^32
     std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the target
 
-    /// The floors above, from step `first` on.
+    /// The minor coordinates of pixels, as floors, from step `first` on.
     exact_steps minors() const {
         return {2 * wide_integer{first} * rise + length - 1, 2 * wide_integer{rise}, 2 * length};
     }

@@ -33,7 +33,8 @@ struct line_end {
     bool has_hyphen = false;
 };
 
-/// The last one before a place: a blank, or a soft hyphen where a hyphen still fits.
+/// Finds the last possible end of a line before a place: a blank, or a soft hyphen where a hyphen
+/// still fits.
 line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
                   std::size_t before) {
     const std::size_t space = text.rfind(' ', before);

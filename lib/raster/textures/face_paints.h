@@ -30,13 +30,13 @@ struct L3D_PUBLIC l3d_painted_triangle {
 /// colour, of the corners' colours between them, and of the texture.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
-    std::uint32_t first = 0;          ///< what parts name its first triangle by, as a material
+    std::uint32_t first = 0;          ///< material by which parts name its first triangle
     std::uint32_t first_material = 0; ///< the place of its first material among the frame's
     /// From a vertex to the picture: x and y in pixels, times w, and w in the last row.
     l3d_matrix<double> to_picture = l3d_matrix<double>();
-    std::span<const l3d_vector<double, 3>> vertices; ///< of the model
+    std::span<const l3d_vector<double, 3>> vertices; ///< vertices of the model
     std::span<const l3d_painted_triangle> triangles; ///< each has the name of the one before and 1
-    /// What materials name as picture. A null pointer, or one beyond the last, is no texture.
+    /// The pictures that materials name. A null pointer, or one beyond the last, is no texture.
     std::span<const std::shared_ptr<const l3d_texture>> textures;
 };
 

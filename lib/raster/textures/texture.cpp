@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr std::size_t channels = 4; ///< of a pixel in memory
+constexpr std::size_t channels = 4; ///< channels of a pixel in memory
 constexpr float white = 65535;
 
 /// A picture of floats while the smaller ones are made of it.
@@ -138,7 +138,7 @@ void l3d_texture::add_bilinear(std::size_t number, double u, double v, float wei
 
 /// Between two pictures the share of the smaller one grows with the width, from the one's pixels to
 /// the other's. No logarithm is taken, whose last bits differ among libraries.
-/// Units: of width, pixels of the whole picture.
+/// Units: the width in pixels of the whole picture.
 void l3d_texture::add_trilinear(double width, double u, double v, float weight, sum& to) const {
     if (!(width > 1))
         return add_bilinear(0, u, v, weight, to);
@@ -167,7 +167,7 @@ void l3d_texture::add_anisotropic(const l3d_texture_place& place, sum& to) const
     if (!(square < most))
         return add_trilinear(most, place.u, place.v, 1, to);
     const double longer = std::sqrt(square), shorter = longer > 0 ? std::abs(area) / longer : 0.0;
-    // What is round but for rounding has no longer axis.
+    // A footprint that is round but for rounding has no longer axis.
     constexpr double round = 1e-3;
     const double wanted = std::ceil(longer / std::max(shorter, 1.0) - round);
     const int count = static_cast<int>(std::clamp(wanted, 1.0, double{most_samples}));

@@ -13,23 +13,23 @@
 #include <utility>
 #include <vector>
 
-/// How the colour of a pixel is found in a picture of which the pixel covers some part.
+/// The way to find a pixel's colour in a picture of which the pixel covers some part.
 enum class L3D_PUBLIC l3d_texture_filter {
     nearest,    ///< the picture's pixel under the middle of the pixel
-    bilinear,   ///< between the four around that place
-    trilinear,  ///< the same in two smaller pictures, whose pixels are as wide as the part is long
-    anisotropic ///< the mean of up to 16 of these along the part, in pictures as fine as it is
+    bilinear,   ///< between the four pixels around that place
+    trilinear,  ///< bilinear in two smaller pictures, with pixels as wide as the part is long
+    anisotropic ///< mean of up to 16 trilinear colours along the part, as fine as the part is
                 ///< narrow
 };
 
-/// How users call them.
+/// The filters' names for users.
 inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_texture_filter_names{
     {{"nearest", l3d_texture_filter::nearest},
      {"bilinear", l3d_texture_filter::bilinear},
      {"trilinear", l3d_texture_filter::trilinear},
      {"anisotropic", l3d_texture_filter::anisotropic}}};
 
-/// What is seen beyond the borders of a picture.
+/// The continuation of a picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again
     clamp   ///< the pixels at its border

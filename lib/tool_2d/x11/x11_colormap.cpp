@@ -93,9 +93,8 @@ private:
     std::vector<unsigned long> allocated_;
 };
 
-/// Tests whether there is room: asks for as many cells as there are colours to come, at once, and
-/// gives them back. That takes one round trip. Asking for cells singly takes one for each that
-/// fits, until one does not.
+/// Tests whether there is room: allocates a cell for each colour to come, all at once, and frees
+/// the cells. That takes one round trip. Single allocations take one round trip each.
 bool cell_sharer::has_room_for(const palette_shape& shape) const {
     std::set<std::uint32_t> there;
     for (const auto& color : found_)
