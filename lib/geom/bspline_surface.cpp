@@ -59,8 +59,7 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
             clamped((weight_a * a.weighted[k] + weight_b * b.weighted[k]) / (weight_a + weight_b),
                     a.weighted[k], b.weighted[k]);
     for (std::size_t k = 0; k < 3; ++k)
-        result.place[k] =
-            clamped(result.weighted[k] / result.weighted[3], a.place[k], b.place[k]);
+        result.place[k] = clamped(result.weighted[k] / result.weighted[3], a.place[k], b.place[k]);
     return result;
 }
 

@@ -68,7 +68,8 @@ std::vector<double> places_along(const l3d_bspline_direction& along, int cuts) {
 }
 
 /// A circle about each section, and cubics in between, one span each. Where nothing turns about the
-/// tangent T, a vector n across it changes by -(n.T') T, and T' is the part of c'' / |c'| across it.
+/// tangent T, a vector n across it changes by -(n.T') T, and T' is the part of c'' / |c'| across
+/// it.
 l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vector<double>& t,
                           const l3d_nurbs_curve& curve, double radius) {
     const l3d_nurbs_curve circle = l3d_nurbs_curve::circle(radius);
@@ -114,8 +115,7 @@ double measured_on(const l3d_nurbs_surface& surface, const l3d_nurbs_curve& curv
             const l3d_curve_jet jet = curve.derivatives(v);
             const vector tangent = l3d_normalized(jet.first);
             for (int j = 0; j < places; ++j) {
-                const vector from =
-                    surface.evaluate(surface.u().to * j / places, v) - jet.place;
+                const vector from = surface.evaluate(surface.u().to * j / places, v) - jet.place;
                 const double ahead = l3d_dot(from, tangent);
                 const double beside = l3d_length(from - tangent * ahead) - radius;
                 most = std::max(most, std::hypot(ahead, beside));
@@ -139,8 +139,8 @@ l3d_pipe l3d_pipe_along(const l3d_nurbs_curve& curve, double radius, double tole
         if (measured <= tolerance)
             return {std::move(surface), measured};
         if (2 * t.size() > most_spans)
-            throw l3d_error(l3d_exit::bad_input,
-                            "pipe: " + std::to_string(t.size()) +
-                                " spans are off by " + std::to_string(measured));
+            throw l3d_error(l3d_exit::bad_input, "pipe: " + std::to_string(t.size()) +
+                                                     " spans are off by " +
+                                                     std::to_string(measured));
     }
 }

@@ -89,8 +89,7 @@ void l3d_pipeline_afd::mark_part(const std::string& name) {
         if (!part)
             continue;
         const l3d_matrix<double> to_image = stages_->transform.matrix() * instance.placement();
-        const std::vector<bool> marked =
-            model.parts().things_of(std::array{*part}, model.pieces());
+        const std::vector<bool> marked = model.parts().things_of(std::array{*part}, model.pieces());
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             if (!marked[model.piece_of(i)])
                 continue;

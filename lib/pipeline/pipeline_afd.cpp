@@ -140,9 +140,9 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
-    // Curved models get a part of both tolerances. Their errors of places fall with the fourth power
-    // of the number of patches along a side, and those of normals with the third, so that a larger
-    // part would save little.
+    // Curved models get a part of both tolerances. Their errors of places fall with the fourth
+    // power of the number of patches along a side, and those of normals with the third, so that a
+    // larger part would save little.
     constexpr double share = 0.125, share_of_shade = 0.25;
     stages_->curved = scene_.choose_levels(
         {.camera = camera_,
@@ -152,7 +152,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
     stages_->view = stages_->transform.view(settings_.tolerance * (is_curved ? 1 - share : 1));
-    stages_->view.shade_tolerance = settings_.shade_tolerance * (is_curved ? 1 - share_of_shade : 1);
+    stages_->view.shade_tolerance =
+        settings_.shade_tolerance * (is_curved ? 1 - share_of_shade : 1);
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;

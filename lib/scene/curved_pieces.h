@@ -46,7 +46,7 @@ public:
     struct cells {
         std::vector<patch> patches;
         std::vector<std::uint32_t> pieces; ///< of each patch, the piece that it is a cell of
-        double error = 0;        ///< how far places are off, in the pieces' unit
+        double error = 0;                  ///< how far places are off, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
     /// Expects: 0 <= places, normals <= most_level.

@@ -27,7 +27,7 @@ struct seen_instance {
     double stretch = 1; ///< of lengths
     double turn = 1;    ///< of the distance of unit normals
     double least_w = 0, most_w = 0;
-    double focal = 0;     ///< of the farthest corner of the window: the most pixels of a unit
+    double focal = 0; ///< of the farthest corner of the window: the most pixels of a unit
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
@@ -40,14 +40,16 @@ struct seen_instance {
                         : std::numeric_limits<double>::infinity();
         }
         const vector ahead = view.camera.axes().forward;
-        const vector middle = (instance.model().pieces_least() + instance.model().pieces_most()) * 0.5;
-        const vector half = (instance.model().pieces_most() - instance.model().pieces_least()) * 0.5;
+        const vector middle =
+            (instance.model().pieces_least() + instance.model().pieces_most()) * 0.5;
+        const vector half =
+            (instance.model().pieces_most() - instance.model().pieces_least()) * 0.5;
         const l3d_matrix<double>& to_world = instance.placement();
         double at = 0, reach = 0;
         for (int row = 0; row < 3; ++row)
-            at += ahead[row] * (to_world(row, 0) * middle[0] + to_world(row, 1) * middle[1] +
-                                to_world(row, 2) * middle[2] + to_world(row, 3) -
-                                view.camera.eye[row]);
+            at += ahead[row] *
+                  (to_world(row, 0) * middle[0] + to_world(row, 1) * middle[1] +
+                   to_world(row, 2) * middle[2] + to_world(row, 3) - view.camera.eye[row]);
         for (int k = 0; k < 3; ++k)
             reach += half[k] * std::abs(ahead[0] * to_world(0, k) + ahead[1] * to_world(1, k) +
                                         ahead[2] * to_world(2, k));

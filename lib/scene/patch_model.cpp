@@ -62,17 +62,16 @@ std::string complaint_of(const l3d_patch_points& patch) {
         " of degree " + std::to_string(patch.degree_u) + " by " + std::to_string(patch.degree_v);
     if (!well(patch.degree_u) || !well(patch.degree_v))
         return of_degree + ": degrees are from 1 to " + std::to_string(l3d_bpt_largest_degree);
-    const auto wanted =
-        static_cast<std::size_t>((patch.degree_u + 1) * (patch.degree_v + 1));
-    if (patch.points.size() != wanted ||
-        (!patch.weights.empty() && patch.weights.size() != wanted))
+    const auto wanted = static_cast<std::size_t>((patch.degree_u + 1) * (patch.degree_v + 1));
+    if (patch.points.size() != wanted || (!patch.weights.empty() && patch.weights.size() != wanted))
         return of_degree + " has " + std::to_string(patch.points.size()) + " points and " +
                std::to_string(patch.weights.size()) + " weights";
     for (std::size_t i = 0; i < wanted; ++i) {
         const std::string point = ": point " + std::to_string(i + 1);
         for (std::size_t k = 0; k < 3; ++k)
             if (!(std::abs(patch.points[i][k]) <= l3d_bpt_largest_coordinate))
-                return point + l3d_detail::formatted(": %c is not finite, or beyond 1e12", "xyz"[k]);
+                return point +
+                       l3d_detail::formatted(": %c is not finite, or beyond 1e12", "xyz"[k]);
         if (!patch.weights.empty() &&
             !(patch.weights[i] > 0 && patch.weights[i] <= l3d_bpt_largest_coordinate))
             return point + l3d_detail::formatted(
@@ -130,7 +129,7 @@ l3d_patch_model::source::at_level(int places, int normals) const {
 }
 
 struct l3d_patch_model::paint {
-    std::vector<l3d_material> materials;   ///< each once
+    std::vector<l3d_material> materials;  ///< each once
     std::vector<std::uint32_t> of_pieces; ///< places in these; empty if there is only one
 };
 

@@ -161,18 +161,17 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     const double rounding = world_rounding * scene.instances()[where.instance].reach();
     const l3d_surface_jet jet(world_patch(hit->patch), hit->u, hit->v, hit->u_error, hit->v_error,
                               rounding);
-    l3d_pick pick{
-        .instance = where.instance,
-        .patch = where.patch,
-        .part = part_of(scene.instances()[where.instance].model(), where.patch),
-        .u = hit->u,
-        .v = hit->v,
-        .u_error = hit->u_error,
-        .v_error = hit->v_error,
-        .point = middle(jet.point),
-        .point_error = length_of_radii(jet.point),
-        .depth = hit->depth,
-        .is_proven = hit->is_proven};
+    l3d_pick pick{.instance = where.instance,
+                  .patch = where.patch,
+                  .part = part_of(scene.instances()[where.instance].model(), where.patch),
+                  .u = hit->u,
+                  .v = hit->v,
+                  .u_error = hit->u_error,
+                  .v_error = hit->v_error,
+                  .point = middle(jet.point),
+                  .point_error = length_of_radii(jet.point),
+                  .depth = hit->depth,
+                  .is_proven = hit->is_proven};
     if (!hit->is_proven) {
         pick.point = view.camera.eye + ray.direction() * hit->depth;
         pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;

@@ -154,8 +154,8 @@ TEST(nurbs, places_and_derivatives_are_those_of_exact_rationals) {
             const l3d_surface_derivatives d = s.derivatives(u, v);
             worst = std::max({worst, off(e.place, d.place), off(e.place, s.evaluate(u, v))});
             const double size = 1 + l3d_length(d.by_u) + l3d_length(d.by_v);
-            worst_slope = std::max({worst_slope, off(e.by_u, d.by_u) / size,
-                                    off(e.by_v, d.by_v) / size});
+            worst_slope =
+                std::max({worst_slope, off(e.by_u, d.by_u) / size, off(e.by_v, d.by_v) / size});
         }
     }
     std::printf("places off by %.2g, derivatives by %.2g of their size\n", worst, worst_slope);
@@ -233,8 +233,9 @@ TEST(nurbs, refuses_what_is_no_surface_and_says_why) {
               "surface: along u: knot 4 is not finite, or beyond 1e12");
     EXPECT_EQ(of({1, {0, 0, 1, 1, 2, 2}, 0, 2}, square, {}),
               "surface: along u: knot 4 is there more often than the degree");
-    EXPECT_EQ(of({1, {0, 0, 1, 1}, 0, 2}, square, {}),
-              "surface: along u: the range of the parameter is empty, or the knots do not cover it");
+    EXPECT_EQ(
+        of({1, {0, 0, 1, 1}, 0, 2}, square, {}),
+        "surface: along u: the range of the parameter is empty, or the knots do not cover it");
     EXPECT_EQ(of(line, {square[0]}, {}), "surface: 1 control points; the knots ask for 4");
     EXPECT_EQ(of(line, square, {1, 1}), "surface: 2 weights for 4 control points");
     EXPECT_EQ(of(line, square, {1, 1, 0, 1}),

@@ -49,8 +49,8 @@ real half_plane_distance(const std::string& shape, real r, real y) {
     // A cone: its base y = -1, and the side from (1, -1) to the tip (0, 1).
     const auto from_segment = [&](real ax, real ay, real bx, real by) {
         const real dx = bx - ax, dy = by - ay;
-        const real t = std::clamp(((r - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), real{0},
-                                  real{1});
+        const real t =
+            std::clamp(((r - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), real{0}, real{1});
         return std::hypot(r - ax - t * dx, y - ay - t * dy);
     };
     const real apart = std::min(from_segment(0, -1, 1, -1), from_segment(1, -1, 0, 1));
@@ -125,11 +125,11 @@ l3d_camera random_camera(const std::string& shape, double zoom, bool is_near,
     }
     camera.target = target;
     camera.up = std::abs(away[1]) < 0.9 ? l3d_vector<double, 3>{0.0, 1.0, 0.0}
-                                         : l3d_vector<double, 3>{1.0, 0.0, 0.0};
+                                        : l3d_vector<double, 3>{1.0, 0.0, 0.0};
     const double distance = is_near || zoom < 1 ? 4 / zoom : 4;
-    camera.eye = target + (away + l3d_vector<double, 3>{any(random), any(random), any(random)} *
-                                      0.3) *
-                              distance;
+    camera.eye =
+        target +
+        (away + l3d_vector<double, 3>{any(random), any(random), any(random)} * 0.3) * distance;
     camera.near = distance / 100;
     if (!is_near && zoom > 1)
         camera.fov = camera.fov / zoom;
@@ -174,7 +174,8 @@ void judge(const std::string& shape, const view& v, const l3d_pipeline_afd& pipe
             if (!is_inside || !is_smooth)
                 continue;
             ++sum.judged;
-            const real inv_w = static_cast<real>(pipeline.depth().row(y)[static_cast<std::size_t>(x)]);
+            const real inv_w =
+                static_cast<real>(pipeline.depth().row(y)[static_cast<std::size_t>(x)]);
             if (hit > 0 && hit < static_cast<real>(v.camera.near))
                 continue;
             sum.holes += (inv_w > 0) != (hit > 0);
@@ -182,7 +183,8 @@ void judge(const std::string& shape, const view& v, const l3d_pipeline_afd& pipe
                 continue;
             ++sum.drawn;
             // Of the place, what is across the surface; the surface bends within the bound.
-            const real off = std::abs(distance_of(shape, v.eye + ray * (1 / inv_w))) * v.focal / hit;
+            const real off =
+                std::abs(distance_of(shape, v.eye + ray * (1 / inv_w))) * v.focal / hit;
             const real bent = turn * (bound + depth_bound) / slope;
             const real allowed = depth_bound + bent;
             sum.worst_depth = std::max(sum.worst_depth, off / allowed);
@@ -233,10 +235,11 @@ TEST_P(exact_shapes, are_drawn_within_their_bounds_at_any_zoom) {
                             pipeline.report().dice.shade_bound);
         }
     }
-    std::printf("%s: %ld pixels judged, %ld drawn; depth at most %.2Lf, shade at most %.2Lf of what "
-                "is allowed; %ld quads unproven\n",
-                shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn),
-                sum.worst_depth, sum.worst_shade, static_cast<long>(sum.unproven));
+    std::printf(
+        "%s: %ld pixels judged, %ld drawn; depth at most %.2Lf, shade at most %.2Lf of what "
+        "is allowed; %ld quads unproven\n",
+        shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn), sum.worst_depth,
+        sum.worst_shade, static_cast<long>(sum.unproven));
     EXPECT_GT(sum.drawn, 100 * views);
     EXPECT_EQ(sum.holes, 0);
     EXPECT_EQ(sum.far, 0);

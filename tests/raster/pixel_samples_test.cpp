@@ -173,8 +173,7 @@ TEST(PixelSamples, BelongToExactlyOneOfTwoNeighbours) {
                 twice |= any & of;
                 any |= of;
                 for (std::size_t k = 0; k < the_samples.count; ++k)
-                    of_another +=
-                        (of >> k & 1) != 0 && inside_by(fan[i], pixel, k) < -most_moved;
+                    of_another += (of >> k & 1) != 0 && inside_by(fan[i], pixel, k) < -most_moved;
             }
             const bool has_middle = std::abs(256 * pixel.x + 128 - middle.x) <= 128 + 4 &&
                                     std::abs(256 * pixel.y + 128 - middle.y) <= 128 + 4;
@@ -253,8 +252,7 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
                                              part.triangles.vertex(std::size_t(later), 1),
                                              part.triangles.vertex(std::size_t(later), 2)};
                     ASSERT_FALSE(corners[0].inv_w > nearest.inv_w[0] &&
-                                 inside_by(polygon_of(corners), band.pixels()[i], k) >
-                                     most_moved);
+                                 inside_by(polygon_of(corners), band.pixels()[i], k) > most_moved);
                 }
             }
         }

@@ -22,7 +22,8 @@ constexpr l3d_size size{19, 11};
 
 /// Smooth, so that JPEG changes it little.
 std::uint32_t word_at(int x, int y) {
-    return static_cast<std::uint32_t>((40 + 8 * x) << 16 | (200 - 9 * y) << 8 | (60 + 3 * x + 4 * y));
+    return static_cast<std::uint32_t>((40 + 8 * x) << 16 | (200 - 9 * y) << 8 |
+                                      (60 + 3 * x + 4 * y));
 }
 
 l3d_image picture() {
@@ -67,8 +68,7 @@ std::string jpeg_bytes(bool is_grey, bool is_progressive) {
 }
 
 /// Why bytes are no picture; nothing if they are one.
-std::string complaint(const std::string& bytes,
-                      std::int64_t most_pixels = l3d_most_image_pixels) {
+std::string complaint(const std::string& bytes, std::int64_t most_pixels = l3d_most_image_pixels) {
     try {
         l3d_decoded_image(bytes, "name", most_pixels);
     } catch (const l3d_error& error) {
@@ -111,8 +111,8 @@ TEST(read_image, reads_jpeg_grey_and_in_colour) {
 }
 
 TEST(read_image, reads_ppm_with_comments_and_of_fewer_levels) {
-    l3d_image image = l3d_decoded_image(std::string("P6 # a\n2#b\n 1 \n15\n\x0f\0\x07\x03\x0f\x01", 24),
-                                        "name");
+    l3d_image image =
+        l3d_decoded_image(std::string("P6 # a\n2#b\n 1 \n15\n\x0f\0\x07\x03\x0f\x01", 24), "name");
     EXPECT_EQ(image.pixels().row(0)[0], 0xff0077U);
     EXPECT_EQ(image.pixels().row(0)[1], 0x33ff11U);
 }

@@ -163,8 +163,8 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
                           " control points; its parameters ask for " + std::to_string(points_u) +
                           " by " + std::to_string(points_v));
     // A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
-    // rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again and
-    // again.
+    // rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again
+    // and again.
     constexpr std::size_t most_per_byte = 48;
     const std::size_t per_patch =
         sizeof(l3d_patch_points) +

@@ -40,8 +40,9 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 /// Numbers stand apart by white space of any kind and amount, whatever the locale. A # begins a
 /// comment, which ends with its line.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". A number may be missing, malformed,
-///          NaN, infinite or out of range; a degree may be outside 1 to 15, a weight not positive. The count may not be
-///          positive, or more than the text can hold. Something may follow the last patch.
+///          NaN, infinite or out of range; a degree may be outside 1 to 15, a weight not positive.
+///          The count may not be positive, or more than the text can hold. Something may follow the
+///          last patch.
 /// Cost: memory in proportion to the text, whatever the counts in it promise.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
