@@ -45,14 +45,15 @@ l3d_model_file l3d_detail::load_named_model(const std::string& name) {
         return model;
     }
     const std::string path = l3d_data_file(name);
-    if (fs::exists(path, unknown) || fs::path(name).has_parent_path())
+    if (fs::exists(path, unknown) || fs::path(name).has_parent_path()) {
+        const auto work = tell_work("reading", name);
         return l3d_load_model(path, name);
-}
-const std::vector<std::string> names = model_names();
-std::string why = printable(name) + ": no such file is here, nor a model of that name in " +
-                  printable(l3d_data_folder()) + ", which has";
-for (const std::string& known : names)
-    why += ' ' + known;
-throw l3d_error(l3d_exit::bad_input, (names.empty() ? why + " none" : why) +
-                                         did_you_mean(fs::path(name).stem().string(), names));
+    }
+    const std::vector<std::string> names = model_names();
+    std::string why = printable(name) + ": no such file is here, nor a model of that name in " +
+                      printable(l3d_data_folder()) + ", which has";
+    for (const std::string& known : names)
+        why += ' ' + known;
+    throw l3d_error(l3d_exit::bad_input, (names.empty() ? why + " none" : why) +
+                                             did_you_mean(fs::path(name).stem().string(), names));
 }
