@@ -127,7 +127,7 @@ private:
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(levels_[seen.polygon].at(seen.x, seen.y), color_of(polygon, seen));
+            return of_level(level_of(seen), color_of(polygon, seen));
         else
             return of_word(word_at(polygon, double{seen.x}, double{seen.y}),
                            color_of(polygon, seen));

@@ -13,10 +13,6 @@
 #include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
 
 #ifndef L3D_RASTER_PIXEL_SAMPLES_ONCE
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
