@@ -173,10 +173,8 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
             for (int k = 0; k < 3; ++k)
                 rest(i, k) = i == k;
         }
-        if (!to.shaped || !(shape == to.shape)) {
-            to.shaped = reshaped(model, shape);
-            to.shape = shape;
-        }
+        to.shaped = reshaped(model, shape);
+        to.unshape = l3d_inverted(shape).value_or(l3d_identity<double>());
     }
     const l3d_matrix<double> ours = mirror * rest;
     const vector c = to.model().centre();
