@@ -124,8 +124,8 @@ private:
     void tell_who_draws(const std::string& gl) {
         if (gl.empty())
             std::cerr << command_
-                      << ": processors draw these surfaces, not GL: it has one light, and neither "
-                         "highlights nor fog\n";
+                      << ": processors draw these surfaces, not GL: it has one far light, and no "
+                         "highlights, fog or pictures\n";
         wants_gl_ = false; // it has been told
     }
 

@@ -173,7 +173,7 @@ TEST(world_depth, objects_that_turn_go_and_come_look_as_in_a_new_world) {
     const auto add = [&] {
         l3d_polygon_mesh mesh = l3d_box_mesh();
         for (std::size_t i = 0; i < mesh.faces(); ++i)
-            mesh.face_colors.push_back(random() >> 8);
+            mesh.face_colors.push_back(static_cast<std::uint32_t>(random() >> 8));
         l3d_object& object = world.add(std::make_unique<l3d_object>(mesh));
         object.set_transform(0, l3d_scaling<real>(2 + uniform(random), uniform(random) - 2, 3));
         object.set_transform(

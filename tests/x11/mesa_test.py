@@ -207,7 +207,8 @@ def tells_who_draws():
         lights = "--light", "1,1,1", "--light", "0,1,0"
         for arguments, is_gl in (((), True), (("--fog", "1,9"), False), (lights, False), (("--wireframe",), False)):
             status, out, messages = said(*arguments)
-            told = "modelview: processors draw these surfaces, not GL: it has one light, and neither highlights nor fog\n"
+            told = ("modelview: processors draw these surfaces, not GL: it has one far light, and no highlights, fog or "
+                    "pictures\n")
             is_told = not is_gl and arguments != ("--wireframe",)  # lines are GL's
             expect_equal((status, out, messages), (0, b"", told if is_told else ""), arguments)
             with open(os.path.join(path, "r.json")) as file:
