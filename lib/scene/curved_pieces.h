@@ -20,7 +20,7 @@ public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
-    /// Expects: what l3d_rational_piece expects of each.
+    /// Expects: each piece as l3d_rational_piece expects.
     explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces);
 
     std::span<const l3d_patch_points> pieces() const { return pieces_; }
@@ -32,9 +32,8 @@ public:
     /// Levels of places and of normals are from 0 to this. The finest of places asks for 2^-42 of
     /// the diagonal of the box; rounding of doubles would leave little of a finer one.
     static constexpr int most_level = 8;
-    /// How far places may be off at a level, which the cells keep if there are no more than
-    /// most_cells: each level is a 16th of the one before, which takes twice the cells along a
-    /// side.
+    /// The bound of places at a level, which cells keep if there are no more than most_cells. Each
+    /// level's bound is a 16th of the one before, with twice the cells along a side.
     double place_target(int level) const;
     /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and each level an
     /// eighth of the one before.
@@ -45,7 +44,7 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<std::uint32_t> pieces; ///< of each patch, the piece that it is a cell of
+        std::vector<std::uint32_t> pieces; ///< the piece of each patch, which is a cell of it
         double error = 0;                  ///< how far places are off, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
@@ -62,8 +61,8 @@ private:
     std::size_t root_of(std::size_t line) const;
 
     std::vector<l3d_patch_points> pieces_;
-    /// Of the lines 2 i and 2 i + 1, along u and v of the piece i: another line that is cut alike,
-    /// or itself.
+    /// For lines 2 i and 2 i + 1, along u and v of the piece i: another line that is cut alike, or
+    /// itself.
     std::vector<std::size_t> alike_;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
 };

@@ -22,12 +22,12 @@ double norm_of(const l3d_matrix<double>& m) {
     return std::sqrt(squares);
 }
 
-/// What an instance's placement does to errors, and where the instance is.
+/// The factors of an instance's placement on errors, and the place of the instance.
 struct seen_instance {
-    double stretch = 1; ///< of lengths
-    double turn = 1;    ///< of the distance of unit normals
+    double stretch = 1; ///< factor of lengths
+    double turn = 1;    ///< factor of the distance of unit normals
     double least_w = 0, most_w = 0;
-    double focal = 0; ///< of the farthest corner of the window: the most pixels of a unit
+    double focal = 0; ///< at the farthest corner of the window: the most pixels of a unit
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {

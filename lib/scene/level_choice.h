@@ -10,14 +10,14 @@
 struct l3d_level_view {
     const l3d_camera& camera;
     l3d_size size;
-    double places_px; ///< of places, in pixels
-    double normals;   ///< of unit normals
+    double places_px; ///< bound of places, in pixels
+    double normals;   ///< distance of unit normals
 };
 
 /// Bounds of how far curved models are off in a picture.
 struct l3d_curved_error {
-    double places_px = 0; ///< of places, and of depth along the drawn normal; in pixels
-    double normals = 0;   ///< of unit normals
+    double places_px = 0; ///< error of places, and of depth along the drawn normal; in pixels
+    double normals = 0;   ///< distance of unit normals
 };
 
 #endif

@@ -95,8 +95,8 @@ struct l3d_patch_model::contents {
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
 
-    // Of a curved model.
-    std::vector<std::uint32_t> pieces; ///< of each patch, the piece that it stands for
+    // The following are for a curved model.
+    std::vector<std::uint32_t> pieces; ///< the piece that each patch stands for
     double surface_error = 0, normal_error = 0;
 };
 

@@ -33,7 +33,8 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Puts another level of the same model in its place. Expects: what at_level() made of model().
+    /// Puts another level of the same model in its place. Expects: a model that at_level() made of
+    /// model().
     void take_level(const l3d_patch_model& level) { model_ = level; }
 
     /// Gives all of it one material; without one, the model's own are seen.
