@@ -113,9 +113,8 @@ public:
         const auto [farthest, nearest] =
             std::minmax({polygon.inv_w[0], polygon.inv_w[1], polygon.inv_w[2], polygon.inv_w[3]});
         const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
-        const std::uint32_t amount =
-            fog.amount(std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest));
-        return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
+        const float depth = std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest);
+        return light_sum::of_word(shading_.fogged(light.word(tables_), color, depth), tables_);
     }
 
 private:
@@ -127,7 +126,7 @@ private:
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(levels_[seen.polygon].at(seen.x, seen.y), color_of(polygon, seen));
+            return of_level(level_of(seen), color_of(polygon, seen));
         else
             return of_word(word_at(polygon, double{seen.x}, double{seen.y}),
                            color_of(polygon, seen));
