@@ -295,8 +295,8 @@ def refuses_what_lines_and_scales_do_not_show():
                     said = "modelview: %s: lines have one colour, and show nothing of --shade %s\n" % (style, shade)
                     expect_equal(drawn(shade), (2, b"", said))
                 expect_equal(drawn("lambert"), (0, b"", ""), "the usual shade is no wish")
-        said = memory("--wireframe", "--fog", "1,9", cwd=path)
-        expect_equal(said, (2, b"", "teapot_afd: --fog: only surfaces have it, and no --wireframe\n"))
+        said = memory("--point-light", "1,2", cwd=path)
+        expect_equal(said, (2, b"", "teapot_afd: --point-light: '1,2' is neither X,Y,Z,REACH nor X,Y,Z,REACH,COLOR\n"))
         for shade in ("error", "zebra"):
             said = memory("--shade", shade, "--fog", "1,9", cwd=path)
             expect_equal(said, (2, b"", "teapot_afd: --fog: the scale of --shade %s has no colours for it\n" % shade))

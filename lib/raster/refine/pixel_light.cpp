@@ -113,9 +113,8 @@ public:
         const auto [farthest, nearest] =
             std::minmax({polygon.inv_w[0], polygon.inv_w[1], polygon.inv_w[2], polygon.inv_w[3]});
         const std::uint32_t color = fog.in_row(shading_.background, static_cast<int>(y), height_);
-        const std::uint32_t amount =
-            fog.amount(std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest));
-        return light_sum::of_word(l3d_fog::word(light.word(tables_), color, amount), tables_);
+        const float depth = std::clamp(polygon.at(polygon.depth, x, y), farthest, nearest);
+        return light_sum::of_word(shading_.fogged(light.word(tables_), color, depth), tables_);
     }
 
 private:
