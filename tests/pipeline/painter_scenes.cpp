@@ -53,7 +53,7 @@ l3d_micro_vertex vertex(double x, double y, double inv_w) {
 }
 
 void add(std::vector<l3d_painter_triangle>& to, const corners& v) {
-    to.push_back({v, static_cast<std::uint32_t>(to.size() + 1)});
+    to.push_back({.v = v, .material = static_cast<std::uint32_t>(to.size() + 1)});
 }
 
 l3d_micro_vertex anywhere(dice& d, l3d_size size, double margin, double least, double most) {
@@ -133,6 +133,21 @@ void add_layers(std::vector<l3d_painter_triangle>& to, dice& d, l3d_size size, i
 
 } // namespace
 
+l3d_shading show_numbers() {
+    l3d_shading shading;
+    shading.lighting.ambient = {1, 1, 1};
+    shading.lighting.color = {};
+    return shading;
+}
+
+std::vector<l3d_material> materials_of(const l3d_shading& shading, std::size_t triangles) {
+    std::vector<l3d_material> materials;
+    if (!shading.lighting.is_usual())
+        for (std::uint32_t number = 0; number <= triangles; ++number)
+            materials.push_back({.color = number});
+    return materials;
+}
+
 nearest_triangles find_nearest(const std::vector<l3d_painter_triangle>& triangles, l3d_size size) {
     const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     nearest_triangles result{std::vector<std::uint32_t>(count), std::vector<bool>(count)};
@@ -159,7 +174,7 @@ nearest_triangles find_nearest(const std::vector<l3d_painter_triangle>& triangle
                 if (depth > first[at]) {
                     second[at] = first[at];
                     first[at] = depth;
-                    result.number[at] = t.color;
+                    result.number[at] = t.material;
                 } else {
                     second[at] = std::max(second[at], depth);
                 }

@@ -6,6 +6,7 @@
 #include "raster/zsort/painter.h"
 #include "tool_2d/pixels.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -24,8 +25,14 @@ struct nearest_triangles {
 nearest_triangles find_nearest(const std::vector<l3d_painter_triangle>& triangles, l3d_size size);
 
 /// Triangles of one of several kinds: through each other, in cycles, slivers, on common corners, in
-/// layers, on a raster of whole pixels. Colours are numbers from 1.
+/// layers, on a raster of whole pixels. Their materials are numbers from 1.
 std::vector<l3d_painter_triangle> random_triangles(std::mt19937& random, l3d_size size);
+
+/// A shading in which each material of materials_of shows its number.
+l3d_shading show_numbers();
+
+/// For that shading, one for each number of so many triangles; for others, none.
+std::vector<l3d_material> materials_of(const l3d_shading& shading, std::size_t triangles);
 
 /// Three rectangles, each over the next and under the one before.
 std::vector<l3d_painter_triangle> rectangle_cycle(l3d_size size);

@@ -24,7 +24,7 @@ using namespace l3d_detail;
 constexpr l3d_size window{75, 52};
 
 /// Triangles of at most `reach` pixels that lie anywhere in the picture and a little beyond,
-/// through each other. Some have no area, some corners on pixel centres. Colours are numbers
+/// through each other. Some have no area, some corners on pixel centres. Materials are numbers
 /// from 1.
 std::vector<l3d_painter_triangle> small_triangles(unsigned count, int reach, unsigned seed) {
     std::mt19937 random(seed);
@@ -34,8 +34,7 @@ std::vector<l3d_painter_triangle> small_triangles(unsigned count, int reach, uns
     std::vector<l3d_painter_triangle> triangles(count);
     for (unsigned i = 0; i < count; ++i) {
         l3d_painter_triangle& triangle = triangles[i];
-        triangle.color = i + 1;
-        triangle.material = i % 3;
+        triangle.material = i + 1;
         const int x = between(-4, window.width + 2), y = between(-4, window.height + 2);
         const auto inv_w = static_cast<float>(between(1 << 18, 1 << 20));
         for (l3d_micro_vertex& v : triangle.v) {
@@ -204,7 +203,7 @@ void add_layer(int pixels, float inv_w, std::vector<l3d_painter_triangle>& to) {
             const l3d_micro_vertex a = corner(x, y), b = corner(x + pixels, y),
                                    c = corner(x + pixels, y + pixels), d = corner(x, y + pixels);
             for (const std::array<l3d_micro_vertex, 3>& v : {std::array{a, b, c}, {a, c, d}})
-                to.push_back({v, static_cast<std::uint32_t>(to.size() + 1)});
+                to.push_back({.v = v});
         }
 }
 
@@ -228,60 +227,6 @@ TEST(small_pieces, behind_others_are_no_pieces_and_those_before_all_keep_their_o
     }
 }
 
-/// Pieces painted by lambert's rule, and how many pixels that took.
-struct picture {
-    std::vector<std::uint32_t> words =
-        std::vector<std::uint32_t>(std::size_t{window.width} * std::size_t{window.height});
-    std::int64_t written = 0;
-
-    picture(const l3d_painter_order& order, std::span<const l3d_painter_piece> pieces,
-            const l3d_shading& shading, std::span<const l3d_material> materials, int threads) {
-        l3d_workers workers(threads);
-        l3d_painter painter(workers);
-        painter.paint({words.data(), window.width, window.height, window.width}, shading, materials,
-                      order.triangles(), pieces, order.cuts());
-        written = painter.counts().written;
-    }
-    bool operator==(const picture&) const = default;
-};
-
-TEST(small_pieces, are_lit_like_rows_with_any_instructions) {
-    const std::vector<l3d_material> colored{
-        {.color = 0xffffff}, {.color = 0x12cd80}, {.color = 0x0000ff}};
-    const l3d_shading plain{l3d_shade::lambert, {0.6f, 0, 0.8f}, {0, 0, 0}, {}, {}};
-    const l3d_shading tilted{l3d_shade::lambert,
-                             {0.36f, 0.48f, 0.8f},
-                             {-0.3f, 0.2f, -1},
-                             {0.01f, 0, 0},
-                             {0, -0.02f, 0.003f}};
-    l3d_workers worker(1);
-    std::size_t known = 0;
-    for (const unsigned count : {60u, 700u}) // without overdraw and with: from either end
-        for (unsigned seed = 1; seed <= 10; ++seed) {
-            const auto triangles = small_triangles(count, 2 + static_cast<int>(seed), seed);
-            l3d_painter_order order(worker);
-            order.make(triangles, window, {.sides = false});
-            std::vector<l3d_painter_piece> unknown(order.pieces().begin(), order.pieces().end());
-            for (l3d_painter_piece& piece : unknown) {
-                known += piece.cover != 0;
-                piece.cover = 0;
-            }
-            for (const l3d_shading& shading : {plain, tilted})
-                for (const auto& materials : {std::vector<l3d_material>(), colored}) {
-                    const picture slow(order, unknown, shading, materials, 1);
-                    for (const std::string& target : l3d_simd_targets()) {
-                        ASSERT_TRUE(l3d_set_simd_target(target));
-                        EXPECT_EQ(picture(order, order.pieces(), shading, materials, 1), slow)
-                            << target << ", seed " << seed;
-                    }
-                    l3d_set_simd_target("");
-                    EXPECT_EQ(picture(order, order.pieces(), shading, materials, 3).words,
-                              slow.words);
-                }
-        }
-    EXPECT_GT(known, 3000u);
-}
-
 /// Words that tell the triangle of each pixel.
 std::vector<std::uint32_t> numbers_of(const std::vector<l3d_painter_triangle>& triangles,
                                       int threads, l3d_painter_order_counts& counts) {
@@ -289,9 +234,12 @@ std::vector<std::uint32_t> numbers_of(const std::vector<l3d_painter_triangle>& t
     l3d_painter_order order(workers);
     order.make(triangles, window, {.sides = false});
     counts = order.counts();
-    return picture(order, order.pieces(), {l3d_shade::error, {0, 0, 1}, {0, 0, -1}, {}, {}}, {},
-                   threads)
-        .words;
+    std::vector<std::uint32_t> words(std::size_t{window.width} * std::size_t{window.height});
+    const std::vector<l3d_material> materials = materials_of(show_numbers(), triangles.size());
+    l3d_painter(workers).paint({words.data(), window.width, window.height, window.width},
+                               show_numbers(), materials, order.triangles(), order.pieces(),
+                               order.cuts());
+    return words;
 }
 
 TEST(small_pieces, come_in_an_order_that_is_right_in_every_pixel) {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The painter's ways to the same picture: threads, orders, and what is known of pixels.
+// The painter against one that paints over what is there, pixel by pixel.
+#include "raster/lines/line_cover_p.h"
 #include "raster/parallel/simd_target.h"
-#include "raster/shapes/attribute_plane_p.h"
-#include "raster/zsort/overdraw_p.h"
+#include "raster/shapes/piece_pixels_p.h"
 #include "raster/zsort/painter.h"
-#include "raster/shapes/scan_polygon_p.h"
 #include "surface_fixture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,37 +24,13 @@ constexpr l3d_size size{150, 90};
 struct scene {
     std::vector<l3d_painter_triangle> triangles;
     std::vector<l3d_painter_piece> pieces;
+    std::vector<l3d_painter_cut> cuts;
+    std::vector<l3d_material> materials; ///< of each triangle its own colour
 };
 
-/// The bits of a triangle's pixels, if they are few and all in the picture.
-l3d_painter_piece known(const std::array<l3d_micro_vertex, 3>& v, std::uint32_t number) {
-    constexpr std::int32_t side = l3d_painter_piece::small_side;
-    const auto [left, right] =
-        std::minmax({first_centre(v[0].x), first_centre(v[1].x), first_centre(v[2].x)});
-    const auto [top, bottom] =
-        std::minmax({first_centre(v[0].y), first_centre(v[1].y), first_centre(v[2].y)});
-    l3d_painter_piece piece{.triangle = number};
-    if (left < 0 || top < 0 || right > size.width || bottom > size.height || right - left > side ||
-        bottom - top > side)
-        return piece;
-    const std::array<scan_point, 3> points{{{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}}};
-    const std::int64_t area2 = cross(points[1] - points[0], points[2] - points[0]);
-    if (area2 == 0)
-        return piece;
-    scan_polygon scan;
-    scan.set_rows({0, size.height});
-    const scan_rows rows = scan.convert(std::span<const scan_point, 3>(points), area2 > 0);
-    piece.left = left;
-    piece.top = top;
-    for (std::int32_t row = rows.top; row < rows.bottom; ++row)
-        for (std::int32_t x = scan.first(row); x < scan.last(row); ++x)
-            piece.cover |= std::uint64_t{1} << (side * (row - top) + x - left);
-    return piece;
-}
-
-/// So many triangles that the pieces of a picture come in several lists, some larger than others.
+/// Small and large triangles, and some that planes of others cut.
 scene random_scene(unsigned seed, int reach) {
-    constexpr int count = 2500;
+    constexpr std::uint32_t count = 2500; // several parts
     random_polygons random(seed, size);
     scene all;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -63,76 +38,110 @@ scene random_scene(unsigned seed, int reach) {
         const int y = random.number(-512, 256 * size.height + 512);
         const int extent = i % 8 == 0 ? 8 * reach : reach;
         l3d_painter_triangle next;
+        next.material = i;
         for (l3d_micro_vertex& corner : next.v)
             corner = {x + random.number(-extent, extent),
                       y + random.number(-extent, extent),
                       random.real(0.05f, 2.0f),
                       {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)}};
-        next.material = i % 3;
+        next.sides = i % 8;
+        all.materials.push_back({.color = i + 1});
         all.triangles.push_back(next);
-        all.pieces.push_back(known(next.v, i));
+        all.pieces.push_back({.triangle = i});
+        for (std::uint32_t c = 1; i >= 40 && c <= i % 16 / 13; ++c) {
+            const auto last = static_cast<std::uint32_t>(all.cuts.size());
+            all.cuts.push_back({i - 8 * c, i % 3 == 0, all.pieces.back().cut});
+            all.pieces.back().cut = last;
+        }
     }
     return all;
 }
 
-std::vector<std::uint32_t> painted(const scene& of, l3d_shade mode, int threads) {
-    const l3d_shading shading{
-        mode, {0.36f, 0.48f, 0.8f}, {-0.3f, 0.2f, -1}, {0.01f, 0, 0}, {0, -0.02f, 0.003f}};
-    const std::vector<l3d_material> materials{
-        {.color = 0xffffff}, {.color = 0x12cd80}, {.color = 0xfe0103}};
-    std::vector<std::uint32_t> words(std::size_t(size.width) * std::size_t(size.height));
-    l3d_workers workers(threads);
-    l3d_painter painter(workers);
-    painter.paint({words.data(), size.width, size.height, size.width}, shading, materials,
-                  of.triangles, of.pieces, {});
-    return words;
+class picture {
+public:
+    l3d_pixels pixels() { return {words_.data(), size.width, size.height, size.width}; }
+    const std::vector<std::uint32_t>& words() const { return words_; }
+
+private:
+    std::vector<std::uint32_t> words_ =
+        std::vector<std::uint32_t>(std::size_t(size.width) * std::size_t(size.height));
+};
+
+/// Ambient light alone: a pixel shows its triangle's own colour.
+l3d_shading own_colors() {
+    l3d_shading shading;
+    shading.lighting.ambient = {1, 1, 1};
+    shading.lighting.color = {};
+    return shading;
 }
 
-TEST(Painter, ShowsTheSameWhoeverPaintsAndWhateverIsKnown) {
+/// Fills what cuts leave of a piece.
+void paint_over(l3d_pixels to, const scene& of, const l3d_painter_piece& piece,
+                std::span<const plane_cut> cuts, std::uint32_t color) {
+    scan_polygon scan;
+    scan.set_rows({0, size.height});
+    visit_rows(scan, of.triangles[piece.triangle].v, cuts, size.width,
+               [&](std::int32_t row, std::int32_t, columns span) {
+                   std::fill_n(to.row(row).begin() + span.begin, span.end - span.begin, color);
+                   return true;
+               });
+}
+
+std::vector<plane_cut> cuts_of(const scene& of, const l3d_painter_piece& piece) {
+    std::vector<plane_cut> cuts;
+    add_cuts(piece, of.triangles, of.cuts, cuts);
+    return cuts;
+}
+
+TEST(Painter, ShowsWhatIsPaintedLastWithAnyInstructionsAndThreads) {
     for (const int reach : {60, 900}) {
         const scene of = random_scene(static_cast<unsigned>(reach), reach);
-        scene unknown = of;
-        for (l3d_painter_piece& piece : unknown.pieces)
-            piece = {.triangle = piece.triangle};
-        EXPECT_NE(std::ranges::count(of.pieces, std::uint64_t{0}, &l3d_painter_piece::cover),
-                  std::ssize(of.pieces));
-        EXPECT_EQ(has_overdraw(of.triangles, of.pieces), reach == 900) << "both directions";
-        for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat}) {
-            const auto first = painted(unknown, mode, 1);
-            for (const std::string& target : l3d_simd_targets()) {
-                ASSERT_TRUE(l3d_set_simd_target(target));
-                for (const int threads : {1, 2, 5})
-                    for (const scene* next : {&of, static_cast<const scene*>(&unknown)})
-                        EXPECT_EQ(painted(*next, mode, threads), first)
-                            << target << ", " << threads << " threads, shade " << int(mode)
-                            << ", known: " << (next == &of) << ", reach " << reach;
-                ASSERT_TRUE(l3d_set_simd_target(""));
+        ASSERT_GT(of.cuts.size(), 100u);
+        picture slow;
+        for (const l3d_painter_piece& piece : of.pieces)
+            paint_over(slow.pixels(), of, piece, cuts_of(of, piece),
+                       of.materials[piece.triangle].color);
+        for (const std::string& target : l3d_simd_targets()) {
+            ASSERT_TRUE(l3d_set_simd_target(target));
+            for (const int threads : {1, 5}) {
+                l3d_workers workers(threads);
+                l3d_painter painter(workers);
+                picture fast;
+                painter.paint(fast.pixels(), own_colors(), of.materials, of.triangles, of.pieces,
+                              of.cuts);
+                EXPECT_EQ(fast.words(), slow.words()) << target << ", " << threads << " threads";
             }
+            ASSERT_TRUE(l3d_set_simd_target(""));
         }
     }
 }
 
-/// From front to back each pixel is painted once, and shows what is painted last from back to
-/// front. A triangle far outside of the picture makes the box around all so large that the painter
-/// begins at the back.
-TEST(Painter, ShowsTheSameFromEitherEnd) {
-    const scene of = random_scene(5, 900);
-    scene from_back = of;
-    for (const std::int32_t far : {-scan_limit, scan_limit}) {
-        l3d_painter_triangle next = of.triangles.front();
-        for (l3d_micro_vertex& corner : next.v)
-            corner.x = corner.y = far;
-        next.v[0].x -= far < 0 ? -256 : 256;
-        next.v[1].y -= far < 0 ? -256 : 256;
-        from_back.pieces.insert(from_back.pieces.begin(), {.triangle = static_cast<std::uint32_t>(
-                                                               from_back.triangles.size())});
-        from_back.triangles.push_back(next);
+TEST(Painter, HidesTheSidesOfWhatIsPaintedBefore) {
+    constexpr std::uint32_t line_color = 0x80c0ff;
+    for (const bool smooth : {false, true}) {
+        const scene of = random_scene(7, 300);
+        picture slow, fast;
+        const l3d_pixels to = slow.pixels();
+        std::int64_t sides = 0;
+        for (const l3d_painter_piece& piece : of.pieces) {
+            const std::vector<plane_cut> cuts = cuts_of(of, piece);
+            paint_over(to, of, piece, cuts, 0);
+            visit_sides(of.triangles[piece.triangle], cuts, size, smooth,
+                        [&](int x, int y, int c, double) {
+                            cover_pixel(to.row(y)[static_cast<std::size_t>(x)], c);
+                            ++sides;
+                        });
+        }
+        l3d_shading shading;
+        shading.background = {0x102030, 0x405060};
+        color_cover(to, {0, size.height}, shading, line_color, {});
+        l3d_workers workers(2);
+        l3d_painter painter(workers);
+        painter.paint_lines(fast.pixels(), shading, of.triangles, of.pieces, of.cuts,
+                            {line_color, smooth});
+        EXPECT_GT(sides, 5000);
+        EXPECT_EQ(fast.words(), slow.words()) << smooth;
     }
-    ASSERT_TRUE(has_overdraw(of.triangles, of.pieces));
-    ASSERT_FALSE(has_overdraw(from_back.triangles, from_back.pieces));
-    for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
-        for (const int threads : {1, 3})
-            EXPECT_EQ(painted(of, mode, threads), painted(from_back, mode, threads)) << int(mode);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rows of large polygons in lanes against the same polygons pixel by pixel.
 #include "raster/parallel/simd_target.h"
-#include "raster/zsort/painter.h"
 #include "raster/surfaces/band_scalar_p.h"
 #include "surface_fixture.h"
 
@@ -109,50 +108,6 @@ TEST(WideRows, AreTheTwinsBitsWithAnyInstructions) {
                     fast.expect_same(slow, target + ", shade " + std::to_string(int(mode)) +
                                                ", seed " + std::to_string(n));
                 }
-            }
-    }
-}
-
-/// A picture of so many columns, painted by a painter's triangles, one over the other.
-std::vector<std::uint32_t> painted(const l3d_micro_triangles& triangles, l3d_shade mode,
-                                   std::span<const l3d_material> materials, int width) {
-    std::vector<l3d_painter_triangle> list;
-    std::vector<l3d_painter_piece> pieces;
-    std::vector<l3d_painter_cut> cuts;
-    for (std::uint32_t i = 0; i < triangles.count; ++i) {
-        list.push_back({{triangles.vertex(i, 0), triangles.vertex(i, 1), triangles.vertex(i, 2)},
-                        0,
-                        7,
-                        materials.empty() ? 0 : triangles.materials[i]});
-        pieces.push_back({i});
-        if (i > 0 && i % 3 == 0) {
-            pieces.back().cut = static_cast<std::uint32_t>(cuts.size());
-            cuts.push_back({i - 1, i % 2 == 0});
-        }
-    }
-    std::vector<std::uint32_t> words(std::size_t(size.height) * std::size_t(width));
-    l3d_workers worker(1);
-    l3d_painter painter(worker);
-    painter.paint({words.data(), width, size.height, width}, tilted(mode), materials, list, pieces,
-                  cuts);
-    return words;
-}
-
-TEST(WideRows, PaintWhatANarrowPictureShowsPixelByPixel) {
-    constexpr int narrow = fill_least_width - 1; // too narrow for lanes
-    const std::vector<l3d_material> colored{
-        {.color = 0xffffff}, {.color = 0x12cd80}, {.color = 0x0000ff}, {.color = 0xfe0103}};
-    for (unsigned n = 0; n < 20; ++n) {
-        const l3d_micro_triangles triangles = random_triangles(100 + n, 40);
-        for (const l3d_shade mode : {l3d_shade::lambert, l3d_shade::gouraud, l3d_shade::flat})
-            for (const auto& materials : {std::vector<l3d_material>(), colored}) {
-                const auto slow = painted(triangles, mode, materials, narrow);
-                const auto fast = painted(triangles, mode, materials, size.width);
-                for (int y = 0; y < size.height; ++y)
-                    for (int x = 0; x < narrow; ++x)
-                        ASSERT_EQ(fast[std::size_t(y * size.width + x)],
-                                  slow[std::size_t(y * narrow + x)])
-                            << x << ", " << y << ", shade " << int(mode) << ", seed " << n;
             }
     }
 }

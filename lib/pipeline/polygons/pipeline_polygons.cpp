@@ -113,7 +113,7 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
     l3d_polygon_frame::way how{.cull = settings_.cull,
                                .smooth = smooth,
                                .antialias = shading.antialias,
-                               .parts = draws_parts(shading.antialias),
+                               .parts = draws_parts(shading),
                                .cull_hidden = true};
     l3d_face_paints paints;
     if (is_solid && l3d_is_light(shading.mode)) {

@@ -192,7 +192,7 @@ private:
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
     /// Whether the frame's parts are drawn, beside its list of triangles or instead of it.
-    virtual bool draws_parts(bool /*antialias*/) const { return true; }
+    virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);
     void draw_panels();

@@ -244,7 +244,7 @@ void l3d_polygon_frame::add_piece(const frame_input& in, std::size_t number,
                                   const std::array<l3d_micro_vertex, 3>& v, std::uint32_t sides,
                                   chunk& to) {
     const std::uint32_t material = material_of(in, number);
-    to.pieces.push_back({v, 0, sides, material});
+    to.pieces.push_back({v, sides, material});
     to.names.push_back(static_cast<std::uint32_t>(number));
     to.signs.push_back(static_cast<std::uint32_t>(to.pieces.size()));
     if (!in.how.parts)
@@ -332,7 +332,6 @@ void l3d_polygon_frame::list_part(std::size_t part, std::span<l3d_painter_triang
             else
                 std::ranges::copy(normal_of(in, of.names[i], k, sign != 0), to.v[k].normal);
         }
-        to.color = 0;
         to.sides = triangle.sides;
         to.material = material_of(in, of.names[i]);
     }

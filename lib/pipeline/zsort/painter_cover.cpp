@@ -37,7 +37,8 @@ void painter_cover::begin(l3d_size size, std::span<const l3d_painter_triangle> t
 }
 
 void painter_cover::add(const l3d_painter_piece& piece) {
-    place_cuts(piece, triangles_, *cuts_, placed_);
+    placed_.clear();
+    add_cuts(piece, triangles_, *cuts_, placed_);
     visit_rows(scan_, triangles_[piece.triangle].v, placed_, size_.width,
                [&](std::int32_t row, std::int32_t, columns span) {
                    std::uint64_t* const words = &pixels_[static_cast<std::size_t>(row) * words_];
@@ -66,7 +67,8 @@ bool painter_cover::hides_sides(const l3d_painter_piece& piece) const {
 }
 
 bool painter_cover::hides(const l3d_painter_piece& piece) {
-    place_cuts(piece, triangles_, *cuts_, placed_);
+    placed_.clear();
+    add_cuts(piece, triangles_, *cuts_, placed_);
     bool hidden = true;
     visit_rows(scan_, triangles_[piece.triangle].v, placed_, size_.width,
                [&](std::int32_t row, std::int32_t, columns span) {

@@ -37,7 +37,7 @@ private:
     const std::vector<l3d_painter_cut>* cuts_ = nullptr;
     std::size_t words_ = 0;             ///< of a row
     std::vector<std::uint64_t> pixels_; ///< a bit each
-    std::vector<placed_cut> placed_;
+    std::vector<plane_cut> placed_;
     scan_polygon scan_;
 };
 

@@ -25,7 +25,7 @@ struct painter_item {
     std::uint64_t cover;
     std::uint32_t triangle; ///< its place among those that were given
 
-    static constexpr std::int32_t small_side = l3d_painter_piece::small_side;
+    static constexpr std::int32_t small_side = 8; ///< rows and columns of `cover`
 
     bool box_meets(const painter_item& other) const {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;

@@ -197,7 +197,7 @@ struct l3d_painter_order::work_space {
     }
 
     static l3d_painter_piece piece_of(const painter_item& item) {
-        return {item.triangle, l3d_painter_cut::last, item.left, item.top, item.cover};
+        return {item.triangle, l3d_painter_cut::last};
     }
 
     /// From items to triangles, and what is known of them.

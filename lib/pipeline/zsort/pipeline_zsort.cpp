@@ -15,12 +15,12 @@
 using l3d_detail::stopwatch;
 
 struct l3d_pipeline_zsort::stages {
-    explicit stages(l3d_workers& workers) : order(workers), painter(workers), edges(workers) {}
+    explicit stages(l3d_workers& workers) : order(workers), painter(workers), depths(workers) {}
 
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order;
     l3d_painter painter;
-    l3d_surface_rasterizer_sw edges; ///< of what is painted
+    l3d_surface_rasterizer_sw depths; ///< of what is painted
 };
 
 l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
@@ -55,21 +55,21 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
     stages_->painter.paint(what.target, what.shading, what.materials, stages_->order.triangles(),
                            stages_->order.pieces(), stages_->order.cuts());
     report.surface = stages_->painter.counts();
-    if (what.shading.antialias)
-        report.surface.refined = smooth_edges(what);
+    if (wants_depth(what.shading))
+        report.surface.refined = look_at_depth(what);
     report.time_ms.raster = painting.milliseconds();
 }
 
-/// The order and its cuts say what is in front at the centres of pixels. Inside of a pixel, depth
-/// says it. Returns how many pixels are at edges.
-std::int64_t l3d_pipeline_zsort::smooth_edges(const scene& what) {
-    l3d_surface_rasterizer_sw& edges = stages_->edges;
-    edges.count_pixels(false);
-    edges.use_materials(what.materials);
-    edges.begin_edges(what.target, what.shading);
-    edges.draw(what.frame.parts());
-    edges.finish();
-    return edges.counts().refined;
+/// The order and its cuts say what is in front at the centres of pixels. How far it is, and what is
+/// in front inside of a pixel, depth says. Returns how many pixels are at edges.
+std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
+    l3d_surface_rasterizer_sw& depths = stages_->depths;
+    depths.count_pixels(false);
+    depths.use_materials(what.materials);
+    depths.begin_over(what.target, what.shading);
+    depths.draw(what.frame.parts());
+    depths.finish();
+    return depths.counts().refined;
 }
 
 void l3d_pipeline_zsort::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {

@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <memory>
 
-/// The painter's algorithm: no depth buffer, only an order, mended where no order is right.
+/// The painter's algorithm: an order in place of depths, mended where no order is right.
 ///
 /// With anti-aliasing, a depth buffer tells afterwards which of the painted pixels are at edges.
+/// With fog it tells how far they are.
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// A pipeline that draws this model on this canvas.
@@ -24,9 +25,12 @@ private:
     void draw_solid(const scene& what, l3d_polygon_report& report) override;
     void draw_hidden_lines(const scene& what, l3d_polygon_report& report) override;
     const char* name() const override { return "zsort"; }
-    bool draws_parts(bool antialias) const override { return antialias; }
+    bool draws_parts(const l3d_shading& shading) const override { return wants_depth(shading); }
 
-    std::int64_t smooth_edges(const scene& what);
+    static bool wants_depth(const l3d_shading& shading) {
+        return shading.antialias || shading.fog.is_on();
+    }
+    std::int64_t look_at_depth(const scene& what);
     void make_order(const scene& what, bool with_sides, l3d_polygon_report& report);
 
     struct stages;

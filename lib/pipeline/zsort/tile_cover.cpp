@@ -17,7 +17,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr std::int32_t side = l3d_painter_piece::small_side;
+constexpr std::int32_t side = 8; // of a tile
 constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
 /// Not negative where a centre is inside of an edge.

@@ -18,7 +18,7 @@ struct cover_tiles {
 };
 
 /// The largest triangle for tile_cover: 64 pixels are 2^14 steps of a corner's place, whose
-/// products fit into 32 bits. Triangles of up to eight pixels have theirs in painter_item. Units:
+/// products fit into 32 bits. Units:
 /// pixels.
 inline constexpr std::int32_t tile_cover_reach = 64;
 

@@ -50,6 +50,23 @@ void band_painter::draw(const band_frame& frame, const fill_band& band, const ba
     by_scalar_.add(scalar_.counts());
 }
 
+void band_painter::draw(const band_frame& frame, const fill_band& band,
+                        std::span<const cut_triangle> triangles, std::span<const plane_cut> cuts,
+                        coarse_depth& coarse) {
+    scalar_.begin(band, frame.shading, frame.materials, frame.words);
+    for (const cut_triangle& of : triangles) {
+        const auto [left, right] = std::minmax({of.v[0].x, of.v[1].x, of.v[2].x});
+        const auto [top, bottom] = std::minmax({of.v[0].y, of.v[1].y, of.v[2].y});
+        const l3d_pixel_box box = pixels_in({left, top, right, bottom})
+                                      .intersected({0, band.top, band.width, band.bottom});
+        if (box.empty())
+            continue;
+        coarse.open(box, band);
+        scalar_.fill(of, cuts.subspan(of.first_cut, of.behind_cut - of.first_cut));
+    }
+    by_scalar_.add(scalar_.counts());
+}
+
 bool band_painter::is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,
                              coarse_depth& coarse) {
     return frame.leaves_out_hidden && coarse.hidden(box_in(band, item), item.nearest, band);

@@ -37,6 +37,11 @@ public:
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
               std::span<const std::uint32_t> items, coarse_depth& coarse);
 
+    /// Draws what cuts leave of triangles.
+    void draw(const band_frame& frame, const fill_band& band,
+              std::span<const cut_triangle> triangles, std::span<const plane_cut> cuts,
+              coarse_depth& coarse);
+
     /// The counts since the last call.
     fill_counts take_counts();
 

@@ -96,4 +96,15 @@ void band_scalar::fill(const fill_rest& rest) {
     target_.by_lanes = false;
 }
 
+void band_scalar::fill(const cut_triangle& triangle, std::span<const plane_cut> cuts) {
+    target_.cuts = cuts;
+    target_.material = target_.coding.of_material(triangle.material);
+    constexpr std::uint32_t no_color = 0; // only triangles of parts have one in mode `error`
+    with_filler(no_color, [&](auto fill) {
+        fill.use_material(triangle.material);
+        fill.triangle(triangle.v);
+    });
+    target_.cuts = {};
+}
+
 } // namespace l3d_detail

@@ -37,6 +37,9 @@ public:
     /// The polygons that the kernel left. Expects: a band as wide as lanes want it.
     void fill(const fill_rest& rest);
 
+    /// What these cuts leave of a triangle. Modes but `error`, which has no one colour.
+    void fill(const cut_triangle& triangle, std::span<const plane_cut> cuts);
+
     const fill_counts& counts() const { return target_.counts; }
 
 private:

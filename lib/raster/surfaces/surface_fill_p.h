@@ -102,13 +102,18 @@ private:
             target_.counts.unsolved += shader_.take_unsolved();
     }
 
+    columns kept_columns(std::int32_t row, std::int32_t start) const {
+        return kept_by(target_.cuts,
+                       {std::max(start, 0), std::min(target_.scan.last(row), target_.band.width)},
+                       start, row);
+    }
+
     /// Values are counted from the span's own start, clipped or not, so that a pixel's colour does
     /// not depend on where the picture ends.
     void fill_row(std::int32_t row, const planes& plane, const numbers& step, float farthest,
                   float nearest) {
         const std::int32_t start = target_.scan.first(row);
-        const std::int32_t begin = std::max(start, 0);
-        const std::int32_t end = std::min(target_.scan.last(row), target_.band.width);
+        const auto [begin, end] = kept_columns(row, start);
         if (begin >= end)
             return;
         const numbers value = plane.at(start, row);
@@ -148,8 +153,8 @@ private:
             runs.count = 0;
         };
         for (std::int32_t row = rows.top; row < rows.bottom; ++row) {
-            const std::int32_t start = target_.scan.first(row), begin = std::max(start, 0);
-            const std::int32_t end = std::min(target_.scan.last(row), target_.band.width);
+            const std::int32_t start = target_.scan.first(row);
+            const auto [begin, end] = kept_columns(row, start);
             if (begin >= end)
                 continue;
             runs.add(row, start, begin, end);

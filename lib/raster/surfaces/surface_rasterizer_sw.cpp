@@ -109,8 +109,7 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
 }
 
 /// What is filled gives the depths; its words are of no use.
-void l3d_surface_rasterizer_sw::begin_edges(l3d_pixels picture, const l3d_shading& shading) {
-    assert(shading.antialias);
+void l3d_surface_rasterizer_sw::begin_over(l3d_pixels picture, const l3d_shading& shading) {
     begin_frame(shading);
     draw_into_own(picture.size());
     refined_ = picture;
@@ -145,7 +144,7 @@ void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffe
 void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading& shading) {
     finished_ = false;
     depth_ = depth;
-    if (!depth && shading.antialias) {
+    if (!depth && (shading.antialias || is_over())) {
         work_->kept_depth.resize(target_.size());
         depth_ = &work_->kept_depth;
     }
@@ -206,6 +205,23 @@ void l3d_surface_rasterizer_sw::do_draw(std::span<const l3d_surface_part* const>
 
     drawn_ = true;
     counts_.quads += list.polygons();
+    add_counts();
+}
+
+void l3d_surface_rasterizer_sw::draw_cut(std::span<const cut_triangle> triangles,
+                                         std::span<const plane_cut> cuts) {
+    assert(depth_ && drawn_ && !work_->frame.shading.antialias);
+    workers_.for_each_beside(static_cast<int>(work_->covered.size()), [&](int index, int worker) {
+        const auto own = static_cast<std::size_t>(worker);
+        const fill_band band = band_at(index, own);
+        work_->painters[own].draw(work_->frame, band, triangles, cuts, work_->coarse);
+        finish_band(index, band);
+    });
+    counts_.quads += static_cast<std::int64_t>(triangles.size());
+    add_counts();
+}
+
+void l3d_surface_rasterizer_sw::add_counts() {
     for (band_painter& painter : work_->painters) {
         for (const band_painter& other : work_->painters)
             painter.reserve_as(other);
@@ -231,6 +247,11 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
         coarse.forget(band.top, band.bottom);
     }
     work_->painters[worker].draw(work_->frame, band, work_->list, items, coarse);
+    finish_band(index, band);
+}
+
+void l3d_surface_rasterizer_sw::finish_band(int index, const fill_band& band) {
+    coarse_depth& coarse = work_->coarse;
     const bool wanted = depth_ && depth_ != &work_->kept_depth;
     if (!drawn_ && wanted && part_.empty())
         coarse.open_others(band);
@@ -262,22 +283,23 @@ fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
 
 /// Whether words that were filled are not yet what is to be seen.
 bool l3d_surface_rasterizer_sw::changes_words() const {
-    return work_->frame.words.has_materials || work_->frame.shading.fog.is_on();
+    return (work_->frame.words.has_materials && !is_over()) || work_->frame.shading.fog.is_on();
 }
 
-/// Only tiles that something was drawn to have defined depths.
+/// Only tiles that something was drawn to have defined depths. What was drawn in another way has
+/// its colours.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
     const l3d_shading& shading = work_->frame.shading;
     work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
         const std::ptrdiff_t row = box.top - band.top;
-        std::uint32_t* const words = band.words + row * band.word_pitch + box.left;
+        std::uint32_t* const words = refined_.row(box.top).data() + box.left;
         const std::ptrdiff_t at = row * band.depth_pitch + box.left;
         const std::int32_t width = box.right - box.left, height = box.bottom - box.top;
         const l3d_face_paints* const paints = shading.paints;
         const std::span<const l3d_material> materials = work_->frame.materials;
-        if (band.normals) {
+        if (band.normals && !is_over()) {
             const lit_pixels lit{words,
-                                 band.word_pitch,
+                                 refined_.stride,
                                  band.depths + at,
                                  band.normals + at,
                                  band.depth_pitch,
@@ -290,11 +312,12 @@ void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
             else
                 work_->lights.color(lit);
         }
-        const material_pixels pixels{words, band.word_pitch, band.depths + at, band.depth_pitch,
+        const material_pixels pixels{words, refined_.stride, band.depths + at, band.depth_pitch,
                                      width, height};
-        if (work_->materials.wanted() && paints)
+        const bool has_materials = work_->materials.wanted() && !is_over();
+        if (has_materials && paints)
             paint_words(pixels, box.left, box.top, {*paints, materials});
-        else if (work_->materials.wanted())
+        else if (has_materials)
             work_->materials.color(pixels);
         if (shading.fog.is_on())
             put_fog(shading, pixels, box.top, target_.height);
@@ -322,7 +345,7 @@ bool l3d_surface_rasterizer_sw::do_hidden(const l3d_subpixel_box& box, float nea
 void l3d_surface_rasterizer_sw::do_finish() {
     if (!drawn_)
         do_draw({});
-    if (depth_ && changes_words() && refined_.words == target_.words)
+    if (depth_ && changes_words())
         color_bands();
     if (work_->frame.shading.antialias)
         refine();

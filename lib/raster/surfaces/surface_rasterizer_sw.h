@@ -8,10 +8,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 namespace l3d_detail {
+struct cut_triangle;
 struct fill_band;
-}
+struct plane_cut;
+} // namespace l3d_detail
 
 /// How the work is divided. The picture does not depend on it.
 struct l3d_band_settings {
@@ -34,10 +37,15 @@ public:
     ~l3d_surface_rasterizer_sw() override;
 
     /// Starts a frame whose picture is drawn already, in another way, from what will be given to
-    /// draw. finish draws its pixels at edges again, as means over their squares, and leaves all
-    /// others as they are.
-    /// Expects: shading.antialias; the picture outlives the frame, and nobody else writes to it.
-    void begin_edges(l3d_pixels picture, const l3d_shading& shading);
+    /// draw. finish puts the shading's fog before it. With anti-aliasing it draws pixels at edges
+    /// again, as means over their squares. All others stay as they are.
+    /// Expects: the picture outlives the frame, and nobody else writes to it.
+    void begin_over(l3d_pixels picture, const l3d_shading& shading);
+
+    /// Fills what cuts leave of triangles, after the parts of the same frame.
+    /// Expects: a frame with a depth buffer, after draw; no anti-aliasing.
+    void draw_cut(std::span<const l3d_detail::cut_triangle> triangles,
+                  std::span<const l3d_detail::plane_cut> cuts);
 
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
@@ -62,6 +70,9 @@ private:
     void make_room_for_normals();
     void clear_words(const l3d_detail::fill_band& band);
     void draw_band(int index, std::size_t worker);
+    void finish_band(int index, const l3d_detail::fill_band& band);
+    void add_counts();
+    bool is_over() const { return refined_.words != target_.words; }
     void color_band(const l3d_detail::fill_band& band) const;
     bool changes_words() const;
     void color_bands();
@@ -73,7 +84,7 @@ private:
     std::unique_ptr<work_space> work_;
     std::int64_t largest_area_ = 0; ///< of a picture that the work space has memory for
     l3d_pixels target_;             ///< what is filled
-    l3d_pixels refined_;   ///< whose edges are refined: the target, or a picture drawn already
+    l3d_pixels refined_;   ///< gets fog and smooth edges: the target, or a picture drawn already
     l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
     l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
     l3d_pixels part_target_;

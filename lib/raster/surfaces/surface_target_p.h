@@ -3,11 +3,13 @@
 #ifndef L3D_RASTER_SURFACES_SURFACE_TARGET_P_H
 #define L3D_RASTER_SURFACES_SURFACE_TARGET_P_H
 
+#include "raster/shapes/plane_cut_p.h"
 #include "raster/surfaces/fill_kernel_p.h"
 #include "raster/shapes/scan_polygon_p.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace l3d_detail {
 
@@ -17,8 +19,9 @@ struct surface_target {
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0; ///< of what is filled, as fill_words has it
-    bool by_lanes = false;      ///< rows are filled in lanes, if the shader has them; the same bits
+    std::uint32_t material = 0;      ///< of what is filled, as fill_words has it
+    std::span<const plane_cut> cuts; ///< they keep a part of what is filled
+    bool by_lanes = false; ///< rows are filled in lanes, if the shader has them; the same bits
 
     /// What a pixel gets for a word of a shader.
     std::uint32_t word_of(std::uint32_t shaded) const {

@@ -7,14 +7,17 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_doubles-inl.h"
 #include "raster/parallel/lane_places-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/parallel/store_where-inl.h"
 #include "raster/shaders/normal_code_p.h"
-#include "raster/shaders/normal_light-inl.h"
-#include "raster/surfaces/first_numbers-inl.h"
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -39,18 +42,79 @@ constexpr std::size_t numbers_of(row_kind kind) {
     }
 }
 
-/// Operation by operation what the shaders do, so that each pixel gets the same bits.
-template <class D, row_kind Kind, bool TestsDepth> class wide_filler {
+/// attribute_planes::at of some planes at the starts of some rows, a row a lane, operation by
+/// operation.
+template <std::size_t Count> struct first_numbers {
+    alignas(64) float of[Count][wide_runs::room];
+
+    HWY_INLINE first_numbers(const plane_view& planes, const wide_runs& runs) {
+        using some_floats = hn::Rebind<float, eight_doubles>;
+        using some_integers = hn::Rebind<std::int32_t, eight_doubles>;
+        const auto from_base = [](const std::int32_t* index, double base) HWY_ATTR {
+            const number whole{hn::PromoteTo(eight_doubles(), hn::Load(some_integers(), index))};
+            return same(l3d_subpixel_one) * (whole + same(0.5)) - same(base);
+        };
+        for (std::size_t i = 0; i < runs.count; i += lanes_at_once()) {
+            const number x = from_base(runs.start.data() + i, planes.base_x);
+            const number y = from_base(runs.row.data() + i, planes.base_y);
+            for (std::size_t n = 0; n < Count; ++n) {
+                const number value = same(planes.base[n]) + same(planes.along_x[n]) * x +
+                                     same(planes.along_y[n]) * y;
+                hn::Store(hn::DemoteTo(some_floats(), value.v), some_floats(), of[n] + i);
+            }
+        }
+    }
+};
+
+/// round(255 intensity).
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_of_intensity(D d, hn::Vec<D> intensity) {
+    const auto level = hn::Add(hn::Mul(hn::Set(d, 255.0f), intensity), hn::Set(d, 0.5f));
+    return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), level));
+}
+
+/// Operation by operation what lambert_shader does, so that each pixel gets the same bits. That
+/// turns a cosine round where this does a product, which only changes the sign of either.
+template <class D> class normal_light {
 public:
-    static constexpr std::size_t numbers = 1 + numbers_of(Kind), first_used = TestsDepth ? 0 : 1;
-    using starts = first_numbers<first_used, numbers>;
+    using vec = hn::Vec<D>;
+
+    HWY_INLINE explicit normal_light(const std::array<float, 3>& light) {
+        for (std::size_t i = 0; i < light.size(); ++i)
+            light_[i] = hn::Set(D(), light[i]);
+    }
+
+    /// The light of normals, turned to the eye where they point `away` from it.
+    HWY_INLINE vec intensity(vec x, vec y, vec z, hn::Mask<D> away) const {
+        const D d;
+        const vec square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+        const vec product =
+            hn::Add(hn::Add(hn::Mul(light_[0], x), hn::Mul(light_[1], y)), hn::Mul(light_[2], z));
+        const vec turned = hn::IfThenElse(away, hn::Neg(product), product);
+        const vec least = hn::Set(d, FLT_MIN);
+        const vec safe = hn::IfThenElse(hn::Gt(square, least), square, least);
+        const vec cosine = hn::Div(turned, hn::Sqrt(safe));
+        const vec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+        const vec lit = hn::IfThenElse(hn::Gt(cosine, zero), cosine, zero);
+        return hn::Add(hn::Set(d, 0.1f),
+                       hn::Mul(hn::Set(d, 0.9f), hn::IfThenElse(hn::Lt(lit, one), lit, one)));
+    }
+
+private:
+    vec light_[3];
+};
+
+/// Operation by operation what the shaders do, so that each pixel gets the same bits.
+template <class D, row_kind Kind> class wide_filler {
+public:
+    static constexpr std::size_t numbers = 1 + numbers_of(Kind);
+    using starts = first_numbers<numbers>;
 
     HWY_INLINE wide_filler(const fill_band& band, const wide_polygon& of)
         : band_(band), farthest_(hn::Set(D(), of.farthest)), nearest_(hn::Set(D(), of.nearest)),
           last_fit_(band.width - lanes), material_(hn::Set(word_tag(), of.material)),
-          unit_(hn::Set(word_tag(), of.unit)), color_(of.color),
-          darkest_(hn::Set(D(), of.light.darkest)), brightest_(hn::Set(D(), of.light.brightest)),
-          light_(of.light.light) {
+          unit_(hn::Set(word_tag(), of.unit)), darkest_(hn::Set(D(), of.light.darkest)),
+          brightest_(hn::Set(D(), of.light.brightest)), light_(of.light.light) {
         for (std::size_t i = 0; i < numbers; ++i)
             step_[i] = hn::Set(D(), static_cast<float>(of.planes.along_x[i] * l3d_subpixel_one));
         word_ = hn::Set(word_tag(), of.light.word);
@@ -96,7 +160,7 @@ private:
             depths = band.depths + row * band.depth_pitch;
             if constexpr (Kind == row_kind::code)
                 normals = band.normals + row * band.depth_pitch;
-            for (std::size_t i = first_used; i < numbers; ++i)
+            for (std::size_t i = 0; i < numbers; ++i)
                 at[i] = hn::Set(D(), first.of[i][run]);
         }
     };
@@ -111,14 +175,12 @@ private:
         const vec k = hn::ConvertTo(d, hn::Sub(column, hn::Set(di, row.start)));
         auto seen = hn::RebindMask(
             d, hn::AndNot(hn::Lt(column, hn::Set(di, x)), hn::Lt(column, hn::Set(di, row.end))));
-        if constexpr (TestsDepth) {
-            const vec there = hn::LoadU(d, row.depths + at);
-            const vec inv_w = hn::Min(hn::Max(number(row, 0, k), farthest_), nearest_);
-            seen = hn::And(seen, hn::Gt(inv_w, there));
-            if (hn::AllFalse(d, seen))
-                return 0;
-            hn::StoreU(hn::IfThenElse(seen, inv_w, there), d, row.depths + at);
-        }
+        const vec there = hn::LoadU(d, row.depths + at);
+        const vec inv_w = hn::Min(hn::Max(number(row, 0, k), farthest_), nearest_);
+        seen = hn::And(seen, hn::Gt(inv_w, there));
+        if (hn::AllFalse(d, seen))
+            return 0;
+        hn::StoreU(hn::IfThenElse(seen, inv_w, there), d, row.depths + at);
         if constexpr (Kind == row_kind::code)
             put_code(row, k, seen, row.words + at, row.normals + at);
         else
@@ -167,16 +229,13 @@ private:
     }
 
     HWY_INLINE word_vec word_of(word_vec level) const {
-        if (HWY_LIKELY(color_ == wide_polygon::white))
-            return hn::Or(hn::Mul(level, unit_), material_);
-        return colored(word_tag(), color_, level);
+        return hn::Or(hn::Mul(level, unit_), material_);
     }
 
     const fill_band& band_;
     vec farthest_, nearest_, step_[numbers];
     std::int32_t last_fit_; ///< the last column where a vector fits the picture
     word_vec word_, material_, unit_;
-    std::uint32_t color_;
     vec darkest_, brightest_; ///< intensities
     normal_light<D> light_;
 };
@@ -201,43 +260,36 @@ struct rows_by_length {
 
 /// Short rows leave fewer lanes idle in short vectors. Small polygons have no others, so the longer
 /// vectors are not even made ready for them.
-template <row_kind Kind, bool TestsDepth>
+template <row_kind Kind>
 HWY_INLINE std::int64_t fill_rows_of(const fill_band& band, const wide_polygon& of,
                                      const wide_runs& runs) {
     using all = hn::CappedTag<float, 16>;
     using some = hn::CappedTag<float, 8>;
     const rows_by_length rows(runs, static_cast<std::int32_t>(hn::MaxLanes(some())));
-    const wide_filler<some, Kind, TestsDepth> narrow(band, of);
+    const wide_filler<some, Kind> narrow(band, of);
     const typename decltype(narrow)::starts first(of.planes, runs);
     std::int64_t written = 0;
     for (std::size_t i = 0; i < rows.shorts; ++i)
         written += narrow.fill_short(runs, first, rows.short_ones[i]);
     if (rows.longs == 0)
         return written;
-    const wide_filler<all, Kind, TestsDepth> wide(band, of);
+    const wide_filler<all, Kind> wide(band, of);
     for (std::size_t i = 0; i < rows.longs; ++i)
         written += wide.fill(runs, first, rows.long_ones[i]);
     return written;
 }
 
-template <bool TestsDepth>
-HWY_INLINE std::int64_t fill_rows(const fill_band& band, const wide_polygon& of,
-                                  const wide_runs& runs) {
+std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs) {
     switch (of.light.by) {
     case row_kind::word:
-        return fill_rows_of<row_kind::word, TestsDepth>(band, of, runs);
+        return fill_rows_of<row_kind::word>(band, of, runs);
     case row_kind::held:
-        return fill_rows_of<row_kind::held, TestsDepth>(band, of, runs);
+        return fill_rows_of<row_kind::held>(band, of, runs);
     case row_kind::normal:
-        return fill_rows_of<row_kind::normal, TestsDepth>(band, of, runs);
+        return fill_rows_of<row_kind::normal>(band, of, runs);
     default:
-        return fill_rows_of<row_kind::code, TestsDepth>(band, of, runs);
+        return fill_rows_of<row_kind::code>(band, of, runs);
     }
-}
-
-std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs) {
-    return band.depths == nullptr ? fill_rows<false>(band, of, runs)
-                                  : fill_rows<true>(band, of, runs);
 }
 
 } // namespace

@@ -54,17 +54,12 @@ struct wide_polygon {
     row_light light;
     std::uint32_t unit = 0x010101; ///< a grey level of 1 in a word
     std::uint32_t material = 0;    ///< the rest of a word
-    std::uint32_t color = white;   ///< that multiplies words, if they are painted
-    static constexpr std::uint32_t white = 0xffffff;
 };
 
 /// Fills rows of one polygon and returns how many pixels were written.
 ///
-/// The same bits as surface_fill gives pixel by pixel, and l3d_painter, with the shader that the
-/// light is of.
-/// Shape:   without a depth buffer, `depths` of the band is null and all is written. Its normals
-/// are
-///          for row_light::kind::code.
+/// The same bits as surface_fill gives pixel by pixel with the shader that the light is of.
+/// Shape:   the band's normals are for row_light::kind::code.
 /// Expects: rows of the band; 0 <= begin, end <= width, start <= begin; no columns if begin >= end.
 ///          Words and depths of whole rows may be read and written back.
 std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs);

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter: fills triangles over each other in a given order, without any depth buffer.
+// l3d_painter: fills triangles over each other in a given order, whatever their depth.
 #ifndef L3D_RASTER_ZSORT_PAINTER_H
 #define L3D_RASTER_ZSORT_PAINTER_H
 
 #include "raster/micro_grid.h"
+#include "raster/depth_buffer.h"
 #include "raster/parallel/workers.h"
-#include "raster/surface_rasterizer.h"
+#include "raster/shapes/plane_cut_p.h"
+#include "raster/surfaces/surface_rasterizer_sw.h"
 #include "tool_2d/pixels.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <vector>
 
 /// A triangle of the picture.
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t color = 0;    ///< in mode `error`, a pixel word; else of no meaning
     std::uint32_t sides = 7;    ///< bit k: the side from corner k to the next is drawn as a line
     std::uint32_t material = 0; ///< its place among the materials that it is painted with
 };
@@ -36,16 +37,9 @@ struct l3d_painter_cut {
 };
 
 /// A thing to paint: a triangle, or the part of it that cuts leave.
-///
-/// If it is known which pixels a small triangle covers, `cover` has a bit for each of them: bit
-/// 8 r + c for pixel (left + c, top + r). All bits stand for pixels of the picture.
 struct l3d_painter_piece {
-    static constexpr std::int32_t small_side = 8; ///< rows and columns of `cover`
-
     std::uint32_t triangle = 0;
     std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
-    std::int32_t left = 0, top = 0;
-    std::uint64_t cover = 0; ///< 0 if that is not known, or if there are cuts
 };
 
 /// What sides look like that are drawn as lines.
@@ -54,43 +48,48 @@ struct l3d_line_look {
     bool smooth = false; ///< anti-aliased
 };
 
-/// Fills by the coverage, the planes and the shaders of the surface rasterizers, so that a pixel of
-/// a triangle has the same colour as there.
+/// Paints by the surface rasterizer. A piece's place in the order takes the place of its depth, so
+/// what is later in the order is nearer. Pixels have the same colours as those of a depth buffer.
 ///
-/// Cost:    keeps its memory. The workers share the picture by bands of rows; how many they are
-///          changes no bit of it.
+/// Cost:    keeps its memory. How many workers there are changes no bit.
 /// Lives:   borrows the workers.
 class l3d_painter {
 public:
-    explicit l3d_painter(l3d_workers& workers);
-    ~l3d_painter();
-    l3d_painter(const l3d_painter&) = delete;
-    l3d_painter& operator=(const l3d_painter&) = delete;
+    explicit l3d_painter(l3d_workers& workers) : workers_(workers), filler_(workers) {}
 
     /// Clears the picture and paints the pieces, the first at the bottom. Without materials, all is
-    /// white; modes that show no light have no use for them.
+    /// white; modes that show no light have no use for them. Fog and smooth edges want depths:
+    /// l3d_surface_rasterizer_sw::begin_over adds them.
     /// Expects: indices of pieces, cuts and materials name what is there.
     void paint(l3d_pixels target, const l3d_shading& shading,
                std::span<const l3d_material> materials,
                std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
-    /// Clears the picture and draws the visible sides of the pieces as lines. Each piece is painted
-    /// as background before its own sides. Of the shading, lines have the background and the fog.
+    /// Clears the picture and draws the visible sides of the pieces as lines. What is painted later
+    /// than a piece hides its sides. Lines have the shading's background and its fog.
     void paint_lines(l3d_pixels target, const l3d_shading& shading,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, const l3d_line_look& look);
 
-    /// The counts of the last call; samples are all pixels painted.
-    const l3d_surface_counts& counts() const { return counts_; }
+    /// The counts of the last call.
+    const l3d_surface_counts& counts() const { return filler_.counts(); }
 
 private:
-    void count(std::size_t pieces);
+    void make_parts(std::span<const l3d_painter_triangle> triangles,
+                    std::span<const l3d_painter_piece> pieces, bool with_materials);
+    void make_cut(std::span<const l3d_painter_triangle> triangles,
+                  std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
-    struct work_space;
-    std::unique_ptr<work_space> work_;
-    l3d_surface_counts counts_;
+    l3d_workers& workers_;
+    l3d_surface_rasterizer_sw filler_;
+    std::vector<l3d_surface_part> parts_; ///< of whole triangles, the topmost first
+    std::vector<const l3d_surface_part*> drawn_;
+    std::vector<l3d_detail::cut_triangle> cut_;
+    std::vector<l3d_detail::plane_cut> plane_cuts_; ///< of all that are cut
+    l3d_depth_buffer places_;                       ///< in the order, of what is on top
+    l3d_depth_buffer line_depths_;                  ///< depths of lines in fog
 };
 
 #endif
