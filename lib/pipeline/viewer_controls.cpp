@@ -42,7 +42,7 @@ l3d_viewer_controls::l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& scree
                                          l3d_font font)
     : screen_(screen), font_(std::move(font)), viewed_(viewed),
       steering_(screen, camera, std::move(viewed)), rows_(first_rows()) {
-    std::ranges::move(convex_fill(), std::back_inserter(rows_));
+    std::ranges::move(side_rows(), std::back_inserter(rows_));
     std::ranges::move(rows, std::back_inserter(rows_));
     own_end_ = std::ssize(rows_);
     std::ranges::move(last_rows(viewer, screen, std::move(reset)), std::back_inserter(rows_));
@@ -83,7 +83,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
 }
 
 /// Rows of the model's sides, by the keys that Blender has for them.
-std::vector<l3d_viewer_row> l3d_viewer_controls::convex_fill() {
+std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     const auto look = [this](double right, double up, double front) {
         return [this, right, up, front] {
             const double sign = control_ ? -1 : 1;

@@ -163,7 +163,7 @@ private:
     l3d_panel message_panel() const;
     l3d_panel status_panel(std::span<const std::string> lines) const;
     std::vector<l3d_viewer_row> first_rows();
-    std::vector<l3d_viewer_row> convex_fill();
+    std::vector<l3d_viewer_row> side_rows();
     void arrow(int right, int down);
     bool zoom_key(int key);
     void measure(double x, double y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_fix_facing: a depth test along lines.
+// l3d_draw_seen_sides: a depth test along lines.
 #include "raster/lines/hidden_lines.h"
 
 #include "raster/lines/line_cover_p.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
+void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                     std::span<const l3d_painter_triangle> triangles, const l3d_shading& shading,
                     const l3d_line_look& look) {
     assert(target.size() == depth.size());

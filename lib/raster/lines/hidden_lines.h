@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_fix_facing: draws triangles as lines, where nothing in a depth buffer hides them.
+// l3d_draw_seen_sides: draws triangles as lines, where nothing in a depth buffer hides them.
 #ifndef L3D_RASTER_LINES_HIDDEN_LINES_H
 #define L3D_RASTER_LINES_HIDDEN_LINES_H
 
@@ -21,7 +21,7 @@
 ///
 /// Lines take the background and the fog from the shading.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
-void l3d_fix_facing(l3d_pixels target, const l3d_depth_buffer& depth,
+void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                     std::span<const l3d_painter_triangle> triangles, const l3d_shading& shading,
                     const l3d_line_look& look);
 

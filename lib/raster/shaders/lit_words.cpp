@@ -220,8 +220,8 @@ struct pixel_row {
     const float* depths;
     const std::uint32_t* normals;
     const std::uint32_t* colors; ///< or null, as lit_pixels has them
-    lane_vector look;            ///< in column 0 of the picture
-    lane_vector look_right;      ///< what a column adds
+    lane_vector own;             ///< look, or with parallel rays aside, in column 0 of the picture
+    lane_vector own_right;       ///< what a column adds
 };
 
 /// The words of filled pixels, a material after the other. Mostly there is one.
