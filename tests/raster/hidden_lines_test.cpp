@@ -23,8 +23,8 @@ constexpr l3d_size size{64, 64};
 std::int64_t lit_over(const l3d_depth_buffer& depth, const l3d_painter_triangle& triangle,
                       bool smooth) {
     std::vector<std::uint32_t> words(std::size_t(size.width) * std::size_t(size.height));
-    l3d_draw_seen_sides({words.data(), size.width, size.height, size.width}, depth, std::array{triangle},
-                   {}, {.color = 255, .smooth = smooth});
+    l3d_draw_seen_sides({words.data(), size.width, size.height, size.width}, depth,
+                        std::array{triangle}, {}, {.color = 255, .smooth = smooth});
     return std::accumulate(words.begin(), words.end(), std::int64_t{0}) / 255;
 }
 

@@ -68,6 +68,6 @@ void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_repo
     fill(clear, &depth_, report);
     what.frame.list(triangles_, workers());
     l3d_draw_seen_sides(what.target, depth_, triangles_, what.shading,
-                   {l3d_detail::wire_color, what.smooth_lines});
+                        {l3d_detail::wire_color, what.smooth_lines});
     report.time_ms.raster = filling.milliseconds();
 }

@@ -278,7 +278,7 @@ std::size_t l3d_world_surfaces::fill(const frame_input& in, const l3d_world_targ
             triangles_.insert(triangles_.end(), of_object_.begin(), of_object_.end());
         }
         l3d_draw_seen_sides(target.pixels, depth_, triangles_, in.shading,
-                       {l3d_detail::wire_color, in.settings.antialias});
+                            {l3d_detail::wire_color, in.settings.antialias});
     }
     return count;
 }

@@ -22,7 +22,7 @@
 /// Lines take the background and the fog from the shading.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
-                    std::span<const l3d_painter_triangle> triangles, const l3d_shading& shading,
-                    const l3d_line_look& look);
+                         std::span<const l3d_painter_triangle> triangles,
+                         const l3d_shading& shading, const l3d_line_look& look);
 
 #endif
