@@ -184,7 +184,7 @@ struct turned {
     }
 };
 
-/// The bounds of docs/NUMERICS.md, section 21.
+/// The bounds of docs/NUMERICS.md, section 25.
 struct bounds {
     explicit bounds(const turned& of);
 

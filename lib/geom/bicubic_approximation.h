@@ -34,7 +34,7 @@ struct l3d_rational_piece {
 };
 
 /// The bicubic patch that has a rational piece's corners, first derivatives and mixed derivatives
-/// there, and how far it is from the piece (docs/NUMERICS.md, section 21).
+/// there, and how far it is from the piece (docs/NUMERICS.md, section 25).
 ///
 /// A boundary of the patch is a function of that boundary of the piece, bit for bit, whichever way
 /// it is run through.

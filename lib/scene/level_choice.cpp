@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels of curved models, by the view alone (NUMERICS, section 21).
+// Levels of curved models, by the view alone (NUMERICS, section 25).
 #include "scene/level_choice.h"
 
 #include "geom/transform.h"

@@ -183,8 +183,8 @@ TEST(nurbs, pieces_and_inserted_knots_leave_the_surface_as_it_is) {
     std::mt19937 random(54);
     for (int trial = 0; trial < 200; ++trial) {
         const l3d_nurbs_surface s = random_surface(random, 6);
-        const double u = s.u().from + 0.3 * (s.u().to - s.u().from);
-        const double v = s.v().from + 0.7 * (s.v().to - s.v().from);
+        const double u = s.u().from + 0.3137 * (s.u().to - s.u().from);
+        const double v = s.v().from + 0.7111 * (s.v().to - s.v().from);
         const l3d_nurbs_surface more =
             s.with_knot_u(u).with_knot_v(v).with_knot_u(0.5 * (s.u().from + u));
         EXPECT_EQ(more.u().points(), s.u().points() + 2);
@@ -277,7 +277,8 @@ TEST(nurbs_shapes, have_their_closed_forms) {
                     side = l3d_dot(out, std::abs(y) < 1 ? vector{x, 0.0, z} : vector{0.0, y, 0.0});
                 } else {
                     away = y == -1 ? std::max(0.0, r - 1) : 2 * r + y - 1;
-                    side = y == -1 && out[0] == 0 ? -out[1] : l3d_dot(out, vector{2 * x, r, 2 * z});
+                    const double beside = l3d_dot(out, vector{2 * x, r, 2 * z});
+                    side = y == -1 ? std::max(-out[1], beside) : beside;
                 }
                 EXPECT_NEAR(away, 0, 1e-15 * 8) << name;
                 EXPECT_GE(side, -1e-12) << name;

@@ -177,20 +177,17 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
     const auto weight = [&weights](std::uint32_t i) { return i < weights.size() ? weights[i] : 1; };
     std::vector<std::array<double, 3>> points;
     std::vector<double> weights_here;
-    bool has_equal = true; // what all points are multiplied by means nothing
     points.reserve(indices_.size());
     is_control_point_.resize(vertices.size());
     for (const std::uint32_t i : indices_) {
         if (is_rational_ && !(weight(i) > 0))
             return text_.fail("the weight of vertex " + std::to_string(i + 1) +
                               ", a control point, is not positive");
-        weights_here.push_back(weight(i));
-        has_equal = has_equal && weight(i) == weight(indices_.front());
+        if (is_rational_)
+            weights_here.push_back(weight(i));
         points.push_back({vertices[i][0], vertices[i][1], vertices[i][2]});
         is_control_point_[i] = true;
     }
-    if (!is_rational_ || has_equal)
-        weights_here.clear();
     std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));

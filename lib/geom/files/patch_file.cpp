@@ -128,7 +128,10 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
 
 std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch) {
     const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
-    if (!well(patch.degree_u) || !well(patch.degree_v) || !patch.weights.empty())
+    // What all points are multiplied by means nothing.
+    const auto is_first = [&](double weight) { return weight == patch.weights.front(); };
+    if (!well(patch.degree_u) || !well(patch.degree_v) ||
+        !std::ranges::all_of(patch.weights, is_first))
         return std::nullopt;
     const std::size_t columns = points_along(patch.degree_u);
     const std::size_t rows = points_along(patch.degree_v);

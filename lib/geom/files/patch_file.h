@@ -58,7 +58,7 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 /// A common boundary stays common bit for bit, whichever way its two patches run along it.
 /// Shape:   index = 4 * row (v) + column (u).
 /// Errors:  nothing if a degree is outside 1 to 15, or if the number of points does not fit the
-///          degrees, or if there are weights. Nothing, too, if no bicubic patch has these
+///          degrees, or if weights differ. Nothing, too, if no bicubic patch has these
 ///          points but for rounding, 2^-46 of the largest coordinate.
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
 l3d_as_bicubic(const l3d_patch_points& patch);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Curved models: their levels, what belongs to pieces, and which level a view gets.
+#include "geom/nurbs_shapes.h"
+#include "scene/level_choice.h"
+#include "scene/patch_scene.h"
+#include "geom/transform.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using vector = l3d_patch_model::vector;
+
+l3d_patch_model sphere() {
+    return l3d_patch_model::from_surfaces(l3d_sphere_surfaces());
+}
+
+/// The farthest of points of the patches from the unit sphere.
+double away_from_sphere(const l3d_patch_model& model) {
+    double most = 0;
+    for (const l3d_patch_model::patch& p : model.patches())
+        for (double u = 0; u <= 1; u += 0.25)
+            for (double v = 0; v <= 1; v += 0.25)
+                most = std::max(most, std::abs(l3d_length(p.evaluate(u, v)) - 1));
+    return most;
+}
+
+l3d_curved_error chosen(l3d_patch_scene& scene, double distance, double px, double normals = 1) {
+    l3d_camera camera;
+    camera.eye = {0.0, 0.0, distance};
+    camera.near = 0.01;
+    return scene.choose_levels(
+        {.camera = camera, .size = {640, 480}, .places_px = px, .normals = normals});
+}
+
+} // namespace
+
+TEST(curved_model, keeps_what_its_levels_say_and_is_closed_at_each) {
+    const l3d_patch_model model = sphere();
+    ASSERT_TRUE(model.is_curved());
+    EXPECT_EQ(model.pieces(), 8u);
+    for (int level = 0; level < 4; ++level) {
+        const l3d_patch_model at = model.at_level(level, 0);
+        EXPECT_LE(at.surface_error(), model.place_target(level));
+        EXPECT_LE(at.normal_error(), model.normal_target(0));
+        EXPECT_LE(away_from_sphere(at), at.surface_error());
+        EXPECT_EQ(at.orientation(), 1); // all boundaries are met by their like, bit for bit
+        EXPECT_EQ(at.source_identity(), model.source_identity());
+        EXPECT_EQ(at.identity(), model.at_level(level, 0).identity());
+    }
+    EXPECT_LE(model.at_level(0, 1).normal_error(), model.normal_target(1));
+}
+
+TEST(curved_model, materials_and_parts_are_those_of_pieces) {
+    std::vector<l3d_material> materials(8);
+    for (std::size_t i = 0; i < 8; ++i)
+        materials[i].color = static_cast<std::uint32_t>(i + 1);
+    const std::vector<l3d_part_run> runs{{"low", 0}, {"high", 4}};
+    const l3d_patch_model model = sphere().painted(materials).with_parts(runs).at_level(2, 0);
+    for (std::size_t i = 0; i < model.patches().size(); ++i)
+        EXPECT_EQ(model.materials()[model.material_of(i)].color, model.piece_of(i) + 1);
+    const l3d_patch_model high = model.only(std::array<std::size_t, 1>{1});
+    EXPECT_EQ(high.pieces(), 4u);
+    EXPECT_EQ(high.materials()[high.material_of(0)].color, 5u);
+    EXPECT_GE(high.least()[1], -1e-9);
+    EXPECT_TRUE(high.is_curved());
+}
+
+TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {
+    const l3d_patch_points flat{1, 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {2, 2, 2, 2}};
+    std::string why;
+    const auto model = l3d_patch_model::from_patches(std::vector{flat}, "flat", why);
+    ASSERT_TRUE(model);
+    EXPECT_FALSE(model->is_curved());
+    EXPECT_EQ(model->most_level(), 0);
+}
+
+TEST(curved_model, refuses_what_is_no_piece) {
+    const auto why_not = [](const l3d_patch_points& patch) {
+        std::string why;
+        EXPECT_FALSE(l3d_patch_model::from_patches(std::vector{patch}, "name", why));
+        return why;
+    };
+    const std::vector<std::array<double, 3>> square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    EXPECT_EQ(why_not({16, 1, {}}), "name: patch 1 of degree 16 by 1: degrees are from 1 to 15");
+    EXPECT_EQ(why_not({1, 1, square, {1, 2}}),
+              "name: patch 1 of degree 1 by 1 has 4 points and 2 weights");
+    EXPECT_EQ(why_not({1, 1, square, {1, 1, -2, 1}}),
+              "name: patch 1: point 3 has the weight -2, which is not positive, or beyond 1e12");
+}
+
+TEST(curved_model, gets_the_level_that_its_view_needs) {
+    l3d_patch_scene scene(sphere());
+    const std::size_t coarse = scene.instances()[0].model().patches().size();
+    const l3d_curved_error far = chosen(scene, 10, 0.03);
+    EXPECT_LE(far.places_px, 0.03);
+    const std::size_t at_10 = scene.instances()[0].model().patches().size();
+    const l3d_curved_error near = chosen(scene, 1.1, 0.0005);
+    EXPECT_LE(near.places_px, 0.0005);
+    EXPECT_GT(scene.instances()[0].model().patches().size(), at_10);
+    EXPECT_EQ(scene.patch_count(),
+              static_cast<std::int64_t>(scene.instances()[0].model().patches().size()));
+    // What was drawn before makes no difference.
+    EXPECT_EQ(chosen(scene, 10, 0.03).places_px, far.places_px);
+    EXPECT_EQ(scene.instances()[0].model().patches().size(), at_10);
+    EXPECT_LE(chosen(scene, 10, 1e3, 1e-4).normals, 1e-4);
+    chosen(scene, 10, 1e3);
+    EXPECT_EQ(scene.instances()[0].model().patches().size(), coarse);
+}
+
+TEST(curved_model, is_the_same_for_a_program_at_any_level) {
+    l3d_patch_scene scene(sphere());
+    scene.paint(0, l3d_material{.color = 0xff0000});
+    scene.forget_changes();
+    chosen(scene, 1.1, 0.0005);
+    EXPECT_FALSE(scene.is_changed());
+    scene.place(0, l3d_translation<double>(1, 0, 0));
+    EXPECT_TRUE(scene.is_changed());
+    EXPECT_TRUE(scene.instances()[0].material());
+    scene.place(0, l3d_patch_model::teapot(), l3d_identity<double>());
+    EXPECT_FALSE(scene.is_curved());
+}
+
+TEST(curved_model, stretched_placements_are_counted) {
+    l3d_patch_scene scene;
+    scene.add(sphere(), l3d_scaling<double>(1, 100, 1));
+    l3d_patch_scene round(sphere());
+    EXPECT_GT(chosen(scene, 500, 1e3).places_px, 50 * chosen(round, 500, 1e3).places_px);
+    EXPECT_GT(chosen(scene, 500, 1e3).normals, 10 * chosen(round, 500, 1e3).normals);
+}
