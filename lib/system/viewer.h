@@ -69,6 +69,8 @@ public:
     /// Adds a line to the report, if --report asked for one.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
+        if (!wants_gl_ && !reports_)
+            return; // a report sums up all pixels of the frame
         const auto report = this->report();
         if (wants_gl_ && report.surface.quads > 0)
             tell_who_draws(report.renderer);
