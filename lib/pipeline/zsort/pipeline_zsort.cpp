@@ -66,7 +66,10 @@ std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
     l3d_surface_rasterizer_sw& depths = stages_->depths;
     depths.count_pixels(false);
     depths.use_materials(what.materials);
-    depths.begin_over(what.target, what.shading);
+    if (what.shading.lighting.point_count > 0)
+        depths.begin(what.target, nullptr, what.shading); // their light needs depth in each pixel
+    else
+        depths.begin_over(what.target, what.shading);
     depths.draw(what.frame.parts());
     depths.finish();
     return depths.counts().refined;

@@ -28,7 +28,7 @@ private:
     bool draws_parts(const l3d_shading& shading) const override { return wants_depth(shading); }
 
     static bool wants_depth(const l3d_shading& shading) {
-        return shading.antialias || shading.fog.is_on();
+        return shading.antialias || shading.fog.is_on() || shading.lighting.point_count > 0;
     }
     std::int64_t look_at_depth(const scene& what);
     void make_order(const scene& what, bool with_sides, l3d_polygon_report& report);
