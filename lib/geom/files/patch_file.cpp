@@ -128,7 +128,7 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
 
 std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch) {
     const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
-    // What all points are multiplied by means nothing.
+    // A factor that all points have means nothing.
     const auto is_first = [&](double weight) { return weight == patch.weights.front(); };
     if (!well(patch.degree_u) || !well(patch.degree_v) ||
         !std::ranges::all_of(patch.weights, is_first))
