@@ -74,10 +74,18 @@ inline bool is_within_limits(const l3d_model_file& model) {
     return true;
 }
 
+/// Neither writer has colours of vertices and places of pictures.
+inline void forget_what_lies_on_faces(l3d_polygon_mesh& mesh) {
+    mesh.vertex_colors.clear();
+    mesh.picture_places.clear();
+    mesh.pictures.clear();
+}
+
 /// Compares a mesh with the result of the writer and the reader of .off, apart from what these may
 /// lose.
 inline bool survives_off(const l3d_polygon_mesh& mesh) {
     l3d_polygon_mesh kept = mesh;
+    forget_what_lies_on_faces(kept);
     kept.parts.clear();
     kept.materials.clear();
     kept.looks.clear();
@@ -102,6 +110,7 @@ inline bool survives_obj(const l3d_model_file& model) {
     l3d_model_file kept = model;
     forget_empty(kept.mesh.parts, kept.mesh.faces());
     forget_empty(kept.patch_parts, kept.patches.size());
+    forget_what_lies_on_faces(kept.mesh);
     kept.mesh.face_colors.clear();
     kept.mesh.looks.clear();
     kept.notes.clear();

@@ -52,8 +52,10 @@ TEST(gltf_file, is_the_scene_in_its_own_coordinates) {
     // 0.2 of linear light is 0.485 as encoded.
     EXPECT_EQ(mesh.look_of(24).color, 0x7c7cffu);
     EXPECT_EQ(mesh.look_of(24).opacity, 0.5F); // it blends
-    EXPECT_EQ(mesh.face_colors[0], 0xffffffu);
-    EXPECT_NE(mesh.face_colors[12], 0xffffffu);
+    EXPECT_TRUE(mesh.face_colors.empty());
+    ASSERT_EQ(mesh.vertex_colors.size(), mesh.vertices.size());
+    EXPECT_EQ(mesh.vertex_colors[0], 0xffffffu);
+    EXPECT_NE(mesh.vertex_colors[8 + 1], 0xffffffu);
     EXPECT_EQ(file.notes.size(), 4u);
 }
 

@@ -188,6 +188,9 @@ TEST(mtl_file, names_pictures_behind_options) {
         read_mtl("newmtl a\nmap_Kd -s 2 2 1 -blendu off -o 0.5 -clamp on  my wood.png\n"
                  "newmtl b\nmap_Kd a.png\nmap_Kd -clamp off b.jpg\nnewmtl c\nmap_Kd -bm 2\n",
                  {"a.mtl:2: the option '-s' of a picture is skipped",
+                  "a.mtl:2: the option '-blendu' of a picture is skipped",
+                  "a.mtl:2: the option '-o' of a picture is skipped",
+                  "a.mtl:7: the option '-bm' of a picture is skipped",
                   "a.mtl:7: 'map_Kd' without a name is skipped"});
     ASSERT_EQ(materials.size(), 3u);
     EXPECT_EQ(materials[0].picture, (l3d_mesh_picture{"my wood.png", "", false, false}));
