@@ -54,12 +54,12 @@ TEST(elevation, keeps_a_common_boundary_common) {
 }
 
 /// The same curve in the next degree, the plainest way.
-std::vector<point> raised(const std::vector<point>& b) {
+std::vector<triple> raised(const std::vector<triple>& b) {
     const auto n = static_cast<double>(b.size());
-    std::vector<point> result{b[0]};
+    std::vector<triple> result{b[0]};
     for (std::size_t i = 1; i < b.size(); ++i) {
         const double t = static_cast<double>(i) / n;
-        point& p = result.emplace_back();
+        triple& p = result.emplace_back();
         for (std::size_t k = 0; k < 3; ++k)
             p[k] = t * b[i - 1][k] + (1 - t) * b[i][k];
     }
@@ -69,20 +69,20 @@ std::vector<point> raised(const std::vector<point>& b) {
 
 /// A bicubic patch written as one of higher degrees.
 l3d_patch_points raised_patch(const l3d_patch_points& bicubic, int degree_u, int degree_v) {
-    std::vector<std::vector<point>> columns(points_along(degree_u));
+    std::vector<std::vector<triple>> columns(points_along(degree_u));
     for (auto row = bicubic.points.begin(); row != bicubic.points.end(); row += 4) {
-        std::vector<point> line(row, row + 4);
+        std::vector<triple> line(row, row + 4);
         while (line.size() < columns.size())
             line = raised(line);
         for (std::size_t i = 0; i < line.size(); ++i)
             columns[i].push_back(line[i]);
     }
     l3d_patch_points result{degree_u, degree_v, {}};
-    for (std::vector<point>& column : columns)
+    for (std::vector<triple>& column : columns)
         while (column.size() < points_along(degree_v))
             column = raised(column);
     for (std::size_t row = 0; row < points_along(degree_v); ++row)
-        for (const std::vector<point>& column : columns)
+        for (const std::vector<triple>& column : columns)
             result.points.push_back(column[row]);
     return result;
 }

@@ -46,13 +46,13 @@ TEST(patch_file, has_degrees_and_then_points_with_u_fastest) {
     ASSERT_EQ(result.size(), 2u);
     EXPECT_EQ(result[0].degree_u, 1);
     EXPECT_EQ(result[0].degree_v, 2);
-    const std::vector<point> first{{0.5, 1.25, -2}, {3, 4, 5.5},  {6, 7, 8},
-                                   {9, 10, 11},     {12, 13, 14}, {15, 16, 17.75}};
+    const std::vector<triple> first{{0.5, 1.25, -2}, {3, 4, 5.5},  {6, 7, 8},
+                                    {9, 10, 11},     {12, 13, 14}, {15, 16, 17.75}};
     EXPECT_EQ(result[0].points, first);
     EXPECT_EQ(result[1].degree_u, 2);
     EXPECT_EQ(result[1].degree_v, 1);
     ASSERT_EQ(result[1].points.size(), 6u);
-    EXPECT_EQ(result[1].points[5], (point{33, 34, -0.035}));
+    EXPECT_EQ(result[1].points[5], (triple{33, 34, -0.035}));
 }
 
 TEST(patch_file, accepts_any_white_space_and_number_style) {
@@ -236,7 +236,7 @@ TEST(patch_file, writing_and_reading_gives_the_same_bits) {
         patch.degree_u = static_cast<int>(1 + random() % 15);
         patch.degree_v = static_cast<int>(1 + random() % 15);
         patch.points.resize(points_along(patch.degree_u) * points_along(patch.degree_v));
-        for (point& p : patch.points)
+        for (triple& p : patch.points)
             for (double& value : p)
                 do
                     value = std::bit_cast<double>(random());
@@ -249,7 +249,7 @@ TEST(patch_file, writing_and_reading_gives_the_same_bits) {
     EXPECT_TRUE(std::signbit(again[1].points[0][0]));
 }
 
-using row = std::vector<point>;
+using row = std::vector<triple>;
 
 /// The four boundary rows of a bicubic patch: v = 0, v = 1, u = 0, u = 1.
 std::array<row, 4> boundary(const l3d_patch_points& patch) {
@@ -277,8 +277,8 @@ TEST(teapot, bottom_shares_its_boundary_bit_for_bit) {
         EXPECT_EQ(edges[3], boundary(closed[next])[2]) << i;
         // Patches 8 to 11 are the lower body; their last row is the rim.
         EXPECT_EQ(edges[0], boundary(closed[i - 20])[1]) << i;
-        for (const point& p : edges[1])
-            EXPECT_EQ(p, (point{0, -0.15, 0}));
+        for (const triple& p : edges[1])
+            EXPECT_EQ(p, (triple{0, -0.15, 0}));
     }
 }
 
@@ -288,7 +288,7 @@ TEST(teapot, bottom_is_the_rim_moved_down_and_in) {
     for (std::size_t i = 28; i < 32; ++i)
         for (std::size_t k = 0; k < 4; ++k) {
             const auto& p = closed[i].points;
-            EXPECT_EQ(p[4 + k], (point{p[k][0], -0.075, p[k][2]})) << i;
+            EXPECT_EQ(p[4 + k], (triple{p[k][0], -0.075, p[k][2]})) << i;
             // 1.425 of 1.5, tangents alike: 0.95.
             EXPECT_NEAR(p[8 + k][0], 0.95 * p[k][0], 1e-15) << i;
             EXPECT_NEAR(p[8 + k][2], 0.95 * p[k][2], 1e-15) << i;
@@ -301,9 +301,9 @@ TEST(teapot, bottom_faces_outward_as_the_body_does) {
     ASSERT_EQ(closed.size(), 32u);
     for (std::size_t i = 4; i < 32; i = i == 11 ? 28 : i + 1) {
         constexpr double h = 1e-4;
-        const point p = on_surface(closed[i], 0.4, 0.3);
-        const point du = on_surface(closed[i], 0.4 + h, 0.3);
-        const point dv = on_surface(closed[i], 0.4, 0.3 + h);
+        const triple p = on_surface(closed[i], 0.4, 0.3);
+        const triple du = on_surface(closed[i], 0.4 + h, 0.3);
+        const triple dv = on_surface(closed[i], 0.4, 0.3 + h);
         double outward = 0; // (S_u x S_v) . (p - (0, 1, 0)), a point inside
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t l = (k + 1) % 3;

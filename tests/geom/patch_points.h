@@ -9,14 +9,14 @@
 #include <cstddef>
 #include <vector>
 
-using point = std::array<double, 3>;
+using triple = std::array<double, 3>;
 
 inline std::size_t points_along(int degree) {
     return static_cast<std::size_t>(degree) + 1;
 }
 
 /// sum of b_i B_i(t) by de Casteljau's scheme.
-inline point on_curve(std::vector<point> b, double t) {
+inline triple on_curve(std::vector<triple> b, double t) {
     for (std::size_t last = b.size() - 1; last > 0; --last)
         for (std::size_t i = 0; i < last; ++i)
             for (std::size_t k = 0; k < 3; ++k)
@@ -24,11 +24,11 @@ inline point on_curve(std::vector<point> b, double t) {
     return b[0];
 }
 
-inline point on_surface(const l3d_patch_points& patch, double u, double v) {
+inline triple on_surface(const l3d_patch_points& patch, double u, double v) {
     const auto columns = static_cast<std::ptrdiff_t>(points_along(patch.degree_u));
-    std::vector<point> column;
+    std::vector<triple> column;
     for (auto row = patch.points.begin(); row != patch.points.end(); row += columns)
-        column.push_back(on_curve(std::vector<point>(row, row + columns), u));
+        column.push_back(on_curve(std::vector<triple>(row, row + columns), u));
     return on_curve(column, v);
 }
 
