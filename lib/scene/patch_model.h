@@ -220,6 +220,7 @@ private:
     struct source;
     std::shared_ptr<const source> source_; ///< null unless it is curved
     explicit l3d_patch_model(l3d_curved_pieces pieces);
+    /// Errors:  none, with the reason in `why`.
     static std::optional<l3d_patch_model> curved(std::span<const l3d_patch_points> patches,
                                                  std::string_view name, std::string& why);
 
