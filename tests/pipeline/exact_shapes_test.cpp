@@ -144,7 +144,7 @@ void judge(const std::string& shape, const view& v, l3d_pipeline_afd& pipeline, 
     const l3d_frame_report report = pipeline.report();
     const real bound = report.dice.bound_px, depth_bound = report.dice.depth_bound_px;
     if (!std::isfinite(report.dice.bound_px)) {
-        ++sum.unbounded; // an eye inside the shape, and a coarse piece that crosses the near plane
+        ++sum.unbounded; // the eye is so near that a coarse piece crosses the near plane
         return;
     }
     const auto words = words_of(pipeline.screen().pixels());
@@ -242,7 +242,8 @@ void exact_shapes::draw(int views) {
         shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn), sum.worst_depth,
         sum.worst_shade, static_cast<long>(sum.unproven));
     EXPECT_GT(sum.drawn, 100 * views);
-    EXPECT_LE(8 * sum.unbounded, 2 * views);
+    // One of five views is a millionth of the radius away: its two frames may have no bound.
+    EXPECT_LE(5 * sum.unbounded, 2 * views);
     EXPECT_EQ(sum.holes, 0);
     EXPECT_EQ(sum.far, 0);
     EXPECT_EQ(sum.shades, 0);
