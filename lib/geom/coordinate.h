@@ -5,7 +5,7 @@
 
 #include "base/public.h"
 #include "geom/transform.h"
-#include "pipeline/worlds/two_part_list.h"
+#include "geom/two_part_list.h"
 
 #include <array>
 

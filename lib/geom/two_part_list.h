@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_two_part_list: items that stay, followed by items that come and go, under one index.
-#ifndef L3D_PIPELINE_WORLDS_TWO_PART_LIST_H
-#define L3D_PIPELINE_WORLDS_TWO_PART_LIST_H
+#ifndef L3D_GEOM_TWO_PART_LIST_H
+#define L3D_GEOM_TWO_PART_LIST_H
 
 #include "base/public.h"
 
