@@ -204,15 +204,17 @@ TEST(Refine, AGapBetweenCentresShowsWhatIsInIt) {
     const auto behind = [](std::int32_t x, std::int32_t y) {
         return l3d_micro_vertex{x, y, 0.3f, {24.5f, 0, 0}};
     };
-    draw(
-        picture,
-        {folded_at({left, -1000}, {left, 5000}, 1, 0.7f),
-         folded_at({right, 5000}, {right, -1000}, 1, 0.7f),
-         part_of({behind(-256, -256), behind(6400, -256), behind(6400, 4400), behind(-256, 4400)})},
-        antialiased(l3d_shade::levels));
-    const double light = 0.75 * l3d_light_of_level(126) + 0.25 * l3d_light_of_level(50);
-    for (int y = 0; y < picture.size.height; ++y)
-        EXPECT_NEAR(picture.word(10, y) & 255, l3d_level_of_light(light), 1) << y;
+    surface_parts parts{folded_at({left, -1000}, {left, 5000}, 1, 0.7f),
+                        folded_at({right, 5000}, {right, -1000}, 1, 0.7f)};
+    // Behind them is the background, or a surface.
+    for (const double seen : {0.0, l3d_light_of_level(50)}) {
+        draw(picture, parts, antialiased(l3d_shade::levels));
+        const double light = 0.75 * l3d_light_of_level(126) + 0.25 * seen;
+        for (int y = 0; y < picture.size.height; ++y)
+            EXPECT_NEAR(picture.word(10, y) & 255, l3d_level_of_light(light), 1) << y;
+        parts.push_back(part_of(
+            {behind(-256, -256), behind(6400, -256), behind(6400, 4400), behind(-256, 4400)}));
+    }
 }
 
 /// Errors in levels, of pixels that outlines pass.

@@ -211,6 +211,8 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   const l3d_pixels& target) {
     const linear_light& tables = linear_light_tables();
     constexpr float part = 1.0f / sample_places::count;
+    // Where three sides meet, two samples may be in none of their polygons.
+    constexpr int closed_count = sample_places::count - 2;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
@@ -230,7 +232,7 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                 sum.of[1] = sum.of[2] = sum.of[0];
             const std::int32_t x = pixels[i].x, y = pixels[i].y;
             std::uint32_t& word = target.row(y)[static_cast<std::size_t>(x)];
-            const bool shares = band.closed(i) && count > 0;
+            const bool shares = band.closed(i) && count >= closed_count;
             light_sum mean;
             mean.add(sum, shares ? 1 / static_cast<float>(count) : part);
             const float empty = shares ? 0.0f : 1 - part * static_cast<float>(count);
