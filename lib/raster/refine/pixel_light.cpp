@@ -211,8 +211,9 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   const l3d_pixels& target) {
     const linear_light& tables = linear_light_tables();
     constexpr float part = 1.0f / sample_places::count;
-    // Where three sides meet, two samples may be in none of their polygons.
-    constexpr int closed_count = sample_places::count - 2;
+    // Where sides meet, two samples may be in none of the polygons. Pixels have four such places at
+    // most, in all tilings that were tried.
+    constexpr int closed_count = sample_places::count - 8;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
