@@ -14,9 +14,8 @@
 #include "scene/placed_net.h"
 #include <l3d/camera_shading.h>
 #include <l3d/image.h>
-#include <l3d/image_file.h>
 #include <l3d/screen_memory.h>
-#include <l3d/text.h>
+#include <l3d/font.h>
 
 #include <array>
 #include <cstdint>

@@ -5,9 +5,67 @@
 
 #include "base/public.h"
 #include "geom/transform.h"
-#include "geom/two_part_list.h"
 
 #include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// A fixed part, whose size is given once, and a varying part behind it.
+///
+/// Clipping makes vertices that last for a frame. Drawing finds them by an index like any other.
+/// Several polygons may share a list: the varying part is emptied once per frame, not per polygon.
+/// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
+/// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
+/// Cost:    no allocation once the largest frame has been seen.
+template <class Item> class L3D_PUBLIC l3d_two_part_list {
+public:
+    l3d_two_part_list() = default;
+    /// A list with this fixed part, and nothing behind it.
+    explicit l3d_two_part_list(std::vector<Item> fixed)
+        : items_(std::move(fixed)), fixed_size_(items_.size()) {}
+
+    /// The number of items in both parts.
+    std::size_t size() const { return items_.size(); }
+    /// The number of items that stay.
+    std::size_t fixed_size() const { return fixed_size_; }
+    /// The number of items that come and go.
+    std::size_t varying_size() const { return items_.size() - fixed_size_; }
+
+    /// An item of either part, to be changed. Expects: index < size().
+    Item& operator[](std::size_t index) {
+        assert(index < items_.size());
+        return items_[index];
+    }
+    /// An item of either part. Expects: index < size().
+    const Item& operator[](std::size_t index) const {
+        assert(index < items_.size());
+        return items_[index];
+    }
+
+    /// The items that stay, to be changed.
+    std::span<Item> fixed() { return {items_.data(), fixed_size_}; }
+    /// The items that stay.
+    std::span<const Item> fixed() const { return {items_.data(), fixed_size_}; }
+
+    /// Adds to the varying part; returns the item's index.
+    std::uint32_t add_varying(const Item& item) {
+        items_.push_back(item);
+        return static_cast<std::uint32_t>(items_.size() - 1);
+    }
+
+    /// Takes away the items that come and go. Cost: keeps the memory.
+    void clear_varying() { items_.erase(items_.begin() + signed_fixed_size(), items_.end()); }
+
+private:
+    std::ptrdiff_t signed_fixed_size() const { return static_cast<std::ptrdiff_t>(fixed_size_); }
+
+    std::vector<Item> items_;
+    std::size_t fixed_size_ = 0;
+};
 
 /// A vertex that many polygons share, and that is moved from its definition in every frame.
 ///

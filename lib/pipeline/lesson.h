@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_LESSON_H
 
 #include "base/public.h"
-#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "raster/background.h"
 

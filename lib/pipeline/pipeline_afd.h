@@ -5,13 +5,13 @@
 
 #include "base/public.h"
 #include "pipeline/frame_report.h"
-#include "pipeline/method_factory.h"
+#include "pipeline/surface_method.h"
 #include "pipeline/pipeline.h"
 #include "raster/depth_buffer.h"
 #include "raster/canvas.h"
 #include "scene/camera.h"
 #include "scene/camera_shading.h"
-#include "scene/culling_switches.h"
+#include "scene/counts.h"
 #include "scene/patch_scene.h"
 #include "scene/pick.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_factory: makes the rasterizers of one kind.
+// l3d_rasterizer_factory: makes the rasterizers of one kind: on the processors, or by OpenGL.
 #ifndef L3D_RASTER_RASTERIZER_FACTORY_H
 #define L3D_RASTER_RASTERIZER_FACTORY_H
 
@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 /// Makes what draws points, lines and polygons, and what fills surfaces, both of one kind.
 class L3D_PUBLIC l3d_rasterizer_factory {
@@ -41,6 +42,49 @@ private:
     virtual std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const = 0;
     virtual std::unique_ptr<l3d_surface_rasterizer>
     do_create_surface(l3d_workers& workers) const = 0;
+};
+
+/// The kind of edges of polygons of one colour, and of lines.
+enum class L3D_PUBLIC l3d_edges {
+    hard,  ///< at whole pixels, as l3d_rasterizer_2d says
+    smooth ///< as paths and smooth lines do, whatever call draws them
+};
+
+/// Serves every screen, since all of them have their pixels in memory.
+class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
+public:
+    /// Makes rasterizers with these edges in two dimensions.
+    explicit l3d_rasterizer_factory_sw(l3d_edges edges = l3d_edges::hard) : edges_(edges) {}
+
+private:
+    /// Errors:  none.
+    std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;
+
+    /// Errors:  none.
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override;
+
+    l3d_edges edges_;
+};
+
+/// Gives every rasterizer a GL context of its own; serves every screen, as GL's picture is copied
+/// to the screen's pixels. A rasterizer belongs to the thread that made it.
+class L3D_PUBLIC l3d_rasterizer_factory_mesa final : public l3d_rasterizer_factory {
+public:
+    /// Takes the GL of this library: auto, egl or osmesa; empty: what the environment variable
+    /// L3D_MESA says. `auto` tries EGL first.
+    explicit l3d_rasterizer_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
+
+private:
+    /// Errors:  l3d_error(no_backend) with the reasons, if there is no software GL.
+    std::string do_describe() const override;
+
+    /// Errors:  l3d_error(no_backend) with the reasons, if there is no software GL.
+    std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override;
+
+    /// Errors:  l3d_error(no_backend) with the reasons, if there is no software GL.
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override;
+
+    std::string library_;
 };
 
 #endif

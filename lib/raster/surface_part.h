@@ -5,7 +5,6 @@
 
 #include "base/public.h"
 #include "raster/micro_grid.h"
-#include "raster/micro_triangles.h"
 
 #include <algorithm>
 #include <array>

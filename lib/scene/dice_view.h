@@ -6,7 +6,7 @@
 #include "geom/step_bound.h"
 #include "raster/micro_grid.h"
 #include "raster/surface_rasterizer.h"
-#include "scene/culling_switches.h"
+#include "scene/counts.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>

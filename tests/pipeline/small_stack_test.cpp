@@ -8,11 +8,11 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/canvas.h"
-#include "raster/images/placed_image.h"
+#include "raster/placement_2d.h"
 #include "raster/parallel/workers.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/stroke.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/text/font.h"
 #include "tool_2d/image.h"
 

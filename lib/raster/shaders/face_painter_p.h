@@ -7,7 +7,7 @@
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/lit_words_p.h"
 #include "raster/shaders/material_words_p.h"
-#include "raster/textures/face_paints.h"
+#include "raster/textures/texture.h"
 
 #include <array>
 #include <cstdint>

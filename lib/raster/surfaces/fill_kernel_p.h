@@ -4,7 +4,6 @@
 #define L3D_RASTER_SURFACES_FILL_KERNEL_P_H
 
 #include "raster/micro_grid.h"
-#include "raster/micro_triangles.h"
 #include "raster/surface_rasterizer.h"
 
 #include <array>

@@ -3,8 +3,7 @@
 #include "system/options/polygon_options.h"
 
 #include "base/printable_p.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "pipeline/polygons/read_textures.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/long_work_p.h"
