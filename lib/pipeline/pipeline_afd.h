@@ -8,9 +8,9 @@
 #include "pipeline/surface_method.h"
 #include "pipeline/pipeline.h"
 #include "raster/depth_buffer.h"
+#include "raster/lighting.h"
 #include "raster/canvas.h"
 #include "scene/camera.h"
-#include "scene/camera_shading.h"
 #include "scene/counts.h"
 #include "scene/patch_scene.h"
 #include "scene/pick.h"
@@ -22,6 +22,7 @@
 #include <utility>
 
 class l3d_error_map;
+struct l3d_frame_lights;
 class l3d_outline_mask;
 class l3d_pixel_boxes;
 

@@ -5,7 +5,6 @@
 
 #include "base/public.h"
 #include "scene/camera.h"
-#include "scene/camera_shading.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "pipeline/polygons/polygon_model.h"

@@ -175,9 +175,9 @@ std::span<const l3d_point_2d> l3d_facet_list::corners(std::size_t which) const {
 void l3d_facet_list::draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order) {
     order_.clear();
     for (const polygon& p : polygons_)
-        order_.push_back({order == l3d_draw_order::as_added ? 0 : key_of(p.depth),
-                          static_cast<std::uint32_t>(order_.size())});
-    l3d_radix_sort(order_, sorting_);
-    for (const l3d_sort_item& item : order_)
-        rasterizer.draw_polygon_flatshaded(corners(item.index), polygons_[item.index].color);
+        order_.emplace_back(order == l3d_draw_order::as_added ? 0 : key_of(p.depth),
+                            static_cast<std::uint32_t>(order_.size()));
+    std::sort(order_.begin(), order_.end());
+    for (const auto& [key, which] : order_)
+        rasterizer.draw_polygon_flatshaded(corners(which), polygons_[which].color);
 }

@@ -4,7 +4,6 @@
 #define L3D_PIPELINE_WORLDS_WORLD_H
 
 #include "base/public.h"
-#include "geom/radix_sort.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/worlds/camera_left_handed.h"
 #include "pipeline/worlds/object.h"
@@ -15,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 /// The order in which polygons are drawn.
@@ -29,7 +29,7 @@ enum class L3D_PUBLIC l3d_draw_order {
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
 /// at near_z, and far outside the picture; what is wholly beyond far_z is left out. New vertices
 /// follow the object's own in one list.
-/// Cost:    time linear in vertices and polygons, sorting included; memory for the most polygons of
+/// Cost:    time linear in vertices and polygons, but for sorting; memory for the most polygons of
 ///          any frame so far, and no limit to their number but 2^32.
 /// Source:  the order of steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
@@ -70,7 +70,7 @@ private:
     std::vector<std::uint32_t> clipped_, before_; ///< corners of one polygon
     std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
     std::vector<polygon> polygons_;
-    std::vector<l3d_sort_item> order_, sorting_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order_; ///< keys that fall as depth rises; places
 };
 
 class l3d_world_surfaces;
