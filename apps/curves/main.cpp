@@ -5,11 +5,9 @@
 #include <l3d/fixed.h>
 #include <l3d/font.h>
 #include <l3d/image.h>
-#include <l3d/integer_cubic.h>
 #include <l3d/path.h>
 #include <l3d/placement_2d.h>
 #include <l3d/program.h>
-#include <l3d/stroke.h>
 
 #include <algorithm>
 #include <charconv>

@@ -9,11 +9,10 @@
 #include "pipeline/pipeline.h"
 #include "raster/depth_buffer.h"
 #include "raster/lighting.h"
-#include "raster/canvas.h"
+#include "raster/rasterizer_factory.h"
 #include "scene/camera.h"
 #include "scene/counts.h"
 #include "scene/patch_scene.h"
-#include "scene/pick.h"
 
 #include <cstdint>
 #include <memory>

@@ -5,7 +5,6 @@
 #include "base/formatted_p.h"
 #include "pipeline/panel_places_p.h"
 #include "raster/paths/path.h"
-#include "raster/paths/stroke.h"
 
 #include <algorithm>
 #include <array>

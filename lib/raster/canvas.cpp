@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // l3d_memory_canvas.
-#include "raster/canvas.h"
-
 #include "raster/rasterizer_factory.h"
 
 #include <string>

@@ -25,13 +25,11 @@ l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lig
 /// Units:   `light` points towards the first light, world space, any length but 0.
 /// Expects: camera.is_valid().
 l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
-                                          const l3d_camera::vector& light,
-                                          const l3d_lighting& lighting = {});
+                               const l3d_camera::vector& light, const l3d_lighting& lighting = {});
 
 /// Has dicing light the vertices: with levels if `with_levels` and the mode is lambert, else with
 /// normals turned to the eye. Expects: no levels if l3d_shading::is_lit. Returns the rest of the
 /// shading, for the rasterizer.
-l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading,
-                                           bool with_levels);
+l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels);
 
 #endif

@@ -4,7 +4,7 @@
 #define L3D_SCENE_DICE_VIEW_H
 
 #include "geom/step_bound.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 #include "scene/counts.h"
 #include "tool_2d/pixels.h"

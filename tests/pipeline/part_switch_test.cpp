@@ -5,7 +5,7 @@
 
 #include "pipeline/pipeline_afd_viewer.h"
 #include "scene/framing.h"
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 
 #include <gtest/gtest.h>
 

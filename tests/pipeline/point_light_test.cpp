@@ -8,7 +8,7 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/rasterizer_factory.h"
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

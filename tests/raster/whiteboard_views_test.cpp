@@ -3,7 +3,7 @@
 #include "raster/canvas_2d.h"
 #include "raster/paths/path.h"
 #include "raster/placement_2d.h"
-#include "raster/shapes/clip_region.h"
+#include "raster/rasterizer_2d.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #ifndef L3D_GEOM_FILES_OBJ_SURFACES_P_H
 #define L3D_GEOM_FILES_OBJ_SURFACES_P_H
 
-#include "geom/bspline_surface.h"
+#include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
 #include "geom/files/text_cursor_p.h"
 

@@ -6,7 +6,7 @@
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/frame_report.h"
 #include "pipeline/polygons/polygon_view.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "scene/dice_view.h"
 
 #include <array>

@@ -70,7 +70,8 @@ private:
     std::vector<std::uint32_t> clipped_, before_; ///< corners of one polygon
     std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
     std::vector<polygon> polygons_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order_; ///< keys that fall as depth rises; places
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>
+        order_; ///< keys that fall as depth rises; places
 };
 
 class l3d_world_surfaces;

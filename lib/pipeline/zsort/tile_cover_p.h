@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 #define L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/zsort/painter.h"
 
 #include <array>

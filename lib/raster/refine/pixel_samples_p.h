@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 #define L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/refine/marked_pixels_p.h"
 #include "raster/shapes/scan_edge_p.h"
 

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_ZSORT_PAINTER_H
 #define L3D_RASTER_ZSORT_PAINTER_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/depth_buffer.h"
 #include "raster/parallel/workers.h"
 #include "raster/shapes/plane_cut_p.h"
