@@ -9,6 +9,7 @@
 #include "raster/depth_buffer.h"
 #include "raster/rasterizer_factory.h"
 #include "base/error.h"
+#include "scene/camera_shading.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
