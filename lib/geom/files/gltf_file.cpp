@@ -442,7 +442,7 @@ private:
     l3d_detail::gltf_materials materials_;
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
-    std::vector<std::size_t> odd_; ///< of the primitive's vertices, those that are nowhere
+    std::vector<std::size_t> odd_; ///< vertices of the primitive that are nowhere
     bool has_morphs_ = false, has_lines_ = false, lacks_places_ = false;
     bool has_odd_places_ = false, has_odd_normals_ = false, has_odd_rotations_ = false;
 };

@@ -83,8 +83,8 @@ void gltf_materials::note_other_textures(const gltf_value& material) {
                           metal();
 }
 
-/// The picture of a texture that a material names. No model is lost for one: what is wrong is
-/// noted.
+/// The picture of a texture that a material names. A fault is noted, so that no model is lost
+/// for a picture.
 gltf_materials::picture_use gltf_materials::picture_of(const gltf_value& use) {
     try {
         const gltf_value texture = root_.element("textures", use.at("index").whole());
@@ -100,7 +100,7 @@ gltf_materials::picture_use gltf_materials::picture_of(const gltf_value& use) {
     }
 }
 
-/// Its place in the mesh. What is wrong with an image is said for the first of its textures.
+/// Its place in the mesh. A faulty image is noted once, for the first of its textures.
 int gltf_materials::picture_of_image(const gltf_value& texture) {
     constexpr std::uint64_t clamp = 33071, repeat = 10497;
     bool repeats_u = true, repeats_v = true;

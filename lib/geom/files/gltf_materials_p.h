@@ -75,7 +75,7 @@ private:
     const l3d_other_files& files_;
     /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
     std::map<std::tuple<std::uint64_t, bool, bool>, int> pictures_;
-    std::vector<std::uint64_t> sets_; ///< of places on pictures, per material
+    std::vector<std::uint64_t> sets_; ///< sets of places on pictures, one per material
     bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;
 };
 

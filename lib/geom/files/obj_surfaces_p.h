@@ -61,7 +61,7 @@ private:
     bool is_rational_ = false, is_open_ = false;
     int degree_u_ = 0, degree_v_ = 0;
     l3d_bspline_direction u_, v_;
-    std::vector<std::uint32_t> indices_; ///< of the surface that is open
+    std::vector<std::uint32_t> indices_; ///< control points of the open surface
     std::vector<bool> is_control_point_;
 };
 
