@@ -114,7 +114,7 @@ public:
     /// are as in the book: one grey for each face, hard edges, on black, by one thread.
     l3d_polygon_settings surfaces{
         .shade = l3d_shade::flat, .background = {}, .antialias = false, .threads = 1};
-    /// Only the camera moves.
+    /// Objects stand still, and only the camera moves.
     bool frozen = false;
 
     /// Puts an object into the world, after the others. Allowed at any time: an object added during

@@ -57,7 +57,7 @@ struct fill_row {
     lane_array<float> inv_w, lit;
 };
 
-/// The further data that twisted polygons need of a row.
+/// A row's further data for twisted polygons.
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
