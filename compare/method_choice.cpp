@@ -15,7 +15,7 @@
 #include "compare/method_points.h"
 #include "compare/method_tessellation.h"
 #include "compare/method_voxels.h"
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "compare/dicers/micropolygon_dicer.h"
 #include "compare/plotters/scanline_plotter.h"
 #include "compare/dicers/subdivision_dicer.h"

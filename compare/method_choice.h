@@ -4,7 +4,7 @@
 #define L3D_COMPARE_METHOD_CHOICE_H
 
 #include "compare/arithmetic.h"
-#include "pipeline/method_factory.h"
+#include "pipeline/surface_method.h"
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 #include "scene/placed_net.h"
 #include "scene/visibility.h"
 #include "compare/method_patches.h"
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "pipeline/stopwatch_p.h"
 
 #include <algorithm>

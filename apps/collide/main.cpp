@@ -7,7 +7,7 @@
 #include <l3d/polygon_shapes.h>
 #include <l3d/program.h>
 #include <l3d/random.h>
-#include <l3d/ticker.h>
+#include <l3d/pipeline.h>
 
 #include <array>
 #include <memory>

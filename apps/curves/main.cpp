@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // curves: a cubic curve with handles, walked by forward differences in three arithmetics, in equal
 // and in adaptive steps.
-#include <l3d/adaptive_steps.h>
+#include <l3d/forward_difference.h>
 #include <l3d/fixed.h>
 #include <l3d/font.h>
 #include <l3d/image.h>
-#include <l3d/integer_cubic.h>
 #include <l3d/path.h>
-#include <l3d/placed_image.h>
+#include <l3d/placement_2d.h>
 #include <l3d/program.h>
-#include <l3d/stroke.h>
 
 #include <algorithm>
 #include <charconv>

@@ -5,7 +5,7 @@
 #include <l3d/random.h>
 #include <l3d/camera_left_handed.h>
 #include <l3d/lesson.h>
-#include <l3d/ticker.h>
+#include <l3d/pipeline.h>
 #include <l3d/program.h>
 
 #include <cmath>

@@ -3,7 +3,6 @@
 #include <l3d/polygon_shapes.h>
 #include <l3d/random.h>
 #include <l3d/pipeline_world.h>
-#include <l3d/install_paths.h>
 #include <l3d/plugin_loader.h>
 #include <l3d/program.h>
 

@@ -3,7 +3,7 @@
 #include <l3d/pipeline_afd_viewer.h>
 #include <l3d/pipeline_zbuffer.h>
 #include <l3d/pipeline_zsort.h>
-#include <l3d/rasterizer_factory_mesa.h>
+#include <l3d/rasterizer_factory.h>
 #include <l3d/part_options.h>
 #include <l3d/polygon_options.h>
 #include <l3d/program.h>

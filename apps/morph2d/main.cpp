@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // morph2d: a polygon on its way through four forms, one of them far wider than the window.
-#include <l3d/vertex_interpolator.h>
-#include <l3d/ticker.h>
+#include <l3d/coordinate.h>
+#include <l3d/pipeline.h>
 #include <l3d/polygon_2d_flatshaded.h>
 #include <l3d/lesson.h>
 #include <l3d/program.h>

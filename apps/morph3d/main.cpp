@@ -5,8 +5,8 @@
 #include <l3d/pipeline_world.h>
 #include <l3d/polygon_shapes.h>
 #include <l3d/program.h>
-#include <l3d/ticker.h>
-#include <l3d/vertex_interpolator.h>
+#include <l3d/pipeline.h>
+#include <l3d/coordinate.h>
 
 #include <algorithm>
 #include <array>

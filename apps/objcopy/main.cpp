@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // objcopy: an object is copied, both are cut by a plane, and the halves slide apart and back.
-#include <l3d/mesh_cut.h>
+#include <l3d/polygon_mesh.h>
 #include <l3d/polygon_shapes.h>
 #include <l3d/random.h>
 #include <l3d/pipeline_world.h>

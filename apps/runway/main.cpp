@@ -3,7 +3,7 @@
 #include "../dots/dot.h"
 
 #include <l3d/lesson.h>
-#include <l3d/ticker.h>
+#include <l3d/pipeline.h>
 #include <l3d/program.h>
 
 namespace {

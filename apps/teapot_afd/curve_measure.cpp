@@ -2,7 +2,7 @@
 // curve_measure: random cubics in one dimension and two.
 #include "curve_measure.h"
 
-#include <l3d/bezier_curve.h>
+#include <l3d/bezier_patch.h>
 #include "geom/block_fixed.h"
 #include "geom/forward_difference.h"
 

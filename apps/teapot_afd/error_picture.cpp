@@ -4,9 +4,8 @@
 
 #include "base/formatted_p.h"
 #include "raster/shapes/rasterizer_2d_sw.h"
-#include <l3d/text.h>
+#include <l3d/font.h>
 #include <l3d/image.h>
-#include <l3d/image_file.h>
 
 #include <algorithm>
 #include <cmath>

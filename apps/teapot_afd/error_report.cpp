@@ -10,8 +10,8 @@
 
 #include "raster/parallel/simd_target.h"
 #include <l3d/error.h>
-#include <l3d/install_paths.h>
-#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/plugin_loader.h>
+#include <l3d/rasterizer_factory.h>
 #include <l3d/real.h>
 #include <l3d/surface_method.h>
 #include <l3d/version.h>

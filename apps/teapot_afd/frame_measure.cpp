@@ -2,11 +2,11 @@
 // frame_measure: a pipeline into memory, an eye that trembles, and the exact picture.
 #include "frame_measure.h"
 
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "system/options/number_text.h"
 #include <l3d/pipeline_zbuffer.h>
 #include <l3d/pipeline_zsort.h>
-#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/rasterizer_factory.h>
 #include <l3d/screen_memory.h>
 
 #include <algorithm>

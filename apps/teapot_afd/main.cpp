@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
 #include "compare/method_option.h"
+#include "system/options/refusal_p.h"
 #include <l3d/afd_options.h>
 #include <l3d/framing.h>
 #include <l3d/part_options.h>
@@ -12,7 +13,6 @@
 #include "method_viewer.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -21,19 +21,6 @@ namespace {
 // Step 2 of 5: the application is a pipeline. The viewer of patches draws and has the keys.
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
-
-/// An option, and whether the user gave it.
-struct wish {
-    const char* option;
-    bool is_given;
-};
-
-/// Errors: l3d_error(usage) for the first wish that is given where none can be fulfilled.
-void refuse_wishes(bool none_is_fulfilled, std::initializer_list<wish> wishes, const char* reason) {
-    for (const auto& [option, is_given] : wishes)
-        if (none_is_fulfilled && is_given)
-            throw l3d_error(l3d_exit::usage, std::string(option) + ": " + reason);
-}
 
 } // namespace
 
@@ -74,27 +61,27 @@ int main(int argc, char** argv) {
         }
         other = compared.choice();
         const l3d_common_options& common = program.options().common();
-        const wish depths{"--depth-output", !afd.depth_output().empty()},
-            bounds{"--error-output", !afd.error_output().empty()};
-        refuse_wishes(other.has_value(), {depths, bounds},
-                      "not with --compare, whose halves are two pictures");
-        refuse_wishes(!folder.empty(),
-                      {{"--output", !common.output.empty()},
-                       {"--report", !afd.report().empty()},
-                       depths,
-                       bounds,
-                       {"--pick", afd.pick().has_value()},
-                       {"--explain", afd.explain()},
-                       {"--statistics", afd.statistics()},
-                       {"--compare", other.has_value()},
-                       {"--frames", common.frames > 0}},
-                      "not with --error-report, which draws nothing");
+        const bool measures = !folder.empty(), compares = other.has_value();
+        const bool keeps_depth = !afd.depth_output().empty(), bounds = !afd.error_output().empty();
         const bool is_kept = method.choice()->method == l3d_method::kept ||
                              (other && other->method == l3d_method::kept);
-        refuse_wishes(is_kept, {{"--resume", common.resume}, {"--frames", common.first_frame > 0}},
-                      "not with kept, whose frames depend on those before them");
-        if (quick && folder.empty())
-            throw l3d_error(l3d_exit::usage, "--quick: goes with --error-report");
+        const std::string two = "not with --compare, whose halves are two pictures",
+                          none = "not with --error-report, which draws nothing",
+                          follow = "not with kept, whose frames depend on those before them";
+        l3d_detail::refuse({{"--depth-output", compares && keeps_depth, two},
+                            {"--error-output", compares && bounds, two},
+                            {"--output", measures && !common.output.empty(), none},
+                            {"--report", measures && !afd.report().empty(), none},
+                            {"--depth-output", measures && keeps_depth, none},
+                            {"--error-output", measures && bounds, none},
+                            {"--pick", measures && afd.pick(), none},
+                            {"--explain", measures && afd.explain(), none},
+                            {"--statistics", measures && afd.statistics(), none},
+                            {"--compare", measures && compares, none},
+                            {"--frames", measures && common.frames > 0, none},
+                            {"--resume", is_kept && common.resume, follow},
+                            {"--frames", is_kept && common.first_frame > 0, follow},
+                            {"--quick", quick && !measures, "goes with --error-report"}});
         if (folder.empty()) {
             scene = parts.scene(afd.model());
             if (other && scene.transparent_count() > 0)

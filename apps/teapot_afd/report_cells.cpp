@@ -9,7 +9,7 @@
 #include "compare/cells/cell_stride.h"
 #include "compare/method_voxels.h"
 #include "processor_time.h"
-#include <l3d/camera_shading.h>
+#include "scene/camera_shading.h"
 #include <l3d/pipeline_afd.h>
 #include <l3d/screen_memory.h>
 

@@ -12,11 +12,10 @@
 #include "raster/shapes/rasterizer_2d_sw.h"
 #include "scene/image_transform.h"
 #include "scene/placed_net.h"
-#include <l3d/camera_shading.h>
+#include "scene/camera_shading.h"
 #include <l3d/image.h>
-#include <l3d/image_file.h>
 #include <l3d/screen_memory.h>
-#include <l3d/text.h>
+#include <l3d/font.h>
 
 #include <array>
 #include <cstdint>

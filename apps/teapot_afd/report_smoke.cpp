@@ -8,10 +8,9 @@
 #include "processor_time.h"
 #include "raster/parallel/workers.h"
 #include "raster/surface_part.h"
-#include <l3d/camera_shading.h>
+#include "scene/camera_shading.h"
 #include <l3d/image.h>
-#include <l3d/image_file.h>
-#include <l3d/rasterizer_factory_sw.h>
+#include <l3d/rasterizer_factory.h>
 
 #include <algorithm>
 #include <array>

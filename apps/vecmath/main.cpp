@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // vecmath: sums and products of points and vectors, as text.
-#include <l3d/point.h>
+#include <l3d/transform.h>
 #include <l3d/options.h>
 
 #include <iostream>

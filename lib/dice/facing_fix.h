@@ -3,7 +3,7 @@
 #ifndef L3D_DICE_FACING_FIX_H
 #define L3D_DICE_FACING_FIX_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 #define L3D_DICE_SNAP_H
 
 #include "geom/real.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <concepts>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_bspline_surface: Bezier points by blossoming.
-#include "geom/bspline_surface.h"
+#include "geom/nurbs_surface.h"
 
 #include <algorithm>
 #include <cassert>

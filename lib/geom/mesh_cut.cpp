@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_cut_mesh: faces one by one, each cut edge once, then loops of cut edges.
-#include "geom/mesh_cut.h"
+#include "geom/polygon_mesh.h"
 
 #include "geom/polygon_3d.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_nurbs_curve: de Boor's scheme on homogeneous points.
-#include "geom/nurbs_curve.h"
+#include "geom/nurbs_surface.h"
 
 #include "base/error.h"
 #include "geom/bezier_patch.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipe_along: circles along a curve, and cubics between them.
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 
 #include "base/error.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exact shapes: control points and weights of circles and lines.
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 
 #include "base/error.h"
 

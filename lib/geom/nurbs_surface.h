@@ -1,15 +1,70 @@
 // SPDX-License-Identifier: MIT
-// l3d_nurbs_surface: a non-uniform rational B-spline surface.
+// l3d_nurbs_surface and l3d_nurbs_curve: non-uniform rational B-splines, B-spline surfaces, and the
+// shapes made of them.
 #ifndef L3D_GEOM_NURBS_SURFACE_H
 #define L3D_GEOM_NURBS_SURFACE_H
 
 #include "base/public.h"
-#include "geom/bspline_surface.h"
 #include "geom/vector.h"
+#include "geom/files/patch_file.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
+
+/// The knots of a B-spline surface along u or v, and the part of the surface that is wanted.
+///
+/// Shape: the number of control points along it is points(); knots do not decrease, and
+///        knots[degree] <= from < to <= knots[points()].
+struct L3D_PUBLIC l3d_bspline_direction {
+    int degree = 0; ///< degree of the polynomials between knots; 3 for cubic ones
+    /// Parameters where the polynomials meet; one of multiplicity m stands m times.
+    std::vector<double> knots;
+    /// The range of the parameter that is part of the surface.
+    double from = 0, to = 0;
+
+    /// The number of control points along this direction.
+    std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
+
+    /// Spans between different knots within [from, to]: the Bezier segments along this direction.
+    std::size_t segments() const;
+
+    /// Why this is no direction of a surface or curve, "" if it is one: degrees are from 1 to
+    /// l3d_bpt_largest_degree. Knots are finite, of magnitude at most 1e12, and do not decrease. No
+    /// knot between the ends is there more often than the degree says, or the surface would be
+    /// torn. [from, to] lies within the knots that have enough control points.
+    std::string complaint() const;
+
+    /// Clamped, uniform knots for so many control points: the curve begins at the first and ends at
+    /// the last. The parameter runs from 0 to 1. Expects: points > degree >= 1.
+    static l3d_bspline_direction clamped(int degree, std::size_t points);
+
+    /// Periodic, uniform knots: a curve that closes, as smooth where it closes as elsewhere, if its
+    /// last `degree` control points are its first ones again. `points` counts these twice. The
+    /// parameter runs from 0 to 1. Expects: points >= 2 degree + 1, degree >= 1.
+    static l3d_bspline_direction periodic(int degree, std::size_t points);
+};
+
+/// The surface as Bezier patches, along u first, then v; the same points in space, up to rounding.
+///
+/// Control points that are Bezier points already, by the multiplicity of their knots, stay as they
+/// are bit for bit. Neighbouring patches have the same points, bit for bit, on their boundary.
+/// Shape:   points: u.points() * v.points(), u fastest; weights: as many, or none if all are 1.
+///          Segments of both directions: one or more.
+/// Expects: positive weights, degrees from 1 to l3d_bpt_largest_degree, directions as
+///          l3d_bspline_direction expects.
+/// Cost:    the square of a degree per control point and patch.
+/// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
+///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals
+///          inserting both knots to full multiplicity.
+L3D_PUBLIC std::vector<l3d_patch_points>
+l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
+                   const std::vector<std::array<double, 3>>& points,
+                   std::span<const double> weights = {});
 
 /// A place of a surface, with its derivatives by u and v up to the second.
 struct L3D_PUBLIC l3d_surface_derivatives {
@@ -78,5 +133,118 @@ private:
     std::vector<vector> points_;
     std::vector<double> weights_;
 };
+
+/// A place of a curve, with the first and second derivative by its parameter.
+struct L3D_PUBLIC l3d_curve_jet {
+    /// A place or a direction.
+    using vector = l3d_vector<double, 3>;
+    vector place{0.0, 0.0, 0.0}, ///< the point of the curve
+        first{0.0, 0.0, 0.0},    ///< its derivative
+        second{0.0, 0.0, 0.0};   ///< the derivative of that
+};
+
+/// A non-uniform rational B-spline curve of degree 1 to 15: clamped, unclamped or periodic.
+///
+/// Shape:  one knot direction, which says how many control points there are; weights are positive.
+/// Source: Piegl and Tiller, The NURBS Book, chapters 3 to 5.
+class L3D_PUBLIC l3d_nurbs_curve {
+public:
+    /// A place, or a control point.
+    using vector = l3d_vector<double, 3>;
+
+    /// A curve of these knots, control points and weights, which are all 1 if none are given.
+    /// Errors: throws l3d_error(bad_input) with what complaint() says.
+    l3d_nurbs_curve(l3d_bspline_direction along, std::vector<vector> points,
+                    std::vector<double> weights = {});
+
+    /// Straight lines from point to point. Errors: as the constructor: for fewer than two.
+    static l3d_nurbs_curve polyline(std::vector<vector> points);
+
+    /// A circle about the origin, exact: from the x axis towards the y axis, once around.
+    /// Expects: radius > 0.
+    static l3d_nurbs_curve circle(double radius);
+
+    /// Why these make no curve, naming the value at fault; "" if they do.
+    static std::string complaint(const l3d_bspline_direction& along,
+                                 const std::vector<vector>& points,
+                                 const std::vector<double>& weights);
+
+    /// The knots.
+    const l3d_bspline_direction& along() const { return along_; }
+    /// The control points, along().points() of them.
+    const std::vector<vector>& points() const { return points_; }
+    /// Their weights, as many; none if all are 1.
+    const std::vector<double>& weights() const { return weights_; }
+
+    /// The weight of a control point. Expects: index < points().size().
+    double weight(std::size_t index) const { return weights_.empty() ? 1 : weights_[index]; }
+
+    /// The place at t. Expects: along().from <= t <= along().to.
+    vector evaluate(double t) const;
+    /// The place at t with its derivatives; at a knot, those of the span that begins there.
+    /// Expects: as evaluate.
+    l3d_curve_jet derivatives(double t) const;
+
+    /// The same curve with the knot t once more.
+    /// Errors: throws l3d_error(bad_input) if t is outside of the range, or there as often as the
+    ///         degree says.
+    l3d_nurbs_curve with_knot(double t) const;
+
+private:
+    l3d_vector<double, 4> homogeneous(std::size_t index) const;
+
+    l3d_bspline_direction along_;
+    std::vector<vector> points_;
+    std::vector<double> weights_;
+};
+
+/// The surface of a curve that turns once around the y axis, exact.
+///
+/// Shape: u runs around the axis, v along the curve. A curve beside the axis that runs upwards
+///        makes a surface whose outside is away from the axis.
+L3D_PUBLIC l3d_nurbs_surface l3d_revolved(const l3d_nurbs_curve& curve);
+
+/// The surface of a curve that moves straight `by` a vector, exact. Shape: u runs along the curve,
+/// v along the vector. Errors: throws l3d_error(bad_input) where the sum is beyond 1e12.
+L3D_PUBLIC l3d_nurbs_surface l3d_extruded(const l3d_nurbs_curve& curve,
+                                          const l3d_vector<double, 3>& by);
+
+/// The surface of all lines between points of two curves of the same parameter, exact.
+///
+/// Shape:  u runs along the curves, v from the first to the second.
+/// Errors: throws l3d_error(bad_input) for curves of different degrees or ranges of the parameter.
+L3D_PUBLIC l3d_nurbs_surface l3d_ruled(l3d_nurbs_curve first, l3d_nurbs_curve second);
+
+/// A pipe along a curve, and how well it is one.
+struct L3D_PUBLIC l3d_pipe {
+    l3d_nurbs_surface surface; ///< u runs around the curve, v along it
+    /// The farthest that the surface is from the pipe's radius around the curve, in the plane
+    /// across it, at 8 places of each span: measured, not proven.
+    double measured = 0;
+};
+
+/// The surface at a distance from a curve: all circles around it, each in the plane across the
+/// curve. A pipe is no NURBS surface. This one has exact circles, whose centres and axes are cubic
+/// along the curve.
+///
+/// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.
+/// Errors:  throws l3d_error(bad_input) if 1024 spans do not keep the tolerance.
+L3D_PUBLIC l3d_pipe l3d_pipe_along(const l3d_nurbs_curve& curve, double radius, double tolerance);
+
+/// A sphere of radius 1 about the origin, poles on the y axis.
+L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_sphere_surfaces();
+/// A cylinder of radius 1 around the y axis, from y = -1 to 1, closed by discs.
+L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cylinder_surfaces();
+/// A cone around the y axis, closed: radius 1 at y = -1, tip at y = 1.
+L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cone_surfaces();
+/// A torus around the y axis: radius 1 to the middle of the tube, whose radius is 0.4.
+L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_torus_surfaces();
+/// A disc of radius 1 about the origin, its front towards the y axis.
+L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_disc_surfaces();
+
+/// The names of these five: cone, cylinder, disc, sphere, torus.
+L3D_PUBLIC std::vector<std::string_view> l3d_exact_shape_names();
+/// The one of this name; nothing if there is none.
+L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>> l3d_exact_shape(std::string_view name);
 
 #endif

@@ -4,9 +4,8 @@
 #define L3D_GEOM_POLYGON_2D_H
 
 #include "base/public.h"
-#include "geom/clip_to_plane.h"
+#include "geom/plane.h"
 #include "geom/coordinate.h"
-#include "geom/side_2d.h"
 
 #include <array>
 #include <cstddef>

@@ -4,7 +4,6 @@
 #define L3D_GEOM_POLYGON_3D_H
 
 #include "base/public.h"
-#include "geom/clip_to_plane.h"
 #include "geom/plane.h"
 
 #include <cstddef>

@@ -3,15 +3,13 @@
 #ifndef L3D_GEOM_RADIX_SORT_H
 #define L3D_GEOM_RADIX_SORT_H
 
-#include "base/public.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 /// A key and the index of its item.
-struct L3D_PUBLIC l3d_sort_item {
+struct l3d_sort_item {
     std::uint32_t key = 0;   ///< the number to sort by
     std::uint32_t index = 0; ///< which of the caller's items has the key
     friend bool operator==(const l3d_sort_item&, const l3d_sort_item&) = default;

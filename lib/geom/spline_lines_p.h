@@ -3,7 +3,7 @@
 #ifndef L3D_GEOM_SPLINE_LINES_P_H
 #define L3D_GEOM_SPLINE_LINES_P_H
 
-#include "geom/bspline_surface.h"
+#include "geom/nurbs_surface.h"
 #include "geom/vector.h"
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 #ifndef L3D_GEOM_TEAPOT_H
 #define L3D_GEOM_TEAPOT_H
 
-#include "base/public.h"
 #include "geom/parts.h"
 
 #include <string_view>
@@ -11,10 +10,10 @@
 
 /// data/teapot.bpt, compiled in: 28 bicubic patches, y up, 3 units high, base at y = 0, no bottom.
 /// Source: Newell 1975, in Crow, The Origins of the Teapot, IEEE CG&A 7, 1987.
-L3D_PUBLIC std::string_view l3d_teapot_bpt();
+std::string_view l3d_teapot_bpt();
 
 /// Its parts, in the order of its patches: body, handle, spout and lid. The rim belongs to the
 /// body.
-L3D_PUBLIC std::vector<l3d_part_run> l3d_teapot_parts();
+std::vector<l3d_part_run> l3d_teapot_parts();
 
 #endif

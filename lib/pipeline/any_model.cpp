@@ -2,8 +2,7 @@
 // l3d_load_any_model: one look at the file, and the choice.
 #include "pipeline/any_model.h"
 
-#include "pipeline/polygons/patch_tessellation.h"
-#include "pipeline/polygons/read_textures.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "scene/model_loader.h"
 #include "base/error.h"
 

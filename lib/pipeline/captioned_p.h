@@ -3,7 +3,6 @@
 #ifndef L3D_PIPELINE_CAPTIONED_P_H
 #define L3D_PIPELINE_CAPTIONED_P_H
 
-#include "pipeline/caption.h"
 #include "pipeline/pipeline.h"
 #include "raster/text/panel.h"
 #include "raster/shapes/rasterizer_2d_sw.h"

@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_report: a frame's cost, error bounds, and skipped work, for patches.
+// l3d_frame_report and l3d_polygon_report: a frame's cost, error bounds, and skipped work.
 #ifndef L3D_PIPELINE_FRAME_REPORT_H
 #define L3D_PIPELINE_FRAME_REPORT_H
 
 #include "base/public.h"
+#include "raster/surface_rasterizer.h"
 #include "scene/counts.h"
-#include "pipeline/report_parts.h"
+#include "tool_2d/pixels.h"
 
 #include <cstdint>
 #include <limits>
 #include <string>
+
+/// Times of the stages that every frame has, by the monotonic clock. Units: milliseconds.
+struct L3D_PUBLIC l3d_common_times {
+    double raster = 0;  ///< clearing, coverage, depth, shading, lines
+    double overlay = 0; ///< control nets and text
+    double total = 0;   ///< all stages but those below
+    double show = 0;    ///< bringing the picture to the screen; not part of total
+    double write = 0;   ///< writing picture files; not part of total
+};
+
+/// The entries that the reports of all frames share.
+struct L3D_PUBLIC l3d_common_report {
+    int frame = 0;              ///< its number, from 0; skipped frames count
+    std::string method;         ///< the name of the method that filled surfaces
+    std::string renderer;       ///< the GL that filled surfaces; empty if processors did
+    std::string real;           ///< the number type of the library, l3d_real_name()
+    std::string simd;           ///< vector instructions, as l3d_simd_target names them
+    l3d_size size;              ///< size of the picture, in pixels
+    int threads = 1;            ///< threads that drew
+    l3d_surface_counts surface; ///< counts of the filling
+    std::uint64_t hash = 0;     ///< l3d_hash of the picture
+};
+
+/// FNV-1a of the pixel words, row by row from the top, 64 bits.
+/// Source: Fowler, Noll, Vo; constants from RFC 9923.
+L3D_PUBLIC std::uint64_t l3d_hash(const l3d_pixels& pixels);
 
 /// Times of the stages of a frame of patches. Units: milliseconds.
 struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
@@ -54,6 +81,47 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
 
 private:
     std::string left_out_in_part() const;
+};
+
+/// The counts of a model's triangles in a frame.
+struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
+    std::int64_t back = 0; ///< left out: seen from behind
+
+    /// Adds the counts of other triangles.
+    void add(const l3d_polygon_counts& other) {
+        l3d_seen_counts::add(other);
+        back += other.back;
+    }
+};
+
+/// Counts of the work that a frame's order took.
+struct L3D_PUBLIC l3d_painter_order_counts {
+    std::int64_t triangles = 0; ///< triangles to be ordered
+    std::int64_t pairs = 0;     ///< pairs of triangles compared as they may share pixels
+    std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
+    std::int64_t knotted = 0;   ///< triangles in the knots
+    std::int64_t cuts = 0;      ///< triangles and pieces cut in two
+};
+
+/// Times of the stages of a frame of polygons. Units: milliseconds.
+struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
+    double place = 0; ///< vertices to the picture, faces culled and clipped
+    double order = 0; ///< sorting, comparing, cutting; 0 with a depth buffer
+};
+
+/// The report of one frame of polygons.
+struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
+    l3d_polygon_times time_ms;      ///< times of the stages, in milliseconds
+    std::int64_t faces = 0;         ///< faces of the model
+    std::int64_t triangles = 0;     ///< triangles of its faces
+    l3d_polygon_counts polygons;    ///< triangles drawn, and left out, by reason
+    l3d_painter_order_counts order; ///< the work of ordering; zeros with a depth buffer
+
+    /// One line of JSON, without the line's end.
+    std::string json() const;
+
+    /// The work that this frame did not need, and the test that proved it, a line each.
+    std::string explanation() const;
 };
 
 #endif

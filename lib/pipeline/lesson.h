@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_LESSON_H
 
 #include "base/public.h"
-#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "raster/background.h"
 
@@ -57,7 +57,7 @@ private:
     virtual void draw_lesson(l3d_rasterizer_2d& rasterizer) = 0;
     /// Lets time pass. Units: seconds.
     virtual void advance(double seconds) = 0;
-    /// Begins as at first.
+    /// Puts the lesson back to how it began.
     virtual void restart() = 0;
     /// The pointer has moved to (x, y) by (right, down) with its first button held; by 0 when the
     /// button is pressed. Units: pixels.

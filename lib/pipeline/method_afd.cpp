@@ -2,7 +2,7 @@
 // l3d_method_afd: the stages of a frame.
 #include "pipeline/method_afd.h"
 
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "scene/camera_shading.h"
 #include "pipeline/stopwatch_p.h"
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline: the application, as the dispatcher sees it.
+// l3d_pipeline: the application, as the dispatcher sees it; the caption that tells people of it,
+// and its steps of time.
 #ifndef L3D_PIPELINE_PIPELINE_H
 #define L3D_PIPELINE_PIPELINE_H
 
 #include "base/public.h"
 #include "geom/real.h" // whoever compiles a pipeline links with the library of the same numbers
+#include "raster/text/panel.h"
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 /// Times of a frame after it was drawn. Units: seconds.
 struct L3D_PUBLIC l3d_frame_times {
@@ -93,6 +98,70 @@ public:
     /// One line that the user should read once, such as fewer threads than wanted; "" if there is
     /// none. The dispatcher asks after each frame.
     virtual std::string take_remark() { return {}; }
+};
+
+/// Keys, as the help calls them, and their effect.
+struct L3D_PUBLIC l3d_caption_row {
+    std::string keys; ///< such as "h j k l"
+    std::string text; ///< such as "left, down, up, right"
+};
+
+/// Text on a program and its keys. The program's --help shows it, and so does a panel in its
+/// window, for some seconds and whenever the user asks for help.
+///
+///     l3d_program program("dot", l3d_caption{.what = "A dot moves.", .keys = {{"p", "rest"}}},
+///                         {320, 200});
+///
+/// Lives: a value.
+struct L3D_PUBLIC l3d_caption {
+    /// A sentence or two.
+    std::string what;
+
+    /// The lesson that the program teaches, in a sentence or two; makes the program a lesson of the
+    /// book.
+    std::string teaches{};
+
+    /// The program's own keys. The keys of every program are added automatically.
+    std::vector<l3d_caption_row> keys{};
+
+    /// The keys that show and hide the help. A program that needs one of them leaves it out.
+    std::string help = "h?";
+
+    /// The corner in which the window shows its caption for some seconds, or until a button is
+    /// pressed. Choose one where the program has nothing to see.
+    l3d_corner corner = l3d_corner::bottom_left;
+
+    /// All keys: the program's own, F11, those of help, and the end.
+    std::vector<l3d_caption_row> all_keys() const;
+
+    /// The text of --help: the sentences, and a list of all keys below them.
+    std::string text() const;
+};
+
+/// Turns seconds into whole steps. So a world that moves step by step moves as fast at any frame
+/// rate. At 30 frames a second it makes two steps of a 60th each, at 300 one in every fifth frame.
+class L3D_PUBLIC l3d_ticker {
+public:
+    /// Units:   steps per second. Expects: positive.
+    explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
+
+    /// The number of steps due `seconds` after the last call; the rest is kept for the next call.
+    ///
+    /// At most a second's worth: a program that was stopped does not catch up with hours.
+    int due(double seconds) {
+        // A rounding error is no reason to put off a step. 1/60 s, as a double, times 60 is 1, but
+        // a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
+        // nobody sees it.
+        constexpr double slack = 0x1p-20;
+        steps_ = std::min(steps_ + std::max(seconds, 0.0) * per_second_, per_second_);
+        const double whole = std::floor(steps_ + slack);
+        steps_ -= whole;
+        return static_cast<int>(whole);
+    }
+
+private:
+    double per_second_;
+    double steps_ = 0; ///< not yet handed out, may be less than 0 by the slack
 };
 
 #endif

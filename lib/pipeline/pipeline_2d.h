@@ -5,7 +5,7 @@
 
 #include "base/public.h"
 #include "pipeline/pipeline.h"
-#include "raster/canvas.h"
+#include "raster/rasterizer_factory.h"
 
 #include <memory>
 

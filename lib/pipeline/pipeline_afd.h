@@ -5,15 +5,14 @@
 
 #include "base/public.h"
 #include "pipeline/frame_report.h"
-#include "pipeline/method_factory.h"
+#include "pipeline/surface_method.h"
 #include "pipeline/pipeline.h"
 #include "raster/depth_buffer.h"
-#include "raster/canvas.h"
+#include "raster/lighting.h"
+#include "raster/rasterizer_factory.h"
 #include "scene/camera.h"
-#include "scene/camera_shading.h"
-#include "scene/culling_switches.h"
+#include "scene/counts.h"
 #include "scene/patch_scene.h"
-#include "scene/pick.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +21,7 @@
 #include <utility>
 
 class l3d_error_map;
+struct l3d_frame_lights;
 class l3d_outline_mask;
 class l3d_pixel_boxes;
 

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_REPORT_JSON_P_H
 #define L3D_PIPELINE_REPORT_JSON_P_H
 
-#include "pipeline/report_parts.h"
+#include "pipeline/frame_report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,15 +4,16 @@
 #define L3D_PIPELINE_SURFACE_METHOD_H
 
 #include "base/public.h"
-#include "scene/camera.h"
-#include "scene/counts.h"
-#include "pipeline/frame_report.h"
-#include "scene/patch_scene.h"
 #include "geom/matrix.h"
+#include "pipeline/frame_report.h"
 #include "raster/depth_buffer.h"
 #include "raster/surface_rasterizer.h"
+#include "scene/camera.h"
+#include "scene/counts.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/pixels.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -99,6 +100,49 @@ private:
     virtual const l3d_dice_counts& do_counts() const = 0;
     virtual const l3d_surface_counts& do_surface_counts() const = 0;
     virtual const l3d_outline_mask* do_outlines() const { return nullptr; }
+};
+
+class l3d_rasterizer_factory;
+class l3d_surface_method;
+class l3d_workers;
+
+/// Makes a surface method, and tells what a pipeline must know of it beforehand.
+///
+/// A default one makes the library's own method: adaptive forward differencing in l3d_real.
+class L3D_PUBLIC l3d_method_factory {
+public:
+    /// Makes a method that fills with surfaces of these rasterizers, by these workers.
+    /// Expects: never returns null.
+    /// Errors:  exceptions of the call leave the pipeline's constructor.
+    /// Lives:   the method may borrow the workers, but not the rasterizers.
+    using create_call = std::function<std::unique_ptr<l3d_surface_method>(
+        const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)>;
+
+    /// The factory of the library's own method.
+    l3d_method_factory();
+
+    /// A factory of methods that `create` makes, called by this name in reports and messages. Only
+    /// a method whose counts bound the error can draw mode `error`.
+    l3d_method_factory(std::string name, create_call create, bool has_bound = false);
+
+    /// The name that reports and messages give the method.
+    const std::string& name() const { return name_; }
+    /// Whether the method's counts bound the error of each frame.
+    bool has_bound() const { return has_bound_; }
+
+    /// Whether it makes the library's own method, whose steps the wireframe shows.
+    bool is_default() const { return is_default_; }
+
+    /// Makes a method; never null.
+    /// Errors: exceptions of the call.
+    /// Lives:  the method borrows the workers.
+    std::unique_ptr<l3d_surface_method> create(const l3d_rasterizer_factory& rasterizers,
+                                               l3d_workers& workers) const;
+
+private:
+    std::string name_;
+    create_call create_;
+    bool has_bound_, is_default_;
 };
 
 #endif

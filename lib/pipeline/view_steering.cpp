@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_view_steering: moves of the camera.
-#include "pipeline/view_steering.h"
+#include "pipeline/viewer_controls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_WIRE_P_H
 #define L3D_PIPELINE_WIRE_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/lines/line_cover_p.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_memory_canvas.
-#include "raster/canvas.h"
-
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_inspection: colours of numbers and of stripes.
-#include "raster/inspection.h"
+#include "raster/shade.h"
 
 #include "raster/color/linear_light_p.h"
 

@@ -4,12 +4,16 @@
 #define L3D_RASTER_LIGHTING_H
 
 #include "base/public.h"
+#include "geom/vector.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+/// The default direction towards the first light: from above, from the right and from the front.
+inline constexpr l3d_vector<double, 3> l3d_usual_light{0.4, 0.8, 0.45};
 
 /// The red, green and blue of a light. Units: 1 in each is white; more is brighter.
 using l3d_light_color = std::array<float, 3>;

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_PIXEL_CENTRES_H
 #define L3D_RASTER_PIXEL_CENTRES_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <algorithm>
 #include <cmath>

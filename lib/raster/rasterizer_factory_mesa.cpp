@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_rasterizer_factory_mesa: a context for each.
-#include "raster/rasterizer_factory_mesa.h"
+#include "raster/rasterizer_factory.h"
 
 #include "base/error.h"
 #include "raster/shapes/rasterizer_2d_mesa.h"

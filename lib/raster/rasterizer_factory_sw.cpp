@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_rasterizer_factory_sw: what it makes, which users of the factory need not see.
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 
 #include "raster/shapes/rasterizer_2d_smooth_p.h"
 #include "raster/surfaces/surface_rasterizer_sw.h"

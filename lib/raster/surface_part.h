@@ -1,16 +1,195 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_part: a diced piece of surface, ready to be filled.
+// l3d_surface_part: a diced piece of surface, its grid (l3d_micro_grid) and loose triangles, ready
+// to be filled.
 #ifndef L3D_RASTER_SURFACE_PART_H
 #define L3D_RASTER_SURFACE_PART_H
 
 #include "base/public.h"
-#include "raster/micro_grid.h"
-#include "raster/micro_triangles.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
+
+/// Sub-pixel resolution of every surface vertex: 8 fraction bits, so that products of two
+/// coordinate differences of a 64-pixel quad fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
+inline constexpr int l3d_subpixel_bits = 8;
+/// One pixel in these units.
+inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
+
+/// One vertex of a surface.
+///
+/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
+///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
+///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
+///        unit vector, or zero. Fast fills rely on that.
+///
+/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
+/// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
+/// - [1] and [2] are bends of sides: the level in a side's middle less the mean of both ends. In a
+///   grid they belong to the sides to the next vertex along u and v.
+/// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
+///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
+struct L3D_PUBLIC l3d_micro_vertex {
+    /// The place in the picture.
+    std::int32_t x = 0, y = 0;
+    float inv_w = 0;             ///< 1 / distance along the view axis
+    float normal[3] = {0, 0, 0}; ///< the normal, or levels
+};
+
+/// A rows x columns array of vertices, one array per component so that a row can be stepped,
+/// projected and set up in SIMD lanes.
+///
+/// Shape: index = row * pitch + column; columns run along u, rows along v. pitch >= columns is a
+///        multiple of 16 so that every row starts a full vector.
+/// Cost:  resize allocates only when a grid is larger than any before.
+struct L3D_PUBLIC l3d_micro_grid {
+    /// Vertices along u, vertices along v, and the distance between rows in the arrays.
+    int columns = 0, rows = 0, pitch = 0;
+    /// Places in the picture, of all vertices. Units: 1/256 pixel.
+    std::vector<std::int32_t> x, y;
+    std::vector<float> inv_w;     ///< 1 / distance, of all vertices
+    std::vector<float> normal[3]; ///< the normals' components, of all vertices
+
+    /// Whether some quads show the side of dS/du x dS/dv, and others the other one. Levels and
+    /// bends, or normals, belong to the first. A quad, or a piece of a folded one, that turns to
+    /// the right in the picture shows the other side: all its light has the other sign.
+    bool shows_both = false;
+
+    /// Quads that are not drawn, since triangles stand for them: index() of their first corners, in
+    /// rising order.
+    std::vector<std::uint32_t> cut;
+
+    /// Whether a quad is in `cut`. Expects: the index of its first corner.
+    bool is_cut(std::size_t p00) const {
+        return !cut.empty() && std::binary_search(cut.begin(), cut.end(), p00);
+    }
+
+    /// Makes room for so many vertices along u and v. Former contents of the arrays are lost.
+    void resize(int new_columns, int new_rows) {
+        shows_both = false;
+        cut.clear();
+        columns = new_columns;
+        rows = new_rows;
+        pitch = (new_columns + 15) / 16 * 16;
+        const std::size_t count = static_cast<std::size_t>(pitch) * static_cast<std::size_t>(rows);
+        if (x.size() >= count)
+            return;
+        x.resize(count);
+        y.resize(count);
+        inv_w.resize(count);
+        for (auto& component : normal)
+            component.resize(count);
+    }
+
+    /// The index of a vertex in the arrays. Expects: a row and a column of the grid.
+    std::size_t index(int row, int column) const {
+        assert(row >= 0 && row < rows && column >= 0 && column < columns);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) +
+               static_cast<std::size_t>(column);
+    }
+
+    /// All numbers of a vertex. Expects: a row and a column of the grid.
+    l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
+    /// All numbers of the vertex at that index.
+    l3d_micro_vertex vertex(std::size_t i) const {
+        return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
+    }
+};
+
+/// Triangles that belong to no grid: those of slits between pieces, and of clipped pieces.
+///
+/// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
+///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row,
+///        mostly in one page of memory, for walks from block to block in any order.
+/// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
+struct L3D_PUBLIC l3d_micro_triangles {
+    static constexpr std::size_t lanes = 16; ///< triangles in a block
+
+    /// One corner of the triangles of a block; components as of l3d_micro_vertex.
+    struct alignas(64) corner {
+        /// Places in the picture. Units: 1/256 pixel.
+        std::array<std::int32_t, lanes> x, y;
+        std::array<float, lanes> inv_w;                 ///< 1 / distance along the view axis
+        std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels
+    };
+    /// The corners of its triangles.
+    using block = std::array<corner, 3>;
+
+    std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes
+    std::size_t count = 0;     ///< the number of triangles
+    /// Each triangle's material, if not all have the one of their l3d_surface_part; else empty.
+    std::vector<std::uint32_t> materials;
+
+    /// Forgets all triangles.
+    void clear() {
+        count = 0;
+        materials.clear();
+    }
+
+    /// Adds a triangle.
+    void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
+        make_room(1);
+        set(0, a);
+        set(1, b);
+        set(2, c);
+        ++count;
+    }
+
+    /// Adds a triangle of a material. Expects: all others have a material, too.
+    void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
+             std::uint32_t material) {
+        add(a, b, c);
+        materials.push_back(material);
+    }
+
+    /// Makes room in the blocks for more triangles, which the caller writes and counts.
+    void make_room(std::size_t more) {
+        if (count + more > blocks.size() * lanes)
+            grow(count + more);
+    }
+
+    /// One corner of the triangles of a triangle's block. Expects: room for it; at < 3.
+    corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
+    /// The same, read-only.
+    const corner& corners(std::size_t triangle, std::size_t at) const {
+        return blocks[triangle / lanes][at];
+    }
+
+    /// One corner of one triangle. Expects: triangle < count, at < 3.
+    l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
+        const corner& c = corners(triangle, at);
+        const std::size_t i = triangle % lanes;
+        return {c.x[i], c.y[i], c.inv_w[i], {c.normal[0][i], c.normal[1][i], c.normal[2][i]}};
+    }
+
+    /// Twice the area of a triangle in the picture, positive if its corners turn to the right
+    /// there. Units: 1/65536 square pixel. Expects: triangle < count.
+    std::int64_t double_area(std::size_t triangle) const {
+        const auto& [a, b, c] = blocks[triangle / lanes];
+        const std::size_t i = triangle % lanes;
+        return (std::int64_t{b.x[i]} - a.x[i]) * (std::int64_t{c.y[i]} - a.y[i]) -
+               (std::int64_t{b.y[i]} - a.y[i]) * (std::int64_t{c.x[i]} - a.x[i]);
+    }
+
+private:
+    void grow(std::size_t least) {
+        const std::size_t wanted = std::max(least, count + count / 2);
+        blocks.resize((wanted + lanes - 1) / lanes);
+    }
+
+    void set(std::size_t at, const l3d_micro_vertex& v) {
+        corner& c = corners(count, at);
+        const std::size_t i = count % lanes;
+        c.x[i] = v.x;
+        c.y[i] = v.y;
+        c.inv_w[i] = v.inv_w;
+        for (std::size_t k = 0; k < c.normal.size(); ++k)
+            c.normal[k][i] = v.normal[k];
+    }
+};
 
 /// The beginnings of a grid's blocks, in rows or columns of its quads; the last entry is their
 /// number. A block is tested for being hidden, and sorted front to back, as a whole.

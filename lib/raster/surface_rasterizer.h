@@ -7,13 +7,10 @@
 #include "geom/material.h"
 #include "raster/background.h"
 #include "raster/depth_buffer.h"
-#include "raster/fog.h"
-#include "raster/inspection.h"
-#include "raster/lighting.h"
-#include "raster/own_shade.h"
 #include "raster/shade.h"
+#include "raster/lighting.h"
 #include "raster/surface_part.h"
-#include "raster/textures/face_paints.h"
+#include "raster/textures/texture.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>

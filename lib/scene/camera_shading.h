@@ -3,17 +3,13 @@
 #ifndef L3D_SCENE_CAMERA_SHADING_H
 #define L3D_SCENE_CAMERA_SHADING_H
 
-#include "base/public.h"
 #include "scene/camera.h"
 #include "raster/surface_rasterizer.h"
 
 struct l3d_dice_view;
 
-/// The default direction towards the light: from above, from the right and from the front.
-inline constexpr l3d_camera::vector l3d_usual_light{0.4, 0.8, 0.45};
-
 /// The lights of one frame.
-struct L3D_PUBLIC l3d_frame_lights {
+struct l3d_frame_lights {
     l3d_camera::vector light; ///< towards the first one, world space, any length but 0
     l3d_lighting lighting;    ///< its colour, and the further ones
 };
@@ -22,20 +18,18 @@ struct L3D_PUBLIC l3d_frame_lights {
 /// l3d_usual_light does in the programs' first view of the teapot. Ambient light and the first
 /// light's colour are those of `lighting`.
 /// Expects: camera.is_valid().
-L3D_PUBLIC l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
+l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 
 /// The shading of one frame: the data on camera and light for a surface rasterizer.
 ///
 /// Units:   `light` points towards the first light, world space, any length but 0.
 /// Expects: camera.is_valid().
-L3D_PUBLIC l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
-                                          const l3d_camera::vector& light,
-                                          const l3d_lighting& lighting = {});
+l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
+                               const l3d_camera::vector& light, const l3d_lighting& lighting = {});
 
 /// Has dicing light the vertices: with levels if `with_levels` and the mode is lambert, else with
 /// normals turned to the eye. Expects: no levels if l3d_shading::is_lit. Returns the rest of the
 /// shading, for the rasterizer.
-L3D_PUBLIC l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading,
-                                           bool with_levels);
+l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels);
 
 #endif

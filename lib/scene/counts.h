@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts of a frame's shapes: those drawn, with error bounds, and those left out, by reason.
+// Counts of a frame's shapes: those drawn, with error bounds, and those left out, by reason; the
+// rules' switches.
 #ifndef L3D_SCENE_COUNTS_H
 #define L3D_SCENE_COUNTS_H
 
@@ -141,6 +142,26 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         samples += static_cast<std::int64_t>(points);
         bound_px = std::max(bound_px, bound);
     }
+};
+
+/// Patches, and parts of them, that are drawn although a rule could leave them out, to measure or
+/// judge a rule.
+struct L3D_PUBLIC l3d_culling_switches {
+    /// Those outside the picture.
+    bool outside = false;
+    /// Those that cover no pixel's centre.
+    bool centreless = false;
+    /// Those behind what is drawn.
+    bool hidden = false;
+    /// Those that show only their back.
+    bool backs = false;
+    /// Those that could be drawn as a point each, without dicing.
+    bool dicing = false;
+
+    /// All of them, as if there were no rule.
+    static constexpr l3d_culling_switches all() { return {true, true, true, true, true}; }
+
+    friend bool operator==(const l3d_culling_switches&, const l3d_culling_switches&) = default;
 };
 
 #endif

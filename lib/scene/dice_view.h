@@ -4,9 +4,9 @@
 #define L3D_SCENE_DICE_VIEW_H
 
 #include "geom/step_bound.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
-#include "scene/culling_switches.h"
+#include "scene/counts.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -138,10 +138,10 @@ struct l3d_dice_view {
     /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
     double most_moved() const { return chord_budget(0); }
 
-    /// The largest error that walking may add to a vertex; otherwise the vertex is evaluated. Slits
-    /// along edges get half their budget for balanced chords, and may be off by 1 / (16
-    /// l3d_balance) = 0.73 of it. With an eighth for walking, that is within the tolerance while
-    /// all else takes less than a half.
+    /// The largest error that walking may add to a vertex; where it would add more, the vertex is
+    /// evaluated. Balanced chords along edges take up to 1 / (16 l3d_balance) = 0.73 of half their
+    /// budget. With an eighth for walking, that is within the tolerance while all else takes less
+    /// than a half.
     double walk_allowance() const { return tolerance / 8; }
 
     /// The same where vertices err by `exact` already. It is at most an eighth of the rest, since

@@ -4,7 +4,7 @@
 #define L3D_SCENE_DRAWN_PIXELS_H
 
 #include "geom/matrix.h"
-#include "scene/box_lanes.h"
+#include "scene/patch_scene.h"
 #include "scene/dice_view.h"
 #include "tool_2d/pixel_boxes.h"
 

@@ -10,7 +10,7 @@
 #include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
 #include "scene/bends/surface_bends.h"
-#include "scene/box_lanes.h"
+#include "scene/patch_scene.h"
 #include "scene/closed_body.h"
 #include "scene/curved_pieces.h"
 #include "scene/facing_cones.h"

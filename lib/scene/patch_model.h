@@ -66,7 +66,7 @@ public:
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
-    /// The teapot that l3d has at hand, l3d_teapot_bpt(), with its parts.
+    /// The teapot that l3d has at hand, data/teapot.bpt, with its parts.
     static l3d_patch_model teapot();
 
     /// The patches of a file in any format of l3d_read_model, in the colours that it has for them.

@@ -1,20 +1,92 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene: the models that a pipeline draws, each with its placement.
+// l3d_patch_scene: the models that a pipeline draws, each with its placement; and what a place of
+// the picture shows.
 #ifndef L3D_SCENE_PATCH_SCENE_H
 #define L3D_SCENE_PATCH_SCENE_H
 
 #include "base/public.h"
 #include "geom/material.h"
 #include "geom/matrix.h"
-#include "scene/box_lanes.h"
+#include "geom/vector.h"
+#include "scene/camera.h"
 #include "scene/patch_model.h"
+#include "tool_2d/pixels.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+/// A box that an affine map may have slanted: the points centre + r axes[0] + s axes[1] +
+/// t axes[2] with r, s, t in [-1, 1].
+struct L3D_PUBLIC l3d_slanted_box {
+    l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
+    std::array<l3d_vector<double, 3>, 3> axes{}; ///< from the middle to three sides that meet
+    double reach = 0; ///< bound of the terms that coordinates inside are summed up from, if known
+};
+
+/// Boxes held so that a processor's lanes can each take one.
+///
+/// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
+///        `lanes`, with meaningless numbers behind the last box.
+/// Cost:  13 doubles a box. add allocates only when there are more than ever before.
+class L3D_PUBLIC l3d_box_lanes {
+public:
+    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this
+
+    /// The number of boxes.
+    std::size_t count() const { return count_; }
+    /// Forgets all boxes. Cost: keeps the memory.
+    void clear() { count_ = 0; }
+
+    /// Adds a box at the end.
+    void add(const l3d_slanted_box& box) {
+        if (count_ == centre_[0].size())
+            grow();
+        set(count_++, box);
+    }
+
+    /// Replaces a box. Expects: there is a box at that index.
+    void set(std::size_t index, const l3d_slanted_box& box) {
+        for (int i = 0; i < 3; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            centre_[at][index] = box.centre[i];
+            for (std::size_t k = 0; k < 3; ++k)
+                axes_[k][at][index] = box.axes[k][i];
+        }
+        reach_[index] = box.reach;
+    }
+
+    /// Coordinate i of the centres, from box `first` on.
+    const double* centre(std::size_t i, std::size_t first) const { return &centre_[i][first]; }
+
+    /// Coordinate i of the k-th axes, likewise.
+    const double* axis(std::size_t k, std::size_t i, std::size_t first) const {
+        return &axes_[k][i][first];
+    }
+
+    /// The bounds of their terms, likewise.
+    const double* reach(std::size_t first) const { return &reach_[first]; }
+
+private:
+    void grow() {
+        const std::size_t size = 2 * count_ + lanes;
+        for (std::size_t i = 0; i < 3; ++i) {
+            centre_[i].resize(size);
+            for (auto& axis : axes_)
+                axis[i].resize(size);
+        }
+        reach_.resize(size);
+    }
+
+    std::size_t count_ = 0;
+    std::array<std::vector<double>, 3> centre_;
+    std::array<std::array<std::vector<double>, 3>, 3> axes_;
+    std::vector<double> reach_;
+};
 
 struct l3d_curved_error;
 struct l3d_level_view;
@@ -244,5 +316,78 @@ private:
     std::vector<bool> is_moved_; ///< whether each instance is in moved_
     l3d_box_lanes moved_from_;
 };
+
+/// The nearest point of a scene's patches on the ray through a place of the picture.
+///
+/// Each error is the largest distance from the exact value, rounding included. It is infinite where
+/// nothing is known, as of the curvature where the surface has no normal.
+struct L3D_PUBLIC l3d_pick {
+    /// The instance's index in the scene.
+    std::size_t instance = 0;
+    /// The patch's index in the instance's model.
+    std::size_t patch = 0;
+    /// The name of the part that the patch belongs to; empty if there is none.
+    std::string part{};
+    /// The first parameter, from 0 to 1.
+    double u = 0;
+    /// The second parameter, from 0 to 1.
+    double v = 0;
+    /// The error of u.
+    double u_error = 0;
+    /// The error of v.
+    double v_error = 0;
+
+    /// The point in the world.
+    l3d_camera::vector point{0.0, 0.0, 0.0};
+    /// The point's error, in world units.
+    double point_error = 0;
+    /// The distance along the view axis, as good as the point.
+    double depth = 0;
+
+    /// The unit normal in the world, on the side that is turned to the eye; zero if there is none.
+    l3d_camera::vector normal{0.0, 0.0, 0.0};
+    /// The length of the normal's difference from the exact one; radians if it is small.
+    double normal_error = 0;
+
+    /// Gaussian curvature, in 1 / world units squared.
+    double gaussian = 0;
+    /// The error of gaussian, in its unit.
+    double gaussian_error = 0;
+    /// Mean curvature, in 1 / world units: positive where the surface bends towards the normal, as
+    /// a bowl that is seen from above.
+    double mean = 0;
+    /// The error of mean, in its unit.
+    double mean_error = 0;
+
+    /// True if it is proven that the ray meets the surface here. Otherwise the ray passes so near
+    /// to an outline, or to a place without a normal, that rounding decides; the errors say how
+    /// near.
+    bool is_proven = false;
+
+    /// All values, a line each: name, value and error. Patches count from 0.
+    std::string text() const;
+
+    /// Patch, parameters and point in one line, with no more digits than a picture has room for.
+    std::string line() const;
+};
+
+/// The view in which a scene is picked.
+struct L3D_PUBLIC l3d_pick_view {
+    l3d_camera camera;      ///< its near and far planes limit the depth of hits
+    l3d_size size;          ///< size of the picture, in pixels
+    bool one_sided = false; ///< backs are not seen, as l3d_afd_settings has it
+};
+
+/// Finds the surface that is seen at (x, y) of a picture. Nothing if the ray meets no patch between
+/// the near and the far plane.
+///
+/// Units:   pixels from the picture's left upper corner; a pixel's middle is at 1/2. Any place may
+///          be asked for, also one outside the picture.
+/// Expects: a valid camera; finite x and y.
+/// Cost:    a look at each patch, some 100 ns, and 20 us to 200 us for those that the ray is near.
+/// Source:  subdivision, nearest part first, until Krawczyk's operator proves a part to hold one
+///          point of the ray; docs/NUMERICS.md tells the errors.
+L3D_PUBLIC std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene,
+                                               const l3d_pick_view& view, double x, double y);
 
 #endif

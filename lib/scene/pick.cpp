@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pick_at: patches in the ray's coordinates, and the facts on the place of the hit.
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 
 #include "base/formatted_p.h"
 #include "base/printable_p.h"

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher: turns outside events into pipeline calls; and the factory that makes one.
+// l3d_dispatcher: turns outside events into pipeline calls; its kinds, and the factories that make
+// them.
 #ifndef L3D_SYSTEM_DISPATCHER_H
 #define L3D_SYSTEM_DISPATCHER_H
 
-#include "base/public.h"
 #include "base/error.h"
+#include "base/public.h"
+#include "pipeline/pipeline.h"
+#include "system/frame_writer.h"
 #include "tool_2d/event.h"
 #include "tool_2d/screen.h"
-#include "pipeline/caption.h"
-#include "pipeline/pipeline.h"
-#include "system/frame_settings.h"
 
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// The event loop of a program, which plugs in its pipeline and its screen and starts it.
 ///
@@ -71,6 +72,56 @@ public:
 
 private:
     virtual std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const = 0;
+};
+
+/// Once it knows the screen, it works as the dispatcher of windows or as the one without a display.
+class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
+public:
+    /// Errors:  as l3d_frame_writer.
+    explicit l3d_dispatcher_fitting(const l3d_frame_settings& settings);
+
+private:
+    l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) override;
+
+    l3d_frame_settings settings_;
+    std::unique_ptr<l3d_dispatcher> fitting_; ///< kept until the screen is closed
+};
+
+/// Makes dispatchers for a back-end whose screens are windows where there is a display.
+class L3D_PUBLIC l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
+private:
+    /// Errors:  as l3d_frame_writer.
+    std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
+};
+
+/// An event and the frame (from 0) before which it happens.
+struct L3D_PUBLIC l3d_script_event {
+    int frame = 0;   ///< the number of the frame, from 0
+    l3d_event event; ///< the event
+};
+
+/// Makes frames as fast as it can, each a fixed step of time after the one before; one frame if
+/// the settings say none. The same script gives the same pictures every time.
+class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
+public:
+    /// Expects: the script in the order of its frames.
+    /// Errors:  as l3d_frame_writer.
+    explicit l3d_dispatcher_script(const l3d_frame_settings& settings,
+                                   std::vector<l3d_script_event> script = {});
+
+private:
+    l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) override;
+
+    l3d_frame_settings settings_;
+    std::vector<l3d_script_event> script_;
+    l3d_frame_writer writer_;
+};
+
+/// Makes dispatchers that have no events to replay.
+class L3D_PUBLIC l3d_dispatcher_factory_script final : public l3d_dispatcher_factory {
+private:
+    /// Errors:  as l3d_frame_writer.
+    std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_dispatcher_fitting: the choice.
-#include "system/dispatcher_fitting.h"
+#include "system/dispatcher.h"
 
-#include "system/dispatcher_script.h"
 #include "system/dispatcher_window.h"
 #include "system/frame_writer.h"
 

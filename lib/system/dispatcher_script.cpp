@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_dispatcher_script: the loop over frames.
-#include "system/dispatcher_script.h"
+#include "system/dispatcher.h"
 
 #include "system/present_p.h"
 #include "system/progress_p.h"

@@ -2,14 +2,21 @@
 // l3d_frame_writer: names, numbers and streams.
 #include "system/frame_writer.h"
 
+#include "base/error.h"
+#include "base/formatted_p.h"
+#include "base/printable_p.h"
+#include "system/reason_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
-#include "base/error.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <exception>
 #include <filesystem>
+#include <iostream>
 #include <string_view>
 
 namespace {
@@ -118,4 +125,49 @@ void l3d_frame_writer::frame(const l3d_pixels& pixels) {
 void l3d_frame_writer::finish(const l3d_pixels& pixels) {
     if (kind_ == kind::single)
         l3d_write_image(before_, pixels, alpha_);
+}
+
+l3d_report_writer::l3d_report_writer(const std::string& path) : path_(path), out_(&file_) {
+    if (path == "-") {
+        path_ = "standard output";
+        out_ = &std::cout;
+        return;
+    }
+    errno = 0;
+    file_.open(path, std::ios::binary);
+    if (!file_)
+        refuse();
+}
+
+void l3d_report_writer::add(const std::string& line) {
+    errno = 0;
+    if (!(*out_ << line << std::endl))
+        refuse();
+}
+
+void l3d_report_writer::refuse() const {
+    throw l3d_error(l3d_exit::failure, path_ + ": " + std::strerror(errno ? errno : EIO));
+}
+
+std::string l3d_save_screenshot(const l3d_pixels& pixels) {
+    std::error_code unknown; // on an error the name alone is told
+    const std::filesystem::path folder = std::filesystem::current_path(unknown);
+    constexpr int most = 9999;
+    for (int number = 1; number <= most; ++number) {
+        const std::string name = l3d_detail::formatted("l3d-%04d.png", number);
+        // A link that leads nowhere is somebody's name, too.
+        std::error_code problem;
+        const auto type = std::filesystem::symlink_status(name, problem).type();
+        if (type == std::filesystem::file_type::none)
+            return "not saved: " + problem.message();
+        if (type != std::filesystem::file_type::not_found)
+            continue;
+        try {
+            l3d_write_png(name, pixels);
+        } catch (const std::exception& error) {
+            return l3d_detail::reason_of(error);
+        }
+        return "saved " + l3d_detail::printable((folder / name).string());
+    }
+    return "not saved: l3d-0001.png to l3d-9999.png exist";
 }

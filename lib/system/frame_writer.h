@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_writer: puts the frames of a program into files, as --output says.
+// Files of a program's frames: l3d_frame_writer as --output says, reports, screenshots, and the
+// frames asked for.
 #ifndef L3D_SYSTEM_FRAME_WRITER_H
 #define L3D_SYSTEM_FRAME_WRITER_H
 
 #include "base/public.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 #include "tool_2d/pixels.h"
 
+#include <fstream>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -53,5 +57,65 @@ private:
     char fill_ = ' ';
     int next_number_ = 0;
 };
+
+/// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
+class L3D_PUBLIC l3d_report_writer {
+public:
+    /// Opens the file of this name. The name - is the standard output as it is: earlier output
+    /// stays, and the output of others comes in between.
+    /// Errors: l3d_error(failure) that names the file and the system's reason.
+    explicit l3d_report_writer(const std::string& path);
+    l3d_report_writer(const l3d_report_writer&) = delete;
+    l3d_report_writer& operator=(const l3d_report_writer&) = delete;
+
+    /// Writes a line. Errors: as the constructor.
+    void add(const std::string& line);
+
+private:
+    [[noreturn]] void refuse() const;
+
+    std::string path_;
+    std::ofstream file_;
+    std::ostream* out_; ///< the file or the standard output
+};
+
+/// The settings with which a dispatcher is made.
+struct L3D_PUBLIC l3d_frame_settings {
+    /// The number of frames; 0: until the pipeline is done (with a window), one (without a
+    /// display).
+    int frames = 0;
+
+    /// The first frame whose picture is wanted; of those before it, only the time passes. Expects:
+    /// less than `frames`, or 0.
+    int first_frame = 0;
+
+    /// Whether frames whose file is there already are left out, too.
+    bool resume = false;
+
+    /// Frames per second; 0: as many as possible; empty: the screen's choice.
+    std::optional<double> fps;
+
+    /// Whether update_event gets 1 / fps instead of the time measured. Always so without a
+    /// display; with a window it makes the pictures repeatable.
+    bool fixed_step = false;
+
+    /// A name for l3d_frame_writer; empty: nothing is written.
+    std::string output;
+
+    /// The meaning of the highest bytes of pixel words in the files that are written.
+    l3d_alpha alpha = l3d_alpha::none;
+
+    /// The beginning of lines on stderr.
+    std::string program = "l3d";
+
+    /// The time from frame to frame where it is not measured, in seconds. It is the same for every
+    /// screen, so that their pictures are.
+    double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
+};
+
+/// Writes l3d-0001.png, or the first such name that is free, and never over an existing file.
+/// Returns a line that says where it is, or why it could not be done: a full disk must not end a
+/// program.
+L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
 
 #endif

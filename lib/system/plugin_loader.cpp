@@ -2,22 +2,21 @@
 // l3d_plugin_loader: the host's side of the interface, and dlopen.
 #include "system/plugin_loader.h"
 
+#include "base/error.h"
 #include "base/printable_p.h"
-#include "geom/mesh_cut.h"
+#include "geom/polygon_mesh.h"
 #include "geom/files/model_file.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "pipeline/polygons/read_textures.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "pipeline/worlds/object_plugin.h"
 #include "scene/model_loader.h"
+#include "system/install_paths_p.h"
 #include "tool_2d/text_file.h"
-#include "base/error.h"
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -286,4 +285,48 @@ l3d_plugin_loader::load(const std::string& file, const std::string& parameters, 
         return nullptr;
     object->plug(std::move(behaviour));
     return object;
+}
+
+#ifndef L3D_PREFIX
+#define L3D_PREFIX "/usr/local"
+#endif
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder(const char* below) {
+    std::error_code unknown;
+    return l3d_detail::folder_beside(fs::read_symlink("/proc/self/exe", unknown), below);
+}
+
+} // namespace
+
+fs::path l3d_detail::folder_beside(const fs::path& program, const char* below) {
+    std::error_code unknown;
+    const fs::path beside = program.parent_path().parent_path() / below;
+    return program.is_absolute() && fs::is_directory(beside, unknown)
+               ? beside
+               : fs::path(L3D_PREFIX) / below;
+}
+
+std::string l3d_plugin_folder() {
+    return folder("lib/l3d");
+}
+
+std::string l3d_data_folder() {
+    return folder("share/l3d");
+}
+
+std::string l3d_data_file(const std::string& name) {
+    std::error_code unknown;
+    if (name.empty() || fs::exists(name, unknown) || fs::path(name).has_parent_path())
+        return name;
+    const fs::path ours = fs::path(l3d_data_folder()) / name;
+    if (fs::is_regular_file(ours, unknown))
+        return ours.string();
+    for (const fs::directory_entry& entry : fs::directory_iterator(l3d_data_folder(), unknown))
+        if (entry.path().stem() == name && entry.is_regular_file(unknown))
+            return entry.path().string();
+    return name;
 }

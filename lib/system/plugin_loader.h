@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_plugin_loader: makes objects whose behaviour comes from shared libraries.
+// l3d_plugin_loader: makes objects whose behaviour comes from shared libraries; where those and
+// data lie.
 #ifndef L3D_SYSTEM_PLUGIN_LOADER_H
 #define L3D_SYSTEM_PLUGIN_LOADER_H
 
@@ -37,5 +38,17 @@ private:
     std::string program_, folder_;
     l3d_random random_;
 };
+
+/// The folder of plug-ins. It is ../lib/l3d, seen from the program's own folder, if that exists. So
+/// programs that were built or installed with l3d find it wherever they were moved. Else it is the
+/// folder in the prefix which l3d was built for.
+L3D_PUBLIC std::string l3d_plugin_folder();
+
+/// The folder of models and other data, likewise: ../share/l3d.
+L3D_PUBLIC std::string l3d_data_folder();
+
+/// The file that a user means by the name of a model: the file of that name, else one in the data
+/// folder, with or without its ending. If there is neither, the name as it is.
+L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

@@ -4,7 +4,6 @@
 #define L3D_SYSTEM_PRESENT_P_H
 
 #include "pipeline/pipeline.h"
-#include "system/frame_settings.h"
 #include "system/frame_writer.h"
 #include "tool_2d/screen.h"
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// l3d_program: the common part of every main function, which then shows the five steps alone.
+// l3d_program: the common part of every main function, which then shows the five steps alone;
+// l3d_show_picture.
 #ifndef L3D_SYSTEM_PROGRAM_H
 #define L3D_SYSTEM_PROGRAM_H
 
 #include "base/public.h"
-#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/pipeline_2d.h"
 #include "system/factory_manager.h"
 #include "system/options/options.h"
+#include "tool_2d/pixels.h"
 
 #include <cstdint>
 #include <functional>
@@ -96,5 +98,16 @@ private:
     bool is_classic_ = false;
     std::function<bool()> goes_on_ = [] { return true; };
 };
+
+/// Shows a finished picture until the user closes its window or presses q or Escape. The picture
+/// fills as much of the window as its shape allows. L3D_BACKEND names the back-end; without it the
+/// first that can serve is taken. Where nobody would see it, it is written to `name`.png, and a
+/// line on stderr says so.
+///
+/// Shape:   `name` is the window's title and a file's name without its end.
+/// Returns: the exit code that main should return.
+/// Errors:  none: each becomes a line on stderr and an exit code, as for l3d_program::run.
+/// Expects: a picture of 1 to l3d_largest_side pixels in both directions.
+L3D_PUBLIC int l3d_show_picture(const l3d_pixels& picture, const std::string& name = "picture");
 
 #endif

@@ -8,11 +8,10 @@
 #include "system/options/afd_options.h"
 #include "system/options/polygon_options.h"
 #include "system/program.h"
-#include "system/report_writer.h"
-#include "system/screenshot.h"
-#include "raster/error_map.h"
+#include "system/frame_writer.h"
+#include "raster/depth_buffer.h"
 #include "scene/framing.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PNG by libpng's simplified interface; PPM and PFM by hand; JPEG elsewhere.
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include "base/error.h"
 #include "tool_2d/jpeg_image_p.h"

@@ -1,18 +1,38 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen: where pixels become visible; and the factory that makes one.
+// l3d_screen: where pixels become visible; the factory that makes one, and what it found out.
 #ifndef L3D_TOOL_2D_SCREEN_H
 #define L3D_TOOL_2D_SCREEN_H
 
 #include "base/public.h"
 #include "tool_2d/event.h"
 #include "tool_2d/pixels.h"
-#include "tool_2d/probe.h"
 #include "tool_2d/screen_info.h"
 
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+/// A thing that --diagnose prints a line about.
+struct L3D_PUBLIC l3d_probe {
+    /// How far it serves.
+    enum class verdict {
+        good,    ///< nothing is missing
+        limited, ///< it serves, but not as well as it could
+        bad      ///< it does not serve
+    };
+
+    std::string what;                ///< "MIT-SHM", "visual"
+    std::string result;              ///< the finding, or the reason why there is none
+    verdict outcome = verdict::good; ///< how far it serves
+    std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
+};
+
+/// The name of the display's own probe: if that is bad, no window can open.
+inline constexpr auto l3d_display_probe = "display";
+
+/// All that was found, in the order in which it is printed.
+using l3d_probes = std::vector<l3d_probe>;
 
 /// Chooses which motion of the pointer a program hears of.
 enum class L3D_PUBLIC l3d_pointer {

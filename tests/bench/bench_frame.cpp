@@ -3,7 +3,7 @@
 #include "hard_edged.h"
 #include "bench/bench_frame.h"
 
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <chrono>

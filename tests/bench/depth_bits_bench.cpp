@@ -6,10 +6,9 @@
 // the comparison of depths differs.
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/polygon_frame.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "scene/camera_shading.h"
 #include "tool_2d/image.h"
-#include "tool_2d/image_file.h"
 
 #include <array>
 #include <cmath>

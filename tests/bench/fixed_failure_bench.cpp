@@ -2,7 +2,7 @@
 // The error of forward differencing without a bound, as a table and, given a path, as a picture.
 #include "geom/fixed_failure.h"
 #include "geom/normal_net.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <cstdio>
 #include <exception>

@@ -7,7 +7,7 @@
 #include "bench/bench_frame.h"
 #include "bench/leaving_out_cases.h"
 #include "processor_time.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,6 @@
 #include "bench/paths_peers.h"
 #include "raster/paths/gradient.h"
 #include "raster/paths/path.h"
-#include "raster/paths/stroke.h"
 
 #include <agg2/agg_conv_curve.h>
 #include <agg2/agg_conv_dash.h>

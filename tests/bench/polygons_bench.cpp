@@ -10,8 +10,7 @@
 #include "pipeline/zsort/painter_order.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/rasterizer_factory_mesa.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 #include "pipeline/polygons/polygon_frame.h"
 

@@ -8,7 +8,7 @@
 #include "geom/teapot.h"
 #include "pipeline/pipeline_afd.h"
 #include "processor_time.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 
 #include <algorithm>
 #include <cmath>

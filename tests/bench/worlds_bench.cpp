@@ -9,7 +9,7 @@
 #include "geom/polygon_shapes.h"
 #include "geom/random.h"
 #include "pipeline/worlds/world.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "dice/scene.h"
 
 #include "compare/method_kept.h"
-#include "pipeline/method_factory.h"
+#include "pipeline/surface_method.h"
 #include "pipeline/pipeline_afd.h"
 #include "reference/exact.h"
 #include "reference/measure.h"

@@ -5,7 +5,7 @@
 
 #include "compare/method_choice.h"
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/exact.h"
 #include "reference/measure.h"
 #include "reference/region.h"

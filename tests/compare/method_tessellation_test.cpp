@@ -6,8 +6,8 @@
 #include "scene/camera_shading.h"
 #include "compare/method_patches.h"
 #include "compare/method_tessellation.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/random_patches.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sum of two places means nothing.
-#include "geom/point.h"
+#include "geom/transform.h"
 
 l3d_vector<float, 3> between(l3d_point<float> p, l3d_point<float> q);
 

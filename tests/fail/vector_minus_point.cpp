@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A place can be moved back by a displacement, not the other way round.
-#include "geom/point.h"
+#include "geom/transform.h"
 
 l3d_point<float> moved_back(l3d_point<float> p, l3d_vector<float, 3> v);
 

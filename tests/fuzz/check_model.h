@@ -74,9 +74,8 @@ inline bool is_within_limits(const l3d_model_file& model) {
     return true;
 }
 
-/// Neither writer has colours of vertices and places of pictures.
+/// Neither writer has places of pictures.
 inline void forget_what_lies_on_faces(l3d_polygon_mesh& mesh) {
-    mesh.vertex_colors.clear();
     mesh.picture_places.clear();
     mesh.pictures.clear();
 }

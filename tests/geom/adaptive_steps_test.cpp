@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Adaptive walks: exact in whole numbers, and each step as long as a pixel asks for.
-#include "geom/adaptive_steps.h"
+#include "geom/forward_difference.h"
 #include "geom/bezier_oracle.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bezier patches of B-spline surfaces against the definition of B-splines.
-#include "geom/bspline_surface.h"
+#include "geom/nurbs_surface.h"
 
 #include <gtest/gtest.h>
 

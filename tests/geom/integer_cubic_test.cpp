@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_integer_cubic: halved, walked or both, its values are the exact ones.
-#include "geom/integer_cubic.h"
+#include "geom/forward_difference.h"
 
 #include <gtest/gtest.h>
 

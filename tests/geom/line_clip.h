@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_GEOM_LINE_CLIP_H
 #define L3D_TESTS_GEOM_LINE_CLIP_H
 
-#include "geom/side_2d.h"
+#include "geom/plane.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_cut_mesh: the row "Splitting objects" of the book's table; and import.
-#include "geom/mesh_cut.h"
+#include "geom/polygon_mesh.h"
 
 #include "geom/files/model_file.h"
 #include "geom/polygon_3d.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Colours from every format of models that has them.
 #include "geom/files/model_file.h"
+#include "geom/polygon_shapes.h"
 
 #include "model_text.h"
 
@@ -127,6 +128,21 @@ TEST(model_colors, of_obj_files_are_looked_up_by_name) {
     EXPECT_EQ(model.mesh.look_of(0).color, 0xff0000u);
     EXPECT_EQ(model.mesh.look_of(1), l3d_material());
     EXPECT_TRUE(model.mesh.is_valid());
+}
+
+TEST(model_colors, of_vertices_survive_both_writers) {
+    l3d_model_file model;
+    model.mesh = l3d_torus_mesh(5, 4);
+    for (std::uint32_t i = 0; i < model.mesh.vertices.size(); ++i)
+        model.mesh.vertex_colors.push_back(0x0c4321 * i & 0xffffff);
+    EXPECT_EQ(model_text::read_by(l3d_read_obj, l3d_write_obj(model), "name").mesh, model.mesh);
+    for (const bool normals : {false, true}) {
+        if (normals)
+            model.mesh.vertex_normals = model.mesh.vertices;
+        const std::string text = l3d_write_off(model.mesh);
+        EXPECT_TRUE(text.starts_with(normals ? "CNOFF\n" : "COFF\n"));
+        EXPECT_EQ(model_text::read_by(l3d_read_off, text, "name").mesh, model.mesh);
+    }
 }
 
 TEST(model_colors, of_patches_of_obj_files_are_those_before_surf) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NURBS curves, surfaces and shapes against the definition of B-splines in exact rationals.
 #include "base/error.h"
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 #include "rational_oracle.h"
 
 #include <boost/multiprecision/cpp_int.hpp>

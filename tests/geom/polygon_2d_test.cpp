@@ -3,7 +3,7 @@
 #include "geom/polygon_2d.h"
 
 #include "geom/random.h"
-#include "geom/vertex_interpolator.h"
+#include "geom/coordinate.h"
 
 #include <algorithm>
 #include <cmath>

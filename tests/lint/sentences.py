@@ -22,10 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "packaging/README.md",
              "docs/**/*.md", "docs/*.7")
 CODE_FOLDERS = ("lib", "apps", "include", "compare", "tests")
-RIDDLES_REMAIN = (  # files and folders, by how their paths begin, in which sentences may still begin with a riddle
-    "docs/REFERENCE.md",  # follows the headers
-    "lib/geom/files/gltf", "lib/geom/files/mtl", "lib/geom/files/obj", "lib/pipeline/zsort/",
-    "lib/raster/refine/", "lib/raster/shaders/", "lib/raster/surfaces/", "lib/raster/zsort/", "tests/")
+RIDDLES_REMAIN = ("tests/",)  # files and folders, by how their paths begin, whose sentences may still begin with a riddle
 
 Sentence = collections.namedtuple("Sentence", "line text words")
 

@@ -6,8 +6,8 @@
 #include "words_of.h"
 
 #include "pipeline/pipeline_afd.h"
-#include "raster/error_map.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/depth_buffer.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/box_image.h"
 #include "reference/box_verdict.h"
 #include "reference/random_numbers.h"

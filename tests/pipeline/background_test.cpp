@@ -7,11 +7,11 @@
 #include "words_of.h"
 
 #include "pipeline/pipeline_afd.h"
-#include "raster/error_map.h"
+#include "raster/depth_buffer.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "pipeline/polygons/polygon_model.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/color/srgb_light.h"
 #include "reference/box_image.h"
 

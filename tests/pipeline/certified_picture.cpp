@@ -4,8 +4,8 @@
 
 #include "words_of.h"
 
-#include "raster/error_map.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/depth_buffer.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/error_map.h"
-#include "raster/rasterizer_factory_mesa.h"
+#include "raster/depth_buffer.h"
+#include "raster/rasterizer_factory.h"
 #include "base/error.h"
 #include "tool_2d/screen_memory.h"
 

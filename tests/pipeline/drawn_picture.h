@@ -7,7 +7,7 @@
 #include "words_of.h"
 
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 #include "raster/outline_mask.h"
 

@@ -8,8 +8,8 @@
 
 #include "dice/certificate/frame_doubts.h"
 #include "pipeline/pipeline_afd.h"
-#include "raster/error_map.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/depth_buffer.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/box_image.h"
 #include "reference/measure.h"
 #include "reference/random_numbers.h"

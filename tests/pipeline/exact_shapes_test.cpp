@@ -3,9 +3,9 @@
 #include "hard_edged.h"
 #include "words_of.h"
 
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

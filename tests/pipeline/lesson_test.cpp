@@ -2,7 +2,7 @@
 // l3d_lesson: time that can be stopped, a start that can be repeated, a hand that takes hold.
 #include "pipeline/lesson.h"
 #include "pipeline/worlds/pipeline_world.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 
 #include <gtest/gtest.h>
 

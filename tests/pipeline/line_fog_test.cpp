@@ -7,7 +7,7 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/wire_p.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

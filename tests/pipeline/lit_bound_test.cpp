@@ -7,7 +7,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "scene/camera_shading.h"
 #include "scene/lit_shade_bound.h"
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

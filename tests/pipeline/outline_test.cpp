@@ -6,7 +6,7 @@
 #include "words_of.h"
 
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/measure.h"
 #include "reference/random_numbers.h"
 #include "reference/random_patches.h"

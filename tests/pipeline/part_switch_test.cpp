@@ -3,10 +3,9 @@
 #include "hard_edged.h"
 #include "still_studio.h"
 
-#include "pipeline/part_switch.h"
 #include "pipeline/pipeline_afd_viewer.h"
 #include "scene/framing.h"
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 
 #include <gtest/gtest.h>
 

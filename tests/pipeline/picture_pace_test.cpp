@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the status line says of time: by a clock that the test sets.
-#include "pipeline/picture_pace.h"
+#include "pipeline/viewer_controls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The services that programs get from their base class.
 #include "pipeline/pipeline_2d.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "sizable_screen.h"
 
 #include <algorithm>

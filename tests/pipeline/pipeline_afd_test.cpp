@@ -8,7 +8,7 @@
 #include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
 #include "scene/camera_shading.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/parallel/simd_target.h"
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 #include "reference/views.h"

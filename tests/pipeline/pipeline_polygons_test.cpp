@@ -6,8 +6,7 @@
 
 #include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
-#include "raster/rasterizer_factory_mesa.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 #include "pipeline/polygons/polygon_wires.h"
 

@@ -2,7 +2,7 @@
 // l3d_pipeline_world: rows "Free-fly keys" and "Status overlay" of the book's table.
 #include "pipeline/worlds/pipeline_world.h"
 
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

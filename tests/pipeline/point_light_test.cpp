@@ -7,8 +7,8 @@
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/rasterizer_factory_sw.h"
-#include "scene/pick.h"
+#include "raster/rasterizer_factory.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

@@ -6,8 +6,7 @@
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/rasterizer_factory_mesa.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "base/error.h"
 #include "tool_2d/screen_memory.h"
 

@@ -5,7 +5,6 @@
 #include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
 #include "geom/teapot.h"
-#include "pipeline/polygons/patch_tessellation.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Picks of polygons, against rays and planes in long double.
-#include "pipeline/polygons/polygon_pick.h"
+#include "pipeline/polygons/polygon_view.h"
 
 #include "geom/polygon_shapes.h"
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "reference/random_numbers.h"
 #include "scene/teapot_studio.h"
 

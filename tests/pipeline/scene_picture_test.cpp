@@ -3,7 +3,7 @@
 #include "hard_edged.h"
 #include "pipeline/pipeline_afd.h"
 #include "scene/teapot_studio.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

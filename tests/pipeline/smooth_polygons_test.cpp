@@ -5,7 +5,7 @@
 #include "pipeline/zsort/pipeline_zsort.h"
 
 #include "geom/polygon_shapes.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/color/srgb_light.h"
 #include "tool_2d/screen_memory.h"
 #include "words_of.h"

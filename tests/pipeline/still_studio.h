@@ -6,7 +6,7 @@
 #include "hard_edged.h"
 #include "scene/teapot_studio.h"
 #include "pipeline/pipeline_afd.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "sizable_screen.h"
 #include "words_of.h"
 

@@ -9,10 +9,9 @@
 #include "pipeline/worlds/pipeline_world.h"
 #include "pipeline/zsort/pipeline_zsort.h"
 #include "raster/color/srgb_light.h"
-#include "raster/rasterizer_factory_mesa.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 #include "tool_2d/image.h"
-#include "tool_2d/image_file.h"
 #include "tool_2d/screen_memory.h"
 #include "words_of.h"
 

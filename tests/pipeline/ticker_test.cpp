@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Row 42 of the book's features: as many steps in a second at any frame rate.
-#include "pipeline/ticker.h"
+#include "pipeline/pipeline.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "reference/random_numbers.h"
 #include "reference/random_patches.h"
 #include "tool_2d/screen_memory.h"

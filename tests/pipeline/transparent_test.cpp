@@ -4,7 +4,7 @@
 #include "still_studio.h"
 
 #include "raster/background.h"
-#include "raster/error_map.h"
+#include "raster/depth_buffer.h"
 #include "raster/color/srgb_light.h"
 #include "base/error.h"
 

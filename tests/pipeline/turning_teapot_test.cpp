@@ -5,7 +5,7 @@
 #include "words_of.h"
 
 #include "raster/parallel/workers.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

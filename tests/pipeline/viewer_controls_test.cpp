@@ -2,7 +2,7 @@
 // The keys, the mouse and the text that all viewers share.
 #include "pipeline/viewer_controls.h"
 
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 #include "words_of.h"
 

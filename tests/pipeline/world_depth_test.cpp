@@ -4,10 +4,10 @@
 #include "pipeline/worlds/pipeline_world.h"
 
 #include "hard_edged.h"
-#include "geom/mesh_cut.h"
+#include "geom/polygon_mesh.h"
 #include "geom/polygon_shapes.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 #include "words_of.h"
 

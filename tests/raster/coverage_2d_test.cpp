@@ -2,7 +2,7 @@
 // draw_coverage: each pixel by the rule, clipped, opaque and transparent; and outputs without it.
 #include "raster/canvas_2d.h"
 #include "level_difference.h"
-#include "raster/images/placed_image.h"
+#include "raster/placement_2d.h"
 #include "raster/paths/path.h"
 
 #include <gtest/gtest.h>

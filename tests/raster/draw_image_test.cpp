@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw_image: each filter against its rule in long double, areas against the image's squares.
 #include "raster/canvas_2d.h"
-#include "raster/images/placed_image.h"
+#include "raster/placement_2d.h"
 #include "raster/paths/path.h"
 #include "raster/slow_area.h"
 #include "raster/slow_light.h"

@@ -2,9 +2,7 @@
 // Text as paths: FreeType's own pictures, kerning, what a font does not have, and placing.
 #include "raster/canvas_2d.h"
 #include "raster/paths/path.h"
-#include "raster/paths/stroke.h"
 #include "raster/text/font.h"
-#include "raster/text/text.h"
 #include "raster/text/text_shaper_p.h"
 #include "raster/text/utf8_p.h"
 

@@ -4,7 +4,6 @@
 #include "raster/paths/path.h"
 #include "raster/text/font.h"
 #include "raster/text/panel_layout_p.h"
-#include "raster/text/text.h"
 #include "raster/text/utf8_p.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "level_difference.h"
 #include "raster/paths/gradient.h"
-#include "raster/images/placed_image.h"
+#include "raster/placement_2d.h"
 #include "raster/paths/path.h"
 #include "mesa_ways.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points and polygons: the book's reference values, exact rules, and awkward coordinates.
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/parallel/simd_target.h"
 #include "raster/shapes/small_triangle_p.h"
 

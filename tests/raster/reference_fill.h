@@ -3,7 +3,7 @@
 #ifndef L3D_TESTS_RASTER_REFERENCE_FILL_H
 #define L3D_TESTS_RASTER_REFERENCE_FILL_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <algorithm>
 #include <cmath>

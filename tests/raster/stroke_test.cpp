@@ -2,7 +2,7 @@
 // l3d_stroked: what a pen covers, against the distance of each place from the path.
 #include "raster/canvas_2d.h"
 #include "raster/paths/flat_curve_p.h"
-#include "raster/paths/stroke.h"
+#include "raster/paths/path.h"
 
 #include <algorithm>
 #include <array>

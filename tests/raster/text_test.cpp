@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Text: every character has its own shape, is where it should be, and is clipped.
 #include "raster/shapes/rasterizer_2d_sw.h"
-#include "raster/text/text.h"
+#include "raster/text/font.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A course's whiteboards from model to pixels: windows, clip regions, curves at a resolution.
 #include "raster/canvas_2d.h"
-#include "raster/paths/sampled_curve.h"
+#include "raster/paths/path.h"
 #include "raster/placement_2d.h"
-#include "raster/shapes/clip_region.h"
+#include "raster/rasterizer_2d.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Curved models: their levels, what belongs to pieces, and which level a view gets.
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 #include "scene/level_choice.h"
 #include "scene/patch_scene.h"
 #include "geom/transform.h"

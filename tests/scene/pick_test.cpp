@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Picks against the exact reference, within the errors that they state.
-#include "scene/pick.h"
+#include "scene/patch_scene.h"
 
 #include "bodies.h"
 #include "quadric.h"

@@ -9,7 +9,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "scene/scene_culling.h"
 #include "processor_time.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/surfaces/surface_rasterizer_sw.h"
 #include "tool_2d/screen_memory.h"
 

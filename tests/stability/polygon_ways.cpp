@@ -5,10 +5,10 @@
 
 #include "compare/method_choice.h"
 #include "pipeline/pipeline_afd.h"
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_dispatcher_fitting: a loop for windows, frames without waiting for the rest.
-#include "system/dispatcher_fitting.h"
+#include "system/dispatcher.h"
 #include "system/fakes.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // l3d_dispatcher_script: order of calls, frames, steps of time, files.
-#include "system/dispatcher_script.h"
+#include "system/dispatcher.h"
 #include "system/fakes.h"
 #include "system/temporary_folder.h"
 
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "system/fakes.h"
 #include "system/temporary_folder.h"
 
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Folders of plug-ins and data, and which file the name of a model means.
-#include "system/install_paths.h"
+#include "system/plugin_loader.h"
 #include "system/options/model_names_p.h"
 #include "system/install_paths_p.h"
 #include "system/temporary_folder.h"

@@ -3,8 +3,8 @@
 #ifndef L3D_TESTS_SYSTEM_PAPER_ROW_H
 #define L3D_TESTS_SYSTEM_PAPER_ROW_H
 
-#include "raster/rasterizer_factory_sw.h"
-#include "system/dispatcher_script.h"
+#include "raster/rasterizer_factory.h"
+#include "system/dispatcher.h"
 #include "system/factory_manager.h"
 #include "system/fakes.h"
 

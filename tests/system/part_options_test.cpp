@@ -2,7 +2,7 @@
 // l3d_part_options: models of parts as the command line asks for them, and what it is refused.
 #include "system/options/part_options.h"
 
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // l3d_plugin_loader: row "Behaviour by plug-in" of the book's table, and every way to be refused.
 #include "system/plugin_loader.h"
-#include "system/install_paths.h"
 
 #include "geom/transform.h"
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "system/temporary_folder.h"
 
 #include <gtest/gtest.h>

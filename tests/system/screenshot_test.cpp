@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_save_screenshot: a line for whatever happens, and nothing written over.
-#include "system/screenshot.h"
+#include "system/frame_writer.h"
 #include "system/temporary_folder.h"
 
 #include "tool_2d/image.h"

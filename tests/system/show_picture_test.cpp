@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // l3d_show_picture: without a display, the picture is in a file of the name.
-#include "system/show_picture.h"
+#include "system/program.h"
 #include "system/temporary_folder.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Image files: contents, repeatability, and what is left behind when writing fails.
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include "base/error.h"
 

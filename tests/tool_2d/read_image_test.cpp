@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_read_image: PNG, PPM and JPEG by what the file holds, and what is said of broken ones.
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include "base/error.h"
 

@@ -7,7 +7,7 @@
 #include "scene/side_pairs.h"
 #include "geom/normal_net.h"
 #include "geom/step_bound.h"
-#include "raster/fog.h"
+#include "raster/background.h"
 #include "raster/lighting.h"
 
 #include <array>

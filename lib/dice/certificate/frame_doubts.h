@@ -4,7 +4,7 @@
 #define L3D_DICE_CERTIFICATE_FRAME_DOUBTS_H
 
 #include "dice/certificate/doubt_tile.h"
-#include "raster/error_map.h"
+#include "raster/depth_buffer.h"
 #include "scene/side_pairs.h"
 #include "geom/matrix.h"
 #include "raster/parallel/workers.h"

@@ -67,7 +67,7 @@ public:
                    : nullptr;
     }
 
-    /// The last point at t or before.
+    /// The index of the last point at or before t.
     std::size_t point_before(double t) const {
         if (t >= 1)
             return size_ - 1;

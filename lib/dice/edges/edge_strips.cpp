@@ -2,7 +2,7 @@
 // Edges in lanes: bounds and steps of all strips side by side, then the points of each.
 #include "dice/edges/edge_strips_p.h"
 
-#include "geom/bezier_curve.h"
+#include "geom/bezier_patch.h"
 #include "dice/drawn_error.h"
 #include "dice/near_clip.h"
 

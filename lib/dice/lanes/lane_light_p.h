@@ -5,7 +5,7 @@
 
 #include "geom/normal_net.h"
 #include "dice/lanes/lane_rows_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // Forward differences of columns in SIMD lanes.
 #include "dice/lanes/lane_rows_p.h"
 
-#include "geom/bezier_curve.h"
+#include "geom/bezier_patch.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #define L3D_DICE_LANES_LANE_ROWS_P_H
 
 #include "dice/lanes/lane_bounds_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <array>
 #include <cstdint>

@@ -87,7 +87,7 @@ struct component_type {
     std::uint64_t code;
     std::size_t bytes;
     double (*read)(const char*);
-    double most; ///< what 1 is if they are normalized; 0 if they cannot be
+    double most; ///< the number that stands for 1 in normalized ones; 0 if there are none
 };
 constexpr std::array<component_type, 6> component_types{{{5120, 1, little<std::int8_t>, 127},
                                                          {5121, 1, little<std::uint8_t>, 255},
@@ -418,7 +418,7 @@ gltf_numbers gltf_document::numbers(const gltf_value& at, std::string_view types
     if (accessor.has("bufferView")) {
         fill(accessor, accessor.at("bufferView"), shape, result.count, result);
     } else {
-        if (result.count > bytes_) // what names none of its bytes must not outgrow the file
+        if (result.count > bytes_) // an accessor without bytes must not outgrow the file
             accessor.fail("has " + counted(result.count, "elements") + " and no bufferView");
         take_memory(result.count * shape.components * sizeof(double));
         result.values.resize(result.count * shape.components);

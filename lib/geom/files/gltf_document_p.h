@@ -17,7 +17,7 @@
 
 namespace l3d_detail {
 
-/// What is wrong with a file, and where: "accessors[3].count is ...", or in which line.
+/// An error of a file, with its place: "accessors[3].count is ...", or with its line.
 class gltf_error : public std::runtime_error {
 public:
     /// Where the text is JSON, its places tell more than lines, of which it may have just one.
@@ -65,8 +65,8 @@ private:
 
 /// Numbers of an accessor, as they count: normalized ones are from -1 or 0 to 1.
 struct gltf_numbers {
-    std::size_t count = 0;      ///< of elements
-    std::size_t components = 1; ///< of an element
+    std::size_t count = 0;      ///< the number of elements
+    std::size_t components = 1; ///< components of an element
     std::vector<double> values; ///< element after element
 
     const double* at(std::size_t element) const { return &values[element * components]; }
@@ -80,7 +80,7 @@ public:
     /// Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Once, before numbers are asked for. What is wrong with a buffer matters once it is used.
+    /// Call once, before numbers are asked for. A fault of a buffer matters once it is used.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
@@ -114,7 +114,7 @@ private:
     std::vector<std::string> owned_; ///< buffers that are not in the file as they are
     std::vector<std::string_view> buffers_;
     std::vector<std::optional<gltf_error>> faults_; ///< per buffer
-    std::size_t bytes_ = 0;                         ///< of the file and the files that it names
+    std::size_t bytes_ = 0; ///< the size of the file and of those that it names
     mutable std::size_t taken_ = 0;
 };
 

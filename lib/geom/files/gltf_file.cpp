@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader of glTF 2.0: the scene's nodes become one mesh, in the scene's coordinates.
-#include "geom/files/gltf_document_p.h"
+#include "geom/files/gltf_materials_p.h"
 #include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "geom/files/model_reader_p.h"
@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <tuple>
 
 namespace {
 
@@ -18,22 +16,9 @@ using l3d_detail::gltf_document;
 using l3d_detail::gltf_error;
 using l3d_detail::gltf_numbers;
 using l3d_detail::gltf_value;
+using l3d_detail::read_array;
 using matrix = l3d_matrix<double>;
 using vector = l3d_polygon_mesh::vector;
-
-/// A level of linear light as pictures encode it. Units: both from 0 to 1.
-/// Source: IEC 61966-2-1, sRGB.
-double encoded(double light) {
-    const double held = std::clamp(light, 0.0, 1.0);
-    return held <= 0.0031308 ? 12.92 * held : 1.055 * std::pow(held, 1 / 2.4) - 0.055;
-}
-
-std::uint32_t word_of(const std::array<double, 3>& light) {
-    std::uint32_t word = 0;
-    for (const double component : light)
-        word = word << 8 | static_cast<std::uint32_t>(std::lround(255 * encoded(component)));
-    return word;
-}
 
 /// Expects: not zero.
 matrix rotation_of(std::array<double, 4> q) {
@@ -59,7 +44,7 @@ public:
     gltf_reader(const gltf_document& document, l3d_model_file& model, std::string name,
                 const l3d_other_files& files)
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
-          files_(files) {}
+          materials_(document, model, name_, files) {}
 
     /// Before the buffers, of which other versions think otherwise.
     void check_version() {
@@ -72,14 +57,13 @@ public:
         check_extensions();
         note_what_is_skipped();
         note_extensions();
-        read_materials();
+        materials_.read();
         read_scene();
         finish();
     }
 
 private:
     static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
-    static constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
     l3d_polygon_mesh& mesh() { return model_.mesh; }
     void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
@@ -97,7 +81,7 @@ private:
 
     static bool is_read(std::string_view extension) {
         return extension == "KHR_mesh_quantization" || extension == instancing ||
-               extension == glossiness;
+               extension == l3d_detail::glossiness;
     }
 
     /// Extensions that a file uses and that are not read, but for those of textures, which have a
@@ -127,128 +111,6 @@ private:
         for (const auto& [member, words] : skipped)
             if (root_.count(member) > 0)
                 note(words);
-    }
-
-    void read_materials() {
-        for (std::size_t i = 0; i < root_.count("materials"); ++i) {
-            const gltf_value material = root_.element("materials", i);
-            std::array<double, 4> color{1, 1, 1, 1};
-            picture_use picture;
-            const auto read_look = [&](const gltf_value& of, const char* factor,
-                                       const char* texture) {
-                read_array(of, factor, color);
-                if (of.has(texture))
-                    picture = picture_of(of.at(texture));
-            };
-            if (material.has("pbrMetallicRoughness"))
-                read_look(material.at("pbrMetallicRoughness"), "baseColorFactor",
-                          "baseColorTexture");
-            if (material.has("extensions") && material.at("extensions").has(glossiness))
-                read_look(material.at("extensions").at(glossiness), "diffuseFactor",
-                          "diffuseTexture");
-            sets_.push_back(picture.set);
-            note_other_textures(material);
-            const bool is_blended = material.text_or("alphaMode", "") == "BLEND";
-            const double alpha = is_blended ? std::clamp(color[3], 0.0, 1.0) : 1;
-            shines_ = shines_ || says_more_than_color(material);
-            mesh().materials.push_back(material.text_or("name", "material " + std::to_string(i)));
-            mesh().looks.push_back({.color = word_of({color[0], color[1], color[2]}),
-                                    .opacity = static_cast<float>(alpha),
-                                    .picture = picture.place});
-        }
-        if (has_other_textures_)
-            note("of textures, those of base colours are drawn alone");
-        if (has_transforms_)
-            note("'KHR_texture_transform' is skipped: pictures lie as they are");
-        if (shines_)
-            note("of materials, metalness, roughness, own light and cut-outs are skipped");
-    }
-
-    void note_other_textures(const gltf_value& material) {
-        const auto metal = [&] {
-            return material.has("pbrMetallicRoughness") &&
-                   material.at("pbrMetallicRoughness").has("metallicRoughnessTexture");
-        };
-        has_other_textures_ = has_other_textures_ || material.has("normalTexture") ||
-                              material.has("occlusionTexture") || material.has("emissiveTexture") ||
-                              metal();
-    }
-
-    /// A picture's place in the mesh, and which set of places on it corners have.
-    struct picture_use {
-        int place = l3d_material::no_picture;
-        std::uint64_t set = 0;
-    };
-
-    /// The picture of a texture that a material names. No model is lost for one: what is wrong is
-    /// noted.
-    picture_use picture_of(const gltf_value& use) {
-        try {
-            const gltf_value texture = root_.element("textures", use.at("index").whole());
-            has_transforms_ =
-                has_transforms_ ||
-                (use.has("extensions") && use.at("extensions").has("KHR_texture_transform"));
-            if (!texture.has("source"))
-                texture.fail("has no source of a kind that is read here");
-            return {picture_of_image(texture), use.whole_or("texCoord", 0)};
-        } catch (const gltf_error& error) {
-            note(std::string(error.what()).substr(1) +
-                 "; its faces have the colours of their materials");
-            return {};
-        }
-    }
-
-    /// Its place in the mesh. What is wrong with an image is said for the first of its textures.
-    int picture_of_image(const gltf_value& texture) {
-        constexpr std::uint64_t clamp = 33071, repeat = 10497;
-        bool repeats_u = true, repeats_v = true;
-        if (texture.has("sampler")) {
-            const gltf_value sampler = root_.element("samplers", texture.at("sampler").whole());
-            repeats_u = sampler.whole_or("wrapS", repeat) != clamp;
-            repeats_v = sampler.whole_or("wrapT", repeat) != clamp;
-        }
-        const std::uint64_t source = texture.at("source").whole();
-        const auto [found, is_new] =
-            pictures_.try_emplace({source, repeats_u, repeats_v}, l3d_material::no_picture);
-        if (is_new) {
-            const gltf_value image = root_.element("images", source);
-            std::string bytes = document_.image_bytes(image, files_);
-            if (bytes.empty())
-                image.fail("is empty");
-            found->second = static_cast<int>(mesh().pictures.size());
-            mesh().pictures.push_back(
-                {name_ + ": " + image.place(), std::move(bytes), repeats_u, repeats_v});
-        }
-        return found->second;
-    }
-
-    /// A material that says nothing of its metalness is of metal.
-    static bool says_more_than_color(const gltf_value& material) {
-        std::array<double, 3> own_light{0, 0, 0};
-        read_array(material, "emissiveFactor", own_light);
-        const bool glows = own_light != std::array<double, 3>{0, 0, 0};
-        if (glows || material.text_or("alphaMode", "") == "MASK")
-            return true;
-        if (!material.has("pbrMetallicRoughness"))
-            return false;
-        const gltf_value look = material.at("pbrMetallicRoughness");
-        const auto factor = [&](const char* name) {
-            return look.has(name) ? look.at(name).number() : 1;
-        };
-        return factor("metallicFactor") != 0 || factor("roughnessFactor") != 1;
-    }
-
-    template <std::size_t N>
-    static bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
-        if (!of.has(name))
-            return false;
-        const gltf_value array = of.at(name);
-        if (array.size() != N)
-            array.fail("has " + l3d_detail::counted(array.size(), "numbers") + ", not " +
-                       std::to_string(N));
-        for (std::size_t i = 0; i < N; ++i)
-            out[i] = array[i].number();
-        return true;
     }
 
     /// A rotation that is no direction turns nothing.
@@ -420,7 +282,7 @@ private:
         if (material >= mesh().looks.size() ||
             mesh().looks[material].picture == l3d_material::no_picture)
             return result;
-        const std::string set = "TEXCOORD_" + std::to_string(sets_[material]);
+        const std::string set = "TEXCOORD_" + std::to_string(materials_.set_of_places(material));
         if (!attributes.has(set.c_str())) {
             lacks_places_ = true;
             return result;
@@ -511,7 +373,7 @@ private:
         for (std::size_t i = 0; i < vertices; ++i) {
             std::array<double, 3> light{};
             for (std::size_t k = 0; k < light.size(); ++k)
-                light[k] = encoded(colors.at(i)[k]);
+                light[k] = l3d_detail::encoded(colors.at(i)[k]);
             colors_.give(mesh().vertices.size() - vertices + i, light.data());
         }
     }
@@ -577,15 +439,11 @@ private:
     const gltf_document& document_;
     l3d_model_file& model_;
     std::string name_;
-    const l3d_other_files& files_;
-    /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
-    std::map<std::tuple<std::uint64_t, bool, bool>, int> pictures_;
-    std::vector<std::uint64_t> sets_; ///< of places on pictures, per material
+    l3d_detail::gltf_materials materials_;
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
-    std::vector<std::size_t> odd_; ///< of the primitive's vertices, those that are nowhere
-    bool has_morphs_ = false, has_lines_ = false, shines_ = false;
-    bool has_other_textures_ = false, has_transforms_ = false, lacks_places_ = false;
+    std::vector<std::size_t> odd_; ///< vertices of the primitive that are nowhere
+    bool has_morphs_ = false, has_lines_ = false, lacks_places_ = false;
     bool has_odd_places_ = false, has_odd_normals_ = false, has_odd_rotations_ = false;
 };
 

@@ -149,12 +149,13 @@ L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 
 /// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
-/// for bit. Parts and materials have no place in it.
+/// for bit. Parts and materials have no place in it, nor have colours of vertices beside those of
+/// faces.
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
 /// The text of an .obj file; reading it gives the same model, bit for bit, but for colours of
-/// faces and vertices, looks of materials, and pictures, which have no place in it.
+/// faces, looks of materials, and pictures, which have no place in it.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;

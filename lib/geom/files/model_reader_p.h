@@ -138,6 +138,14 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
     return word;
 }
 
+/// Appends a colour, 0x00RRGGBB, as three fractions of 1, to a line that has just ended.
+inline void append_color(std::string& text, std::uint32_t word) {
+    text.back() = ' '; // the line goes on
+    append(text, (word >> 16 & 255) / 255.0, ' ');
+    append(text, (word >> 8 & 255) / 255.0, ' ');
+    append(text, (word & 255) / 255.0, '\n');
+}
+
 /// The note on vertices without a finite place.
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";

@@ -153,7 +153,7 @@ private:
             text_.note("'Tr' and 'd' do not add up to 1: 'd' is taken");
     }
 
-    /// One number in the line. What is wrong is noted.
+    /// One number in the line. A fault is noted.
     bool number(double& value, const char* what) {
         if (text_.next_in_line() && text_.number_in(text_.token(), value, what))
             return true;
@@ -186,7 +186,7 @@ private:
 
     text_cursor& text_;
     std::vector<l3d_named_material>& materials_;
-    bool has_highlights_ = true;           ///< of the material that is read
+    bool has_highlights_ = true;           ///< the material being read has some
     std::optional<double> opaque_, clear_; ///< likewise, as "d" and "Tr" have it
 };
 

@@ -152,7 +152,7 @@ private:
         return true;
     }
 
-    /// What follows says nothing that is known here.
+    /// Skips a line whose word is unknown here.
     bool skip_rest(const char* what) {
         while (text_.next_in_line())
             text_.note_once("what follows " + std::string(what) + " in its line is skipped");
@@ -209,7 +209,7 @@ private:
         return true;
     }
 
-    /// From the picture's bottom left corner, in the file. What is left out is 0, and so is the
+    /// From the picture's bottom left corner, in the file. Numbers left out are 0, and so is the
     /// place of a corner that names none.
     bool read_picture_place() {
         double place[2] = {0, 0};

@@ -36,7 +36,7 @@ bool obj_surfaces::read_statement(std::string_view word, const std::vector<vecto
         return read_surface(vertices.size());
     if (is_open_)
         return word == "parm" ? read_parameters() : end_surface(vertices, weights);
-    // Of a curve, which is skipped.
+    // The word belongs to a curve, which is skipped.
     while (text_.next_in_line())
         ;
     return true;

@@ -3,7 +3,7 @@
 #ifndef L3D_GEOM_FILES_OBJ_SURFACES_P_H
 #define L3D_GEOM_FILES_OBJ_SURFACES_P_H
 
-#include "geom/bspline_surface.h"
+#include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
 #include "geom/files/text_cursor_p.h"
 
@@ -61,7 +61,7 @@ private:
     bool is_rational_ = false, is_open_ = false;
     int degree_u_ = 0, degree_v_ = 0;
     l3d_bspline_direction u_, v_;
-    std::vector<std::uint32_t> indices_; ///< of the surface that is open
+    std::vector<std::uint32_t> indices_; ///< control points of the open surface
     std::vector<bool> is_control_point_;
 };
 

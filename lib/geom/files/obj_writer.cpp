@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // l3d_write_obj: polygons, then patches as Bezier surfaces.
 #include "geom/files/model_file.h"
-#include "geom/files/text_cursor_p.h"
+#include "geom/files/model_reader_p.h"
 
 namespace {
 
@@ -30,8 +30,12 @@ void append_window(std::string& text, const char* word,
 }
 
 void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
-    for (const l3d_polygon_mesh::vector& v : mesh.vertices)
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const l3d_polygon_mesh::vector& v = mesh.vertices[i];
         append_vector(text, "v ", v[0], v[1], v[2]);
+        if (!mesh.vertex_colors.empty())
+            l3d_detail::append_color(text, mesh.vertex_colors[i]);
+    }
     for (const l3d_polygon_mesh::vector& n : mesh.vertex_normals)
         append_vector(text, "vn ", n[0], n[1], n[2]);
 }

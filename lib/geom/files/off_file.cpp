@@ -259,12 +259,18 @@ std::optional<l3d_model_file> l3d_read_off(std::string_view text, std::string_vi
 
 std::string l3d_write_off(const l3d_polygon_mesh& mesh) {
     const bool normals = !mesh.vertex_normals.empty();
-    std::string text = normals ? "NOFF\n" : "OFF\n";
+    // A reader drops the colours of vertices if a face has one.
+    const bool colors = !mesh.vertex_colors.empty() && mesh.face_colors.empty();
+    std::string text = std::string(colors ? "C" : "") + (normals ? "NOFF\n" : "OFF\n");
     text += std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.faces()) + " 0\n";
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         append_vector(text, mesh.vertices[i], normals ? ' ' : '\n');
         if (normals)
             append_vector(text, mesh.vertex_normals[i], '\n');
+        if (colors) {
+            l3d_detail::append_color(text, mesh.vertex_colors[i]);
+            text.insert(text.size() - 1, " 1"); // opaque
+        }
     }
     for (std::size_t i = 0; i < mesh.faces(); ++i) {
         text += std::to_string(mesh.face(i).size());

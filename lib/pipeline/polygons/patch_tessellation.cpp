@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // l3d_tessellated: points once each, then faces.
-#include "pipeline/polygons/patch_tessellation.h"
+#include "pipeline/polygons/polygon_model.h"
 
 #include "dice/normal_columns.h"
-#include "geom/bezier_curve.h"
+#include "geom/bezier_patch.h"
 #include "geom/files/model_file.h"
 #include "base/error.h"
 

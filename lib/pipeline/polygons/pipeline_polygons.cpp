@@ -9,6 +9,7 @@
 #include "base/counted_p.h"
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
+#include "scene/camera_shading.h"
 #include "scene/framing.h"
 
 #include <array>

@@ -6,7 +6,7 @@
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "raster/depth_buffer.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/surface_rasterizer.h"
 
 #include <memory>

@@ -6,7 +6,7 @@
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "pipeline/polygons/polygon_model.h"
-#include "pipeline/polygons/polygon_report.h"
+#include "pipeline/frame_report.h"
 #include "pipeline/polygons/polygon_view.h"
 #include "pipeline/polygons/triangle_neighbours_p.h"
 #include "pipeline/polygons/vertex_lanes_p.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_polygon_pick_at: triangles in homogeneous coordinates that vanish along the ray.
-#include "pipeline/polygons/polygon_pick.h"
+#include "pipeline/polygons/polygon_view.h"
 
 #include "base/formatted_p.h"
 #include "base/printable_p.h"

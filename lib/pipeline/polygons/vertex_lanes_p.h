@@ -4,9 +4,9 @@
 #define L3D_PIPELINE_POLYGONS_VERTEX_LANES_P_H
 
 #include "pipeline/polygons/polygon_model.h"
-#include "pipeline/polygons/polygon_report.h"
+#include "pipeline/frame_report.h"
 #include "pipeline/polygons/polygon_view.h"
-#include "raster/micro_triangles.h"
+#include "raster/surface_part.h"
 #include "scene/dice_view.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 // l3d_pipeline_world: the effect of keys on the camera, and the status lines.
 #include "pipeline/worlds/pipeline_world.h"
 
-#include "raster/text/text.h"
+#include "raster/text/font.h"
 
 #include <algorithm>
 #include <string>

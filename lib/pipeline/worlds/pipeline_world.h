@@ -4,7 +4,7 @@
 #define L3D_PIPELINE_WORLDS_PIPELINE_WORLD_H
 
 #include "base/public.h"
-#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/lesson.h"
 #include "pipeline/worlds/world.h"
 #include "raster/parallel/workers.h"

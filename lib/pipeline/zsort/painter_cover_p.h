@@ -35,7 +35,7 @@ private:
     l3d_size size_{};
     std::span<const l3d_painter_triangle> triangles_;
     const std::vector<l3d_painter_cut>* cuts_ = nullptr;
-    std::size_t words_ = 0;             ///< of a row
+    std::size_t words_ = 0;             ///< in each row
     std::vector<std::uint64_t> pixels_; ///< a bit each
     std::vector<plane_cut> placed_;
     scan_polygon scan_;

@@ -74,12 +74,12 @@ public:
 
 private:
     std::span<const l3d_painter_triangle> triangles_;
-    std::vector<std::size_t> ends_; ///< of chunks
+    std::vector<std::size_t> ends_; ///< the ends of chunks
     l3d_size size_{};
     bool with_sides_ = true;
     std::vector<painter_item> items_;
-    std::vector<std::size_t> kept_; ///< of each chunk
-    std::vector<double> areas_;     ///< of each chunk's boxes
+    std::vector<std::size_t> kept_; ///< one number per chunk
+    std::vector<double> areas_;     ///< areas of each chunk's boxes
     std::size_t count_ = 0;
     double area_ = 0;
 };

@@ -26,7 +26,7 @@ struct late_need {
     std::pair<order_node, order_node> both() const { return {item, before}; }
 };
 
-/// What a row of tiles found.
+/// The needs that a row of tiles found.
 struct row_of_needs {
     std::vector<late_need> found;
     std::int64_t pairs = 0; ///< compared
@@ -79,7 +79,7 @@ struct l3d_painter_order::work_space {
     static constexpr std::size_t ahead = 16;
     /// So many pieces are one item of a worker's work: some 10^4 cycles at the least.
     static constexpr std::size_t chunk_pieces = 4096;
-    /// Of a piece whose item is to be looked up: more cuts than there can ever be.
+    /// Marks a piece whose item is to be looked up: more cuts than there can ever be.
     static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)
@@ -91,7 +91,7 @@ struct l3d_painter_order::work_space {
     way how;
     painter_items items;
     painter_pairs pair_test{items};
-    std::vector<l3d_sort_item> keys, other_keys; ///< of items, by their numbers
+    std::vector<l3d_sort_item> keys, other_keys; ///< keys of items, by their numbers
     std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
     std::vector<sorted_members> of_workers;
@@ -100,9 +100,10 @@ struct l3d_painter_order::work_space {
     std::vector<late_need> late; ///< rising
     ordered_components components;
     cycle_cutter knot;
-    std::vector<l3d_painter_piece> ordered; ///< of items that need an order
+    std::vector<l3d_painter_piece> ordered; ///< pieces of items that need an order
     std::vector<l3d_painter_cut> cuts;
-    std::vector<std::size_t> chunk_begins; ///< of the other pieces of each chunk, and their end
+    std::vector<std::size_t>
+        chunk_begins; ///< where the other pieces of each chunk begin, and their end
     /// All, the ordered ones first. They never become fewer: new ones would have to be cleared.
     std::vector<l3d_painter_piece> pieces;
 

@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_ORDER_H
 #define L3D_PIPELINE_ZSORT_PAINTER_ORDER_H
 
-#include "pipeline/polygons/polygon_report.h"
+#include "pipeline/frame_report.h"
 #include "raster/parallel/workers.h"
 #include "raster/zsort/painter.h"
 #include "tool_2d/pixels.h"

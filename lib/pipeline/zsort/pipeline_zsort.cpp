@@ -20,7 +20,7 @@ struct l3d_pipeline_zsort::stages {
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order;
     l3d_painter painter;
-    l3d_surface_rasterizer_sw depths; ///< of what is painted
+    l3d_surface_rasterizer_sw depths; ///< depths of the painted triangles
 };
 
 l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,

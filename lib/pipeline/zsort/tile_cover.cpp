@@ -17,7 +17,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr std::int32_t side = 8; // of a tile
+constexpr std::int32_t side = 8; // a tile has as many rows and columns
 constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
 /// Not negative where a centre is inside of an edge.
@@ -27,7 +27,7 @@ constexpr auto at_once = static_cast<std::int32_t>(lanes);
 struct edge_function {
     std::int32_t first; ///< at the first pixel of the first tile
     std::int32_t per_column, per_row;
-    int_vec pattern; ///< what the pixels of a vector have more than their first
+    int_vec pattern; ///< the excess that the pixels of a vector have over the first
 
     HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
                             std::int32_t y) {

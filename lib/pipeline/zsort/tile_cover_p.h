@@ -3,7 +3,7 @@
 #ifndef L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 #define L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/zsort/painter.h"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace l3d_detail {
 /// Tiles of eight by eight pixels, side by side in rows.
 struct cover_tiles {
     std::int32_t left, top;     ///< the first pixel of the first tile
-    std::int32_t columns, rows; ///< of tiles
+    std::int32_t columns, rows; ///< numbers of tiles
 };
 
 /// The largest triangle for tile_cover: 64 pixels are 2^14 steps of a corner's place, whose

@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// Adds up the light of pictures, each with a weight. A pixel that is transparent in part has less
-/// light. Lives: kept for its memory.
+/// Adds up the light of pictures, each with a weight. A pixel that is partly transparent adds less.
+/// Cost: keep one object for many pictures, since it keeps its memory.
 class light_mix {
 public:
     /// Starts an empty sum over this part of the next pictures.

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_IMAGES_IMAGE_SAMPLER_P_H
 #define L3D_RASTER_IMAGES_IMAGE_SAMPLER_P_H
 
-#include "raster/images/placed_image.h"
+#include "raster/placement_2d.h"
 #include "raster/paths/path.h"
 #include "raster/color/color_mixer_p.h"
 

@@ -7,7 +7,7 @@
 #define L3D_RASTER_LINES_LINE_COVER_P_H
 
 #include "raster/depth_buffer.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/lines/line_pixels_p.h"
 #include "raster/shapes/scan_polygon_p.h"

@@ -5,7 +5,7 @@
 #define L3D_RASTER_LINES_LINE_PIXELS_P_H
 
 #include "raster/lines/line_steps_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/rasterizer_2d.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/parallel/lane_doubles-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/paths/mesh_strip_p.h"

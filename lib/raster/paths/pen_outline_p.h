@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 #define L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 
-#include "raster/paths/stroke.h"
+#include "raster/paths/path.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_stroked: chords, dashes, and the pen's outlines beside them.
-#include "raster/paths/stroke.h"
+#include "raster/paths/path.h"
 
 #include "raster/paths/flat_curve_p.h"
 #include "raster/paths/pen_outline_p.h"

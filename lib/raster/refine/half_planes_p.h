@@ -21,9 +21,9 @@ namespace l3d_detail {
 class half_planes {
 public:
     static constexpr std::size_t turns = 128; ///< from one direction to its opposite
-    static constexpr std::size_t steps = 126; ///< of e, from -1/2 to 1/2
+    static constexpr std::size_t steps = 126; ///< values of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
-    static constexpr float middle = (steps + 1) / 2.0f; ///< what stands for e = 0 in a row
+    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row
     static constexpr float first_turn = turns / 2.0f;   ///< the row of dx = 0
 
     /// Places are the middles of some of cells x cells cells of the square.

@@ -26,8 +26,8 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
                                std::nextafter(item.nearest, HUGE_VALF));
 }
 
-/// Marks the pixels of a band that an edge passes through where it is not hidden. What lies on the
-/// border of pixels is in those before it.
+/// Marks the pixels of a band that an edge passes through where it is not hidden. Edges on the
+/// border of two pixels count for the first one.
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
                pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };

@@ -182,10 +182,10 @@ private:
     const l3d_shading& shading_;
     const linear_light& tables_ = linear_light_tables();
     bool has_color_;
-    int height_; ///< of the picture
+    int height_; ///< height of the picture
     std::span<const fragment_polygon> polygons_;
     std::optional<face_painter> painter_; ///< if polygons have names in place of colours
-    std::vector<level_surface> levels_;   ///< of the polygons, if the shader takes levels
+    std::vector<level_surface> levels_;   ///< one per polygon, if the shader takes levels
 };
 
 /// The word of light before what is behind all surfaces, which fills `empty` of the pixel.

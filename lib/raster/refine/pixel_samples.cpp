@@ -113,7 +113,7 @@ private:
     static constexpr float tile_margin =
         0.5f / marked_pixels::side + 1.0f / half_planes::turns + 0.5f / half_planes::steps;
 
-    /// What is on the inner sides in a square round (x, y).
+    /// The samples in a square round (x, y) that lie on all inner sides.
     HWY_ATTR HWY_INLINE std::uint64_t inside(float x, float y, float per_side,
                                              const float* in_middle,
                                              const std::uint64_t* masks) const {

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 #define L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/refine/marked_pixels_p.h"
 #include "raster/shapes/scan_edge_p.h"
 
@@ -27,13 +27,13 @@ struct fragment_polygon {
     float inv_w[4];
     float light[3][4]; ///< the corners' three numbers of l3d_micro_vertex::normal
     std::int32_t corners;
-    /// Of its material, or in mode `error` the part's own; of what is lit or inspected, the
-    /// material's place.
+    /// The colour of its material, or in mode `error` of the part. A lit or inspected surface has
+    /// its material's place here.
     std::uint32_t color;
     std::int64_t area2; ///< twice its area, positive if its corners turn to the right; not 0
 
     float middle_x, middle_y; ///< the mean of four corners; units: pixels
-    fragment_plane depth;     ///< of inv_w
+    fragment_plane depth;     ///< the plane of inv_w
 
     /// Sets the mean and the plane of depth. Expects: area2 is set, as all else.
     void set_plane();
@@ -78,7 +78,7 @@ struct fragment {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 };
 
-/// What is seen of a polygon in a pixel: samples, their number, and their middle in the picture.
+/// The part of a polygon seen in a pixel: samples, their number, and their middle in the picture.
 /// Units: pixels.
 struct seen_fragment {
     std::uint64_t samples;

@@ -7,7 +7,7 @@
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/lit_words_p.h"
 #include "raster/shaders/material_words_p.h"
-#include "raster/textures/face_paints.h"
+#include "raster/textures/texture.h"
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// A number that is linear in the picture. Shape: of x, of y, and at (0, 0).
+    /// A number that is linear in the picture. Shape: factors of x and y, and the number at (0, 0).
     using plane = std::array<double, 3>;
     static constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
@@ -66,7 +66,7 @@ public:
     painted_lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
         : lit_shader(shading, materials), painter_(*shading.paints, materials) {}
 
-    /// What polygons are made of from now on: a name.
+    /// Sets the name of the polygons that follow.
     void use_material(std::uint32_t name) {
         name_ = name;
         lit_shader::use_material(painter_.material(name));

@@ -16,7 +16,7 @@ using vector = l3d_inspected_patches::vector;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// The distance at which the ray passes a point, along the picture's axes. Of a direction, it is
+/// The distance at which the ray passes a point, along the picture's axes. For a direction, it is
 /// the change with that direction.
 struct offset {
     double x, y;

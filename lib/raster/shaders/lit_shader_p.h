@@ -64,7 +64,8 @@ public:
         return shading.mode != l3d_shade::flat && shading.ray != vector3{};
     }
 
-    /// What polygons are made of from now on: a place among the materials, if there are any.
+    /// Sets the material of the polygons that follow: a place among the materials, if there are
+    /// any.
     void use_material(std::uint32_t index) {
         if (!materials_.empty())
             material_ = lit_material(materials_[index]);
@@ -101,8 +102,8 @@ public:
 
     static bool is_parallel(const l3d_shading& shading) { return shading.depth_step != 0; }
 
-    /// What differs from pixel to pixel of the way from the eye: the look in perspective, else what
-    /// lies aside.
+    /// The part of the way from the eye that differs from pixel to pixel: the look in perspective,
+    /// else the way aside.
     static vector3 own_way(const l3d_shading& shading, float x, float y) {
         const bool parallel = is_parallel(shading);
         const vector3 &at = parallel ? shading.aside : shading.look,
@@ -165,7 +166,7 @@ private:
         const l3d_light_color& color;
     };
 
-    /// What a pixel shows, from the eye.
+    /// The place that a pixel shows, from the eye.
     vector3 place_of(const vector3& own, float depth) const {
         const float along = shading_.distance(depth) / shading_.look_depth;
         vector3 place;
@@ -222,7 +223,7 @@ private:
     std::span<const l3d_material> materials_;
     lit_material material_;
     bool turns_;
-    vector3 normal_{}; ///< of the polygon, in mode `flat`
+    vector3 normal_{}; ///< the polygon's normal, in mode `flat`
     /// The range of the polygon's depths.
     float farthest_ = 0, nearest_ = std::numeric_limits<float>::max();
 };

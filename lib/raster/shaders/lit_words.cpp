@@ -78,7 +78,7 @@ template <std::size_t Channels> struct light_amounts {
 /// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
 template <std::size_t Channels> class lane_light {
 public:
-    /// What pixels have of their own of the way from the eye, as lit_shader has it.
+    /// The part of the way from the eye that differs from pixel to pixel, as lit_shader has it.
     HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
                           const lane_vector& own, float_vec depth)
         : shading_(shading), look_(look_of(shading, own)), distance_(length_of(look_)) {
@@ -130,7 +130,7 @@ private:
         return lit_shader::is_parallel(shading) ? broadcast(shading.look) : own;
     }
 
-    /// What pixels show, from the eye.
+    /// The places that pixels show, from the eye.
     HWY_INLINE lane_vector place_of(const lane_vector& own, float_vec depth) const {
         const floats d;
         HWY_ALIGN float of[hn::MaxLanes(floats())];
@@ -204,7 +204,7 @@ private:
 
     const l3d_shading& shading_;
     lane_vector look_, normal_;
-    lane_vector place_; ///< of what pixels show, from the eye; if there are point lights
+    lane_vector place_; ///< the place that pixels show, from the eye; if there are point lights
     float_vec distance_, against_;
 };
 
@@ -221,7 +221,7 @@ struct pixel_row {
     const std::uint32_t* normals;
     const std::uint32_t* colors; ///< or null, as lit_pixels has them
     lane_vector own;             ///< look, or with parallel rays aside, in column 0 of the picture
-    lane_vector own_right;       ///< what a column adds
+    lane_vector own_right;       ///< the change from a column to the next
 };
 
 /// The words of filled pixels, a material after the other. Mostly there is one.

@@ -20,7 +20,7 @@ struct lit_pixels {
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    std::ptrdiff_t depth_pitch; ///< of normals, too
+    std::ptrdiff_t depth_pitch; ///< it is the pitch of normals, too
     std::int32_t left, top;     ///< the first pixel's place in the picture
     std::int32_t width, height;
     /// Those of a single row's pixels, where materials do not say them.

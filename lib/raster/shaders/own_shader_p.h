@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SHADERS_OWN_SHADER_P_H
 #define L3D_RASTER_SHADERS_OWN_SHADER_P_H
 
-#include "raster/own_shade.h"
+#include "raster/shade.h"
 #include "raster/shaders/inspection_shader_p.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 #include "raster/surfaces/away_from_eye_p.h"
 #include "raster/surfaces/wide_rows_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 
 #include <algorithm>

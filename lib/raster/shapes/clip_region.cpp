@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_clip_region: points slide along the line until they are inside.
-#include "raster/shapes/clip_region.h"
+#include "raster/rasterizer_2d.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_PICTURE_PLANE_H
 #define L3D_RASTER_SHAPES_PICTURE_PLANE_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_PLANE_CUT_P_H
 #define L3D_RASTER_SHAPES_PLANE_CUT_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/shapes/picture_plane.h"
 
 #include <algorithm>

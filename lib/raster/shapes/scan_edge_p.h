@@ -5,7 +5,7 @@
 
 #include "raster/pixel_centres.h"
 #include "raster/shapes/exact_steps_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <cassert>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_SURFACES_AWAY_FROM_EYE_P_H
 #define L3D_RASTER_SURFACES_AWAY_FROM_EYE_P_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 
 #include <cstddef>

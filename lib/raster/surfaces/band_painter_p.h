@@ -17,7 +17,7 @@ namespace l3d_detail {
 struct band_frame {
     l3d_shading shading;
     bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
-    bool leaves_out_hidden = true; ///< what is behind the coarse depth is not looked at
+    bool leaves_out_hidden = true; ///< items behind the coarse depth are not looked at
     fill_words words{};
     std::span<const l3d_material> materials{};
 };
@@ -47,7 +47,7 @@ public:
 
 private:
     /// So many items are between that whose triangles are asked for and that which is drawn: some
-    /// thousand cycles, more than memory takes. What is known of items is asked for earlier.
+    /// thousand cycles, more than memory takes. The items themselves are asked for earlier.
     static constexpr std::size_t items_waiting = 2, items_ahead = 8;
 
     static bool is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,

@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// The slow twin of the fill kernel, for all shaders and all polygons. Of polygons that the kernel
-/// left it fills rows in lanes, pixel by pixel the same bits.
+/// The slow twin of the fill kernel, for all shaders and all polygons. Polygons that the
+/// kernel left are filled by rows in lanes, pixel by pixel the same bits.
 ///
 /// A quad's attribute plane goes through its two diagonals' differences and the mean of its
 /// corners, so no diagonal shows. Quads far from a parallelogram are filled as two triangles.
@@ -37,7 +37,8 @@ public:
     /// The polygons that the kernel left. Expects: a band as wide as lanes want it.
     void fill(const fill_rest& rest);
 
-    /// What these cuts leave of a triangle. Modes but `error`, which has no one colour.
+    /// Fills the part of a triangle that these cuts leave. Expects: another mode than `error`,
+    /// where it has no one colour.
     void fill(const cut_triangle& triangle, std::span<const plane_cut> cuts);
 
     const fill_counts& counts() const { return target_.counts; }

@@ -3,8 +3,7 @@
 #ifndef L3D_RASTER_SURFACES_FILL_KERNEL_P_H
 #define L3D_RASTER_SURFACES_FILL_KERNEL_P_H
 
-#include "raster/micro_grid.h"
-#include "raster/micro_triangles.h"
+#include "raster/surface_part.h"
 #include "raster/surface_rasterizer.h"
 
 #include <array>

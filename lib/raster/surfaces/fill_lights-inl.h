@@ -179,7 +179,7 @@ private:
     const float* of_grid_;
 };
 
-/// Flat: every polygon's level, from the sum of its normals, at all its corners.
+/// Flat shading: a polygon's level, from the sum of its normals, stands at all its corners.
 class polygon_lights {
 public:
     using lanes_type = grey_lanes;

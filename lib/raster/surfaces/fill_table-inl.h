@@ -57,7 +57,7 @@ struct fill_row {
     lane_array<float> inv_w, lit;
 };
 
-/// The further data that twisted polygons need of a row.
+/// A row's further data for twisted polygons.
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
@@ -85,7 +85,7 @@ struct fill_table {
     lane_array<std::int32_t> twisted;         ///< not 0: it is; others are flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
-    lane_array<float> bent_rows[most_pixels + 1]; ///< what the next column adds to `lit`
+    lane_array<float> bent_rows[most_pixels + 1]; ///< the change of `lit` to the next column
     fill_row_normal normal_rows[most_pixels + 1];
 };
 

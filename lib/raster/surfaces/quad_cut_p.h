@@ -4,7 +4,7 @@
 #define L3D_RASTER_SURFACES_QUAD_CUT_P_H
 
 #include "raster/shapes/attribute_plane_p.h"
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 
 #include <algorithm>
 #include <array>

@@ -25,7 +25,7 @@ template <class Shader> class surface_fill {
 public:
     surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
 
-    /// What polygons are made of from now on, for shaders that want to know.
+    /// Sets the material of the polygons that follow, for shaders that want to know.
     void use_material(std::uint32_t index) {
         if constexpr (has_materials<Shader>)
             shader_.use_material(index);

@@ -169,7 +169,7 @@ void l3d_surface_rasterizer_mesa::add_quad(std::array<l3d_micro_vertex, 4> corne
 }
 
 void l3d_surface_rasterizer_mesa::add(std::span<const l3d_micro_vertex> convex) {
-    const auto part = [this](int shift) { // of the error colour
+    const auto part = [this](int shift) { // a component of the error colour
         return static_cast<float>(error_color_ >> shift & 255) / 255.0f;
     };
     const auto add_corner = [&](const l3d_micro_vertex& corner) {

@@ -58,13 +58,13 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     material_words materials;
     lit_words lights;
-    std::vector<normal_plane> normals;  ///< of a band, one for each worker, or of the picture
+    std::vector<normal_plane> normals;  ///< one of a band for each worker, or one of the picture
     std::vector<band_painter> painters; ///< one for each worker
-    std::vector<l3d_depth_buffer> worker_depths; ///< of a band, if nobody wants it afterwards
-    l3d_depth_buffer kept_depth; ///< of a picture, if nobody but anti-aliasing wants it afterwards
+    std::vector<l3d_depth_buffer> worker_depths; ///< depth of a band, if nobody wants it afterwards
+    l3d_depth_buffer kept_depth; ///< depth of a picture that anti-aliasing alone wants afterwards
     std::vector<std::int64_t> covered; ///< in each band, if that is counted
-    l3d_image picture;                 ///< what is filled where that is not yet the picture
-    std::vector<const l3d_surface_part*> parts; ///< of all draws, for anti-aliasing
+    l3d_image picture;                 ///< gets the words where they are not yet the picture
+    std::vector<const l3d_surface_part*> parts; ///< parts of all draws, for anti-aliasing
     picture_refiner refiner;
 };
 
@@ -108,7 +108,7 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     start(depth, shading);
 }
 
-/// What is filled gives the depths; its words are of no use.
+/// Filling gives the depths; its words are of no use.
 void l3d_surface_rasterizer_sw::begin_over(l3d_pixels picture, const l3d_shading& shading) {
     begin_frame(shading);
     draw_into_own(picture.size());
@@ -286,8 +286,8 @@ bool l3d_surface_rasterizer_sw::changes_words() const {
     return (work_->frame.words.has_materials && !is_over()) || work_->frame.shading.fog.is_on();
 }
 
-/// Only tiles that something was drawn to have defined depths. What was drawn in another way has
-/// its colours.
+/// Only tiles that something was drawn to have defined depths. Pixels drawn in another
+/// way have their colours.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
     const l3d_shading& shading = work_->frame.shading;
     work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
@@ -358,7 +358,7 @@ void l3d_surface_rasterizer_sw::do_finish() {
                         : l3d_surface_counts::none_counted;
 }
 
-/// What was drawn by several calls is listed once more, as one.
+/// Parts that were drawn by several calls are listed once more, as by one.
 void l3d_surface_rasterizer_sw::refine() {
     band_list& list = work_->list;
     if (work_->parts.size() > last_parts_)

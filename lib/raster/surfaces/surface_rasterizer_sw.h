@@ -18,8 +18,8 @@ struct plane_cut;
 
 /// How the work is divided. The picture does not depend on it.
 struct l3d_band_settings {
-    int rows = 0; ///< of pixels in a band, a multiple of 8; 0: such that a band fits the cache
-    bool leave_out_hidden = true; ///< what is provably hidden is not filled
+    int rows = 0; ///< rows of pixels in a band, a multiple of 8; 0: as many as fit the cache
+    bool leave_out_hidden = true; ///< provably hidden polygons are not filled
 };
 
 /// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache. In each
@@ -82,14 +82,14 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    std::int64_t largest_area_ = 0; ///< of a picture that the work space has memory for
-    l3d_pixels target_;             ///< what is filled
+    std::int64_t largest_area_ = 0; ///< the largest picture that the work space has memory for
+    l3d_pixels target_;             ///< the pixels that are filled
     l3d_pixels refined_;   ///< gets fog and smooth edges: the target, or a picture drawn already
-    l3d_pixel_box window_; ///< what is drawn of the target, in whole tiles
-    l3d_pixel_box part_;   ///< what of it goes from the work space to part_target_; may be empty
+    l3d_pixel_box window_; ///< the drawn part of the target, in whole tiles
+    l3d_pixel_box part_;   ///< goes from the work space to part_target_; may be empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
-    int rows_ = 0;               ///< of a band
+    int rows_ = 0;               ///< rows of a band
     std::size_t last_parts_ = 0; ///< in the last call of draw
     bool drawn_ = false;         ///< something of this frame; picture and depth are cleared then
     bool finished_ = false;      ///< tiles that are not drawn are empty in the picture

@@ -19,11 +19,11 @@ struct surface_target {
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0;      ///< of what is filled, as fill_words has it
+    std::uint32_t material = 0;      ///< material of the polygons filled, as fill_words has it
     std::span<const plane_cut> cuts; ///< they keep a part of what is filled
     bool by_lanes = false; ///< rows are filled in lanes, if the shader has them; the same bits
 
-    /// What a pixel gets for a word of a shader.
+    /// The word that a pixel gets for a word of a shader.
     std::uint32_t word_of(std::uint32_t shaded) const {
         return coding.has_materials ? (shaded & 0xff) | material : shaded;
     }

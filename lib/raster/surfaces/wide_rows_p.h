@@ -15,10 +15,10 @@ namespace l3d_detail {
 /// How a shader makes words of the numbers that are interpolated behind inv_w.
 struct row_light {
     enum class kind {
-        word,   ///< of none: it is `word`
-        held,   ///< of one: its intensity, held between darkest and brightest
-        normal, ///< of four: a normal of any length, and how far it points away from the eye
-        code    ///< of three: a normal as normal_code has it; expects a second plane of words
+        word,   ///< no number: it is `word`
+        held,   ///< one number: its intensity, held between darkest and brightest
+        normal, ///< four numbers: a normal of any length, and how far it points from the eye
+        code    ///< three numbers: a normal as normal_code has it; expects a second plane of words
     };
 
     kind by = kind::word;
@@ -49,7 +49,7 @@ struct wide_runs {
 struct wide_polygon {
     static constexpr std::size_t most_numbers = 5;
 
-    plane_view planes;               ///< of inv_w, then of other numbers
+    plane_view planes;               ///< the plane of inv_w, then those of other numbers
     float farthest = 0, nearest = 0; ///< inv_w is held between them
     row_light light;
     std::uint32_t unit = 0x010101; ///< a grey level of 1 in a word

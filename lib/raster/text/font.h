@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_font: a typeface, and text drawn with it.
+// l3d_font: a typeface, and text drawn with it or with the small built-in font.
 #ifndef L3D_RASTER_TEXT_FONT_H
 #define L3D_RASTER_TEXT_FONT_H
 
@@ -79,5 +79,20 @@ private:
     std::shared_ptr<face> face_;
     std::string name_;
 };
+
+/// A character is 5 by 7 font pixels; the next one starts 6 further right, the next line 9 lower.
+inline constexpr int l3d_text_advance = 6;
+/// The distance from one line of text to the next, in font pixels.
+inline constexpr int l3d_text_line = 9;
+
+/// Draws one line of text with its top left corner at (x, y), each font pixel scale by scale
+/// pixels.
+///
+/// The text is UTF-8. Characters outside printable ASCII are drawn as a box each. Tabs, control
+/// characters and soft hyphens are as in l3d_font::draw. Clipped to the target.
+/// Expects: scale >= 1.
+/// Cost:    one small polygon for each horizontal run of font pixels.
+L3D_PUBLIC void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
+                              std::uint32_t color, int scale = 1);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_TEXT_FONT_P_H
 #define L3D_RASTER_TEXT_FONT_P_H
 
-#include "raster/text/text.h"
+#include "raster/text/font.h"
 #include "raster/text/utf8_p.h"
 
 #include <array>

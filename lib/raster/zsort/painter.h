@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_ZSORT_PAINTER_H
 #define L3D_RASTER_ZSORT_PAINTER_H
 
-#include "raster/micro_grid.h"
+#include "raster/surface_part.h"
 #include "raster/depth_buffer.h"
 #include "raster/parallel/workers.h"
 #include "raster/shapes/plane_cut_p.h"
@@ -32,8 +32,9 @@ struct l3d_painter_cut {
     static constexpr std::uint32_t last = ~0u;
 
     std::uint32_t splitter = 0; ///< the triangle of the other plane
-    bool in_front = false;      ///< what is kept; where both are equally near is in front
-    std::uint32_t next = last;  ///< a further cut of the same piece
+    bool in_front =
+        false; ///< the side that is kept; places where both are equally near are in front
+    std::uint32_t next = last; ///< a further cut of the same piece
 };
 
 /// A thing to paint: a triangle, or the part of it that cuts leave.
@@ -42,7 +43,7 @@ struct l3d_painter_piece {
     std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
 };
 
-/// What sides look like that are drawn as lines.
+/// The look of sides that are drawn as lines.
 struct l3d_line_look {
     std::uint32_t color = 0x00ffffff;
     bool smooth = false; ///< anti-aliased
@@ -66,8 +67,9 @@ public:
                std::span<const l3d_painter_triangle> triangles,
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
-    /// Clears the picture and draws the visible sides of the pieces as lines. What is painted later
-    /// than a piece hides its sides. Lines have the shading's background and its fog.
+    /// Clears the picture and draws the visible sides of the pieces as lines. A piece that is
+    /// painted later hides the sides of those before it. Lines have the shading's background and
+    /// its fog.
     void paint_lines(l3d_pixels target, const l3d_shading& shading,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
@@ -84,10 +86,10 @@ private:
 
     l3d_workers& workers_;
     l3d_surface_rasterizer_sw filler_;
-    std::vector<l3d_surface_part> parts_; ///< of whole triangles, the topmost first
+    std::vector<l3d_surface_part> parts_; ///< parts of whole triangles, the topmost first
     std::vector<const l3d_surface_part*> drawn_;
     std::vector<l3d_detail::cut_triangle> cut_;
-    std::vector<l3d_detail::plane_cut> plane_cuts_; ///< of all that are cut
+    std::vector<l3d_detail::plane_cut> plane_cuts_; ///< cuts of all cut triangles
     l3d_depth_buffer places_;                       ///< in the order, of what is on top
     l3d_depth_buffer line_depths_;                  ///< depths of lines in fog
 };

@@ -9,6 +9,7 @@
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
+#include "system/options/refusal_p.h"
 #include "system/long_work_p.h"
 
 #include <algorithm>
@@ -77,27 +78,23 @@ l3d_camera seen_from_above(l3d_camera camera) {
 
 /// Errors:  l3d_error(usage) for an option that would show nothing beside the others.
 void check_shown(const l3d_afd_settings& asked) {
-    const auto refuse_if = [](bool is_wrong, const std::string& why) {
-        if (is_wrong)
-            throw l3d_error(l3d_exit::usage, why);
-    };
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
-    refuse_if(asked.error_map && (asked.wireframe || !is_light),
-              "--error-output: only surfaces that show light have an exact picture, and neither "
-              "--wireframe nor --shade normals, error or an inspection does");
-    refuse_if(asked.error_map && asked.lighting.point_count > 0,
-              "--error-output: colours by --point-light have no bounds");
-    refuse_if(asked.error_map && is_none, "--error-output: pixels have bounds on a background, and "
-                                          "--background none has none");
-    refuse_if(asked.wireframe && asked.shade != l3d_afd_settings().shade,
-              "--wireframe: lines have one colour, and show nothing of --shade " + shade);
-    if (!asked.fog.is_on())
-        return;
-    refuse_if(l3d_has_scale(asked.shade),
-              "--fog: the scale of --shade " + shade + " has no colours for it");
-    refuse_if(!asked.fog.color && is_none,
-              "--fog: it needs a colour, as --background none has none to fade into");
+    l3d_detail::refuse({
+        {"--error-output", asked.error_map && (asked.wireframe || !is_light),
+         "only surfaces that show light have an exact picture, and neither --wireframe nor --shade "
+         "normals, error or an inspection does"},
+        {"--error-output", asked.error_map && asked.lighting.point_count > 0,
+         "colours by --point-light have no bounds"},
+        {"--error-output", asked.error_map && is_none,
+         "pixels have bounds on a background, and --background none has none"},
+        {"--wireframe", asked.wireframe && asked.shade != l3d_afd_settings().shade,
+         "lines have one colour, and show nothing of --shade " + shade},
+        {"--fog", asked.fog.is_on() && l3d_has_scale(asked.shade),
+         "the scale of --shade " + shade + " has no colours for it"},
+        {"--fog", asked.fog.is_on() && !asked.fog.color && is_none,
+         "it needs a colour, as --background none has none to fade into"},
+    });
 }
 
 } // namespace
@@ -249,13 +246,9 @@ bool l3d_afd_options::shows_the_usual() const {
 }
 
 l3d_camera l3d_afd_options::camera() const {
-    const auto refuse = [](const std::string& why) { throw l3d_error(l3d_exit::usage, why); };
-    const auto refuse_up = [&] {
-        refuse("--up: '" + text_of(camera_.up) + "' is zero or along the line of sight");
-    };
+    const std::string no_up = "'" + text_of(camera_.up) + "' is zero or along the line of sight";
     check_place("--up", camera_.up);
-    if (camera_.up == l3d_camera::vector{0.0, 0.0, 0.0})
-        refuse_up();
+    l3d_detail::refuse({{"--up", camera_.up == l3d_camera::vector{0.0, 0.0, 0.0}, no_up}});
     l3d_camera result = asked_camera();
     const l3d_upright stands(camera_.up);
     const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
@@ -264,13 +257,14 @@ l3d_camera l3d_afd_options::camera() const {
     result.near = near_.value_or(camera_.near);
     check_place("--eye", result.eye, l3d_farthest_eye);
     check_place("--target", result.target);
-    if (result.eye == result.target)
-        refuse("--target: '" + text_of(result.target) + "' is the eye's place");
-    if (!(result.near < result.far))
-        refuse("--far: '" + l3d_number_text(result.far) + "' is not beyond --near " +
-               l3d_number_text(result.near));
-    if (!result.is_valid())
-        refuse_up();
+    l3d_detail::refuse({
+        {"--target", result.eye == result.target,
+         "'" + text_of(result.target) + "' is the eye's place"},
+        {"--far", !(result.near < result.far),
+         "'" + l3d_number_text(result.far) + "' is not beyond --near " +
+             l3d_number_text(result.near)},
+        {"--up", !result.is_valid(), no_up},
+    });
     return result;
 }
 
@@ -425,10 +419,9 @@ void l3d_afd_options::read_fog(const std::string& text) {
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
     const bool has_points = result.lighting.point_count > 0;
-    if (headlight_ == headlight::on && (gives_light_ || has_points))
-        throw l3d_error(l3d_exit::usage,
-                        std::string(gives_light_ ? "--light" : "--point-light") +
-                            ": nothing is seen of it beside --headlight on, the only light");
+    const std::string outshone = "nothing is seen of it beside --headlight on, the only light";
+    l3d_detail::refuse({{"--light", headlight_ == headlight::on && gives_light_, outshone},
+                        {"--point-light", headlight_ == headlight::on && has_points, outshone}});
     result.headlight = headlight_ == headlight::on ||
                        (headlight_ == headlight::unless_lit && !gives_light_ && !has_points);
     if (has_points && !gives_light_)

@@ -4,9 +4,9 @@
 
 #include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
-#include "geom/nurbs_shapes.h"
+#include "geom/nurbs_surface.h"
 #include "system/options/output_names_p.h"
-#include "system/install_paths.h"
+#include "system/plugin_loader.h"
 #include "system/long_work_p.h"
 #include "base/error.h"
 

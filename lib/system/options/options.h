@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "tool_2d/pixels.h"
 #include "tool_2d/screen.h"
-#include "system/frame_settings.h"
+#include "system/frame_writer.h"
 
 #include <cstddef>
 #include <cstdint>

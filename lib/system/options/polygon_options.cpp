@@ -3,10 +3,10 @@
 #include "system/options/polygon_options.h"
 
 #include "base/printable_p.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "pipeline/polygons/read_textures.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
+#include "system/options/refusal_p.h"
 #include "system/long_work_p.h"
 
 #include <algorithm>
@@ -99,52 +99,37 @@ l3d_polygon_model l3d_polygon_options::model() const {
 
 void l3d_polygon_options::refuse_for_patches() const {
     const l3d_polygon_settings usual;
-    const std::pair<const char*, bool> of_polygons[] = {
-        {"--parallel", parallel_},
-        {"--hidden-lines", hidden_lines_},
-        {"--rotate", rotation_ != usual.rotation},
-        {"--rotate-order", rotation_order_ != usual.rotation_order},
-        {"--to-origin", to_origin_},
-        {"--crease-angle", crease_angle_ != l3d_usual_crease_angle},
-        {"--texture-filter", texture_filter_ != *usual.textures},
-        {"--no-textures", no_textures_},
-        {"--facets", facets_ != l3d_usual_facets}};
-    for (const auto& [option, is_given] : of_polygons)
-        if (is_given)
-            throw l3d_error(l3d_exit::usage, std::string(option) +
-                                                 ": only polygons have it, and --pipeline afd "
-                                                 "draws patches");
+    const std::string why = "only polygons have it, and --pipeline afd draws patches";
+    l3d_detail::refuse({{"--parallel", parallel_, why},
+                        {"--hidden-lines", hidden_lines_, why},
+                        {"--rotate", rotation_ != usual.rotation, why},
+                        {"--rotate-order", rotation_order_ != usual.rotation_order, why},
+                        {"--to-origin", to_origin_, why},
+                        {"--crease-angle", crease_angle_ != l3d_usual_crease_angle, why},
+                        {"--texture-filter", texture_filter_ != *usual.textures, why},
+                        {"--no-textures", no_textures_, why},
+                        {"--facets", facets_ != l3d_usual_facets, why}});
 }
 
 l3d_polygon_settings l3d_polygon_options::settings() const {
     const l3d_afd_settings shared = shared_.settings();
-    if (shared.depth)
-        throw l3d_error(l3d_exit::usage,
-                        "--depth-output: only --pipeline afd keeps the distances for it");
-    if (shared.error_map)
-        throw l3d_error(l3d_exit::usage,
-                        "--error-output: only --pipeline afd has the bounds for it");
-    if (shared.shade == l3d_shade::error)
-        throw l3d_error(l3d_exit::usage,
-                        "--shade: only --pipeline afd has the bound that error shows");
-    if (l3d_is_inspection(shared.shade))
-        throw l3d_error(l3d_exit::usage,
-                        "--shade: only --pipeline afd has the exact patches that zebra, isophotes, "
-                        "gaussian, mean and draft look at");
-    const std::pair<const char*, bool> of_patches[] = {{"--net", shared.net},
-                                                       {"--tolerance", shared_.gives_tolerance()},
-                                                       {"--lateral-only", shared.lateral_only},
-                                                       {"--keep-all", shared.keep.drawing}};
-    for (const auto& [option, is_given] : of_patches)
-        if (is_given)
-            throw l3d_error(l3d_exit::usage, std::string(option) +
-                                                 ": polygons are drawn as they are; only "
-                                                 "--pipeline afd has it");
-    if (hidden_lines_ && shared.shade != l3d_afd_settings().shade)
-        throw l3d_error(
-            l3d_exit::usage,
-            std::string("--hidden-lines: lines have one colour, and show nothing of --shade ") +
-                l3d_shade_names[static_cast<std::size_t>(shared.shade)].first);
+    const std::string why = "polygons are drawn as they are; only --pipeline afd has it";
+    l3d_detail::refuse({
+        {"--depth-output", shared.depth, "only --pipeline afd keeps the distances for it"},
+        {"--error-output", shared.error_map, "only --pipeline afd has the bounds for it"},
+        {"--shade", shared.shade == l3d_shade::error,
+         "only --pipeline afd has the bound that error shows"},
+        {"--shade", l3d_is_inspection(shared.shade),
+         "only --pipeline afd has the exact patches that zebra, isophotes, gaussian, mean and "
+         "draft look at"},
+        {"--net", shared.net, why},
+        {"--tolerance", shared_.gives_tolerance(), why},
+        {"--lateral-only", shared.lateral_only, why},
+        {"--keep-all", shared.keep.drawing, why},
+        {"--hidden-lines", hidden_lines_ && shared.shade != l3d_afd_settings().shade,
+         std::string("lines have one colour, and show nothing of --shade ") +
+             l3d_shade_names[static_cast<std::size_t>(shared.shade)].first},
+    });
     l3d_polygon_settings settings;
     settings.style = hidden_lines_      ? l3d_polygon_style::hidden_lines
                      : shared.wireframe ? l3d_polygon_style::wireframe

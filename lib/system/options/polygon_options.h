@@ -4,9 +4,8 @@
 #define L3D_SYSTEM_OPTIONS_POLYGON_OPTIONS_H
 
 #include "base/public.h"
-#include "pipeline/polygons/patch_tessellation.h"
-#include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/polygons/polygon_model.h"
+#include "pipeline/polygons/pipeline_polygons.h"
 #include "system/options/afd_options.h"
 #include "system/options/options.h"
 

@@ -3,7 +3,7 @@
 #ifndef L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 #define L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 
-#include "tool_2d/probe.h"
+#include "tool_2d/screen.h"
 
 namespace l3d_detail {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_method_factory: the default, and calls.
-#include "pipeline/method_factory.h"
+#include "pipeline/surface_method.h"
 
 #include "pipeline/method_afd.h"
 

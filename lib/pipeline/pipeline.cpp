@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_caption: rows of keys as text.
-#include "pipeline/caption.h"
+#include "pipeline/pipeline.h"
 
 #include <sstream>
 #include <utility>

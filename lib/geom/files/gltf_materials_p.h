@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// gltf_materials: the materials of a glTF file, and the pictures of their base colours.
+#ifndef L3D_GEOM_FILES_GLTF_MATERIALS_P_H
+#define L3D_GEOM_FILES_GLTF_MATERIALS_P_H
+
+#include "base/counted_p.h"
+#include "geom/files/gltf_document_p.h"
+#include "geom/files/model_file.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The extension that has the older kind of materials.
+inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
+
+/// A level of linear light as pictures encode it. Units: both from 0 to 1.
+/// Source: IEC 61966-2-1, sRGB.
+double encoded(double light);
+
+/// Reads the numbers of a member into `out`, unless there is no such member.
+/// Errors:  gltf_error if it has more or fewer.
+template <std::size_t N>
+bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
+    if (!of.has(name))
+        return false;
+    const gltf_value array = of.at(name);
+    if (array.size() != N)
+        array.fail("has " + counted(array.size(), "numbers") + ", not " + std::to_string(N));
+    for (std::size_t i = 0; i < N; ++i)
+        out[i] = array[i].number();
+    return true;
+}
+
+/// Reads all materials into the model's mesh, and notes what it skips of them.
+/// Lives:   borrows what it is given.
+class gltf_materials {
+public:
+    /// Notes begin with `name`.
+    gltf_materials(const gltf_document& document, l3d_model_file& model, std::string name,
+                   const l3d_other_files& files)
+        : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
+          files_(files) {}
+
+    /// Errors:  gltf_error; none for a picture, which is noted instead.
+    void read();
+
+    /// Which set of places corners have on the picture of a material. Expects: a material read.
+    std::uint64_t set_of_places(std::size_t material) const { return sets_[material]; }
+
+private:
+    /// A picture's place in the mesh, and which set of places on it corners have.
+    struct picture_use {
+        int place = l3d_material::no_picture;
+        std::uint64_t set = 0;
+    };
+
+    void read_material(const gltf_value& material, const std::string& usual_name);
+    void note_other_textures(const gltf_value& material);
+    picture_use picture_of(const gltf_value& use);
+    int picture_of_image(const gltf_value& texture);
+    void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
+
+    gltf_value root_;
+    const gltf_document& document_;
+    l3d_model_file& model_;
+    std::string name_;
+    const l3d_other_files& files_;
+    /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
+    std::map<std::tuple<std::uint64_t, bool, bool>, int> pictures_;
+    std::vector<std::uint64_t> sets_; ///< sets of places on pictures, one per material
+    bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;
+};
+
+} // namespace l3d_detail
+
+#endif
