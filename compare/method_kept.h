@@ -5,7 +5,7 @@
 
 #include "compare/method_patches.h"
 #include "compare/scene_memory.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 #include "dice/normal_columns.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"

@@ -4,7 +4,7 @@
 #define L3D_COMPARE_DICERS_LANE_CARPENTER_DICER_H
 
 #include "dice/piece_pool.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 #include "geom/normal_net.h"
 #include "scene/counts.h"
 #include "scene/dice_view.h"

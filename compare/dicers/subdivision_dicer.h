@@ -7,7 +7,7 @@
 #include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/piece_pool.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_PLOTTERS_SCANLINE_PLOTTER_H
 #define L3D_COMPARE_PLOTTERS_SCANLINE_PLOTTER_H
 
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 #include "compare/plotters/scan_edges.h"
 #include "compare/plotters/plot_task.h"
 

@@ -6,7 +6,7 @@
 #include "compare/plotters/plot_task.h"
 #include "compare/plotters/scan_edges.h"
 #include "compare/plotters/silhouette.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 
 #include <array>
 #include <vector>

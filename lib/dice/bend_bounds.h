@@ -6,7 +6,7 @@
 #include "scene/counts.h"
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 #include "dice/step_plan.h"
 #include "scene/bends/surface_bends.h"
 #include "raster/surface_part.h"

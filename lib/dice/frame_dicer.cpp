@@ -21,11 +21,8 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
 }
 
 /// Whether a part of a net lies nearer than its near plane, but not than the camera's.
-bool is_pushed_away(const l3d_image_patch& net, const l3d_dice_view& view, double camera_near) {
-    if (view.near == camera_near)
-        return false;
-    const l3d_depth_range depth = l3d_depth_range_of(net.points);
-    return depth.least < view.near && depth.most > camera_near;
+bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double camera_near) {
+    return view.near != camera_near && net.w().least < view.near && net.w().most > camera_near;
 }
 
 /// For each of a piece's blocks along u or v, the patch's block that holds it; the piece is a part
@@ -197,7 +194,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     const l3d_normal_net& normals = instance.model().normals(p.patch);
     // Cones lie far from a patch's other data, so the first is fetched early.
     __builtin_prefetch(&instance.model().facing(p.patch));
-    const l3d_image_patch net =
+    const l3d_image_net net =
         l3d_placed_net(culling.matrix(p), instance.model().patches()[p.patch]);
     const l3d_patch_reach& reach = instance.model().reach(p.patch);
     const l3d_dice_view& view = space.view;

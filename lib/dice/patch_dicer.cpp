@@ -125,9 +125,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     const l3d_quad_kind kind = whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
-    const double least_w = l3d_depth_range_of(p.net.points).least;
     const double of_depth =
-        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(least_w));
+        l3d_depth_vertex_error(of.view, result.nets.error_w(), of.view.drawn_w(p.net.w().least));
     result.depth_error = result.vertex_error + of_depth;
     result.row_depth_error = result.row_error + of_depth;
     result.depth_budget = of.view.chord_budget(result.depth_error);

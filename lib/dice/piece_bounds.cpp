@@ -3,12 +3,11 @@
 #include "dice/piece_bounds.h"
 
 #include "geom/forward_difference.h"
+#include "geom/patch_part.h"
 #include "dice/step_plan.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 namespace {
 
@@ -55,16 +54,16 @@ template <class T> double register_unit(double largest_w) {
 } // namespace
 
 template <class T>
-l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_patch& piece, const l3d_dice_view& view)
+l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_net& piece, const l3d_dice_view& view)
     : net_(piece) {
-    const l3d_depth_range depth = l3d_depth_range_of(net_.points);
+    const l3d_depth_range depth = net_.w();
     l3d_image_box seen = view.margin();
     l3d_vertex_accuracy accuracy;
     accuracy.w_low = view.drawn_w(depth.least);
     accuracy.reach = l3d_guard_band;
     bool small = false;
     if (depth.least > view.near) {
-        const l3d_image_box hull = l3d_image_box_of(net_.points);
+        const l3d_image_box& hull = net_.box();
         whole_ = hull.reach() < l3d_guard_band && depth.most < view.far;
         if (whole_) {
             accuracy.reach = view.drawn_box(hull).reach();
@@ -74,23 +73,13 @@ l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_patch& piece, const l3d_di
         }
     }
     accuracy.seen_reach = seen.reach();
-    blocks_[0] = net_;
-    if (!small)
-        cut();
-    bound_vertices(accuracy, view);
-}
-
-template <class T> void l3d_piece_bounds<T>::cut() {
-    const auto [low, high] = net_.split_v();
-    const std::array<std::pair<l3d_image_patch, l3d_image_patch>, 2> rows{low.split_v(),
-                                                                          high.split_v()};
-    for (std::size_t b = 0; b < 4; ++b) {
-        const l3d_image_patch& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
-        const auto [left, right] = row.split_u();
-        std::tie(blocks_[4 * b], blocks_[4 * b + 1]) = left.split_u();
-        std::tie(blocks_[4 * b + 2], blocks_[4 * b + 3]) = right.split_u();
+    if (small) {
+        blocks_[0] = net_;
+    } else {
+        blocks_ = l3d_blocks_of<l3d_image_patch>(net_);
+        count_ = blocks_.size();
     }
-    count_ = blocks_.size();
+    bound_vertices(accuracy, view);
 }
 
 template <class T>

@@ -23,9 +23,9 @@ inline constexpr int l3d_most_steps_clipped = 2;
 /// Shape: block 4 * b + a is u-strip a, v-strip b; or there is one block.
 template <class T> class l3d_piece_bounds {
 public:
-    l3d_piece_bounds(const l3d_image_patch& piece, const l3d_dice_view& view);
+    l3d_piece_bounds(const l3d_image_net& piece, const l3d_dice_view& view);
 
-    const l3d_image_patch& net() const { return net_; }
+    const l3d_image_net& net() const { return net_; }
     std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
 
     /// Whether the piece needs no clipping: it lies between the near and the far plane and in the
@@ -52,10 +52,9 @@ public:
     double error_w() const { return error_w_; }
 
 private:
-    void cut();
     void bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view);
 
-    l3d_image_patch net_;
+    l3d_image_net net_;
     std::size_t count_ = 1;
     std::array<l3d_image_patch, 16> blocks_;
     bool whole_ = false;

@@ -31,16 +31,16 @@ std::optional<std::int32_t> only_centre(double low, double high, double corner) 
 
 } // namespace
 
-std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
+std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_net& net,
                                                   const l3d_dice_view& view) {
     if (far_apart(net.at(0, 0), net.at(3, 3), view.tolerance) ||
         far_apart(net.at(0, 3), net.at(3, 0), view.tolerance))
         return std::nullopt;
-    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+    const l3d_depth_range& depth = net.w();
     if (depth.least <= view.near || depth.most >= view.far ||
         depth.most - depth.least > view.depth_budget(depth.least))
         return std::nullopt;
-    const l3d_image_box box = l3d_image_box_of(net.points);
+    const l3d_image_box& box = net.box();
     const double transformed =
         l3d_vertex_error(view.error_xy, view.error_w, box.reach(), depth.least);
     const double bound = std::hypot(box.width(), box.height()) + extent + transformed;

@@ -23,7 +23,7 @@ struct l3d_point_place {
 ///
 /// Any pixel centre that the patch covers is in that box, so no gap opens. If the drawn point
 /// covers another centre, its distance from the patch's points is at most the box's width.
-std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_patch& net,
+std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_net& net,
                                                   const l3d_dice_view& view);
 
 /// Draws it with depth and normal of its middle. Shape: a normal of any length, in the world.

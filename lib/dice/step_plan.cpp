@@ -6,24 +6,6 @@
 
 namespace {
 
-/// Largest number of pixels between neighbouring control points' projections, along u and v.
-std::array<double, 2> largest_gaps(const l3d_image_patch& block) {
-    std::array<l3d_vector<double, 2>, 16> p;
-    for (std::size_t i = 0; i < 16; ++i)
-        p[i] = {block.points[i][0] / block.points[i][2], block.points[i][1] / block.points[i][2]};
-    std::array<double, 2> gaps{};
-    const auto take = [&](std::size_t direction, std::size_t i, std::size_t j) {
-        gaps[direction] =
-            std::max({gaps[direction], std::abs(p[i][0] - p[j][0]), std::abs(p[i][1] - p[j][1])});
-    };
-    for (std::size_t line = 0; line < 4; ++line)
-        for (std::size_t i = 0; i < 3; ++i) {
-            take(0, 4 * line + i, 4 * line + i + 1);
-            take(1, 4 * i + line, 4 * i + 4 + line);
-        }
-    return gaps;
-}
-
 void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& block,
               const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
     if (l3d_outside(block.points, view.margin(), view.near, view.far))
@@ -58,20 +40,18 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     }
     if (kind == l3d_quad_kind::whole) {
         // A cubic moves by at most three gaps of its control polygon.
-        const auto [along_u, along_v] = largest_gaps(block);
+        const auto [along_u, along_v] = l3d_image_gaps_of(block);
         needs.least_u[i] = 3 / l3d_largest_quad * along_u;
         needs.least_v[i] = 3 / l3d_largest_quad * along_v;
     }
 }
 
 /// Adds third and fourth derivatives of a net, by its quarters' parameters.
-void add_mixed(l3d_block_needs& needs, const l3d_image_patch& net, const l3d_dice_view& view) {
-    const l3d_image_box box =
-        view.margin().intersected(l3d_image_box_of(net.points).grown(view.most_moved()));
+void add_mixed(l3d_block_needs& needs, const l3d_image_net& net, const l3d_dice_view& view) {
+    const l3d_image_box box = view.margin().intersected(net.box().grown(view.most_moved()));
     if (box.empty())
         return;
-    const l3d_mixed_bounds mixed =
-        l3d_mixed_bounds_of(net, box, l3d_depth_range_of(net.points).least);
+    const l3d_mixed_bounds mixed = l3d_mixed_bounds_of(net, box, net.w().least);
     needs.uuv = mixed.uuv / 64;
     needs.uvv = mixed.uvv / 64;
     needs.uuvv = mixed.uuvv / 256;
@@ -79,7 +59,7 @@ void add_mixed(l3d_block_needs& needs, const l3d_image_patch& net, const l3d_dic
 
 } // namespace
 
-l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
+l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
     l3d_block_needs needs;
     needs.strips = blocks.size() == 1 ? 1 : l3d_block_needs::most_strips;

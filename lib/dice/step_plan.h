@@ -5,7 +5,7 @@
 
 #include "geom/step_bound.h"
 #include "scene/dice_view.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +82,7 @@ inline constexpr double l3d_largest_quad = 48;
 /// Shape:   blocks of the net, as in l3d_block_needs: 1 or 16.
 /// Units:   budget: of the image error, in pixels.
 /// Expects: for `whole`, every w > view.near.
-l3d_block_needs l3d_needs_of(const l3d_image_patch& net, std::span<const l3d_image_patch> blocks,
+l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
 /// Takes the view's wishes for outlines. Expects: the needs' strips are those of the piece.
@@ -137,7 +137,7 @@ l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_qu
 double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
 
 /// Steps from the blocks' nets. Shape, Expects: as l3d_needs_of.
-inline l3d_step_plan l3d_plan_steps(const l3d_image_patch& net,
+inline l3d_step_plan l3d_plan_steps(const l3d_image_net& net,
                                     std::span<const l3d_image_patch> blocks,
                                     const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
     return l3d_plan_steps(l3d_needs_of(net, blocks, view, budget, kind), budget, kind);

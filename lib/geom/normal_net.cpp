@@ -51,6 +51,22 @@ std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
 
 } // namespace
 
+/// Source: de Casteljau.
+std::pair<l3d_normal_polynomial, l3d_normal_polynomial>
+l3d_normal_polynomial::split(std::size_t along, std::size_t across) const {
+    std::pair<l3d_normal_polynomial, l3d_normal_polynomial> halves{{}, *this};
+    for (std::size_t line = 0; line < order; ++line) {
+        vector* const low = &halves.first.points[line * across];
+        vector* const high = &halves.second.points[line * across];
+        for (std::size_t level = 0; level < order; ++level) {
+            low[level * along] = high[0];
+            for (std::size_t i = 0; i + 1 < order - level; ++i)
+                high[i * along] = (high[i * along] + high[(i + 1) * along]) * 0.5;
+        }
+    }
+    return halves;
+}
+
 l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
     double size = 0;
     for (const vector& p : patch.points)
@@ -67,14 +83,14 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
                                           binomial(degree, ru + rv) * binomial(2, cu) *
                                           binomial(3, cv) / binomial(degree, cu + cv);
                     const std::size_t target = index(ru + rv, cu + cv);
-                    net_[target] = net_[target] + l3d_cross(du, dv) * weight;
+                    net_.points[target] = net_.points[target] + l3d_cross(du, dv) * weight;
                     const double a = largest(du), b = largest(dv);
                     noise[target] += rounding * weight * (a * b + size * (a + b));
                 }
         }
     bool is_noise = true;
-    for (std::size_t i = 0; i < net_.size(); ++i)
-        is_noise = is_noise && largest(net_[i]) <= noise[i];
+    for (std::size_t i = 0; i < net_.points.size(); ++i)
+        is_noise = is_noise && largest(net_.points[i]) <= noise[i];
     if (is_noise)
         net_ = {};
     scale_to_one();
@@ -88,27 +104,29 @@ void l3d_normal_net::fill_floats() {
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t r = 0; r < order; ++r)
             for (std::size_t c = 0; c < order; ++c)
-                in_floats_[k][r][c] = static_cast<float>(net_[order * r + c][static_cast<int>(k)]);
+                in_floats_[k][r][c] =
+                    static_cast<float>(net_.points[order * r + c][static_cast<int>(k)]);
 }
 
 void l3d_normal_net::scale_to_one() {
     double most = 0;
-    for (const vector& v : net_)
+    for (const vector& v : net_.points)
         most = std::max(most, largest(v));
     if (most > 0)
-        for (vector& v : net_)
+        for (vector& v : net_.points)
             v = v * (1 / most);
 }
 
 /// Looks at the four edges in turn; true if one was vanishing (and the net is not zero).
 bool l3d_normal_net::divide_by_vanishing_factor() {
-    if (std::all_of(net_.begin(), net_.end(), [](const vector& v) { return largest(v) == 0; }))
+    if (std::all_of(net_.points.begin(), net_.points.end(),
+                    [](const vector& v) { return largest(v) == 0; }))
         return false;
     for (const bool along_u : {true, false})
         for (const bool at_end : {false, true}) {
             const auto coefficient = [&](int step, int line) -> vector& {
                 const int inward = at_end ? degree - step : step;
-                return net_[along_u ? index(line, inward) : index(inward, line)];
+                return net_.points[along_u ? index(line, inward) : index(inward, line)];
             };
             bool vanishes = true;
             for (int line = 0; line < order; ++line)
@@ -130,10 +148,10 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
 
 l3d_normal_net l3d_normal_net::turned(const l3d_matrix<double>& by) const {
     l3d_normal_net result;
-    for (std::size_t i = 0; i < net_.size(); ++i)
+    for (std::size_t i = 0; i < net_.points.size(); ++i)
         for (int k = 0; k < 3; ++k)
-            result.net_[i][k] =
-                by(k, 0) * net_[i][0] + by(k, 1) * net_[i][1] + by(k, 2) * net_[i][2];
+            result.net_.points[i][k] = by(k, 0) * net_.points[i][0] + by(k, 1) * net_.points[i][1] +
+                                       by(k, 2) * net_.points[i][2];
     result.scale_to_one();
     result.fill_floats();
     return result;

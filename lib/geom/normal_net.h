@@ -8,6 +8,26 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
+
+/// A polynomial of degree 5 by 5 in Bernstein form. Shape: index 6 * row + column, columns along u.
+struct l3d_normal_polynomial {
+    using vector = l3d_vector<double, 3>;
+    static constexpr std::size_t order = 6;
+    std::array<vector, order * order> points{};
+
+    /// The halves along u, or along v, as l3d_bezier_patch has them.
+    std::pair<l3d_normal_polynomial, l3d_normal_polynomial> split_u() const {
+        return split(1, order);
+    }
+    std::pair<l3d_normal_polynomial, l3d_normal_polynomial> split_v() const {
+        return split(order, 1);
+    }
+
+private:
+    std::pair<l3d_normal_polynomial, l3d_normal_polynomial> split(std::size_t along,
+                                                                  std::size_t across) const;
+};
 
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
@@ -30,7 +50,8 @@ public:
     static constexpr std::size_t index(int row, int column) {
         return 6 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
     }
-    const vector& at(int row, int column) const { return net_[index(row, column)]; }
+    const vector& at(int row, int column) const { return net_.points[index(row, column)]; }
+    const l3d_normal_polynomial& polynomial() const { return net_; }
 
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
@@ -49,7 +70,7 @@ private:
     void fill_floats();
     bool divide_by_vanishing_factor();
 
-    std::array<vector, 36> net_{};
+    l3d_normal_polynomial net_;
     float_net in_floats_{};
 };
 

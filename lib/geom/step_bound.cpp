@@ -99,6 +99,23 @@ bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double ne
     return true;
 }
 
+std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net) {
+    std::array<l3d_vector<double, 2>, 16> p;
+    for (std::size_t i = 0; i < 16; ++i)
+        p[i] = {net.points[i][0] / net.points[i][2], net.points[i][1] / net.points[i][2]};
+    std::array<double, 2> gaps{};
+    const auto take = [&](std::size_t direction, std::size_t i, std::size_t j) {
+        gaps[direction] =
+            std::max({gaps[direction], std::abs(p[i][0] - p[j][0]), std::abs(p[i][1] - p[j][1])});
+    };
+    for (std::size_t line = 0; line < 4; ++line)
+        for (std::size_t i = 0; i < 3; ++i) {
+            take(0, 4 * line + i, 4 * line + i + 1);
+            take(1, 4 * i + line, 4 * i + 4 + line);
+        }
+    return gaps;
+}
+
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low) {
     return bounds_of(patch, seen_in(visible, w_low));

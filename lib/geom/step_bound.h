@@ -6,7 +6,9 @@
 #include "geom/bezier_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <span>
 
 /// A homogeneous image point (x, y, w): the pixel is (x / w, y / w), counted from the picture's
@@ -48,6 +50,29 @@ l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 /// test is made on homogeneous half-spaces, so it holds for points at and behind the eye too.
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
+
+/// A net that finds its depth range and its box at the first question, once.
+/// Expects: its points stay as they were then.
+class l3d_image_net : public l3d_image_patch {
+public:
+    l3d_image_net() = default;
+    l3d_image_net(const l3d_image_patch& net) : l3d_image_patch(net) {}
+
+    const l3d_depth_range& w() const { return w_ ? *w_ : w_.emplace(l3d_depth_range_of(points)); }
+
+    /// Expects: every w > 0.
+    const l3d_image_box& box() const {
+        return box_ ? *box_ : box_.emplace(l3d_image_box_of(points));
+    }
+
+private:
+    mutable std::optional<l3d_depth_range> w_;
+    mutable std::optional<l3d_image_box> box_;
+};
+
+/// Largest distances, in |x| or |y|, of neighbouring control points' places in the picture, along u
+/// and along v. Expects: every w > 0. Units: pixels.
+std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
 /// Bounds of second derivatives as seen in the image, for steps of the piece's own parameters.
 ///

@@ -2,11 +2,12 @@
 // l3d_facing_cones: sub-nets of the sixteen blocks, once a model; a test in every frame.
 #include "scene/facing_cones.h"
 
+#include "geom/patch_part.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace {
 
@@ -19,28 +20,6 @@ constexpr double no_direction = 0x1p-40;
 /// Margin for the rounding of some thirty operations on doubles, relative to the distances in them.
 /// It also covers an eye that was found by solving three equations.
 constexpr double slack = 1e-9;
-
-/// A Bernstein net of Order x Order vectors, columns along u.
-template <std::size_t Order> using square_net = std::array<vector, Order * Order>;
-
-/// Replaces a line of coefficients by those of its lower or upper half. Source: de Casteljau.
-template <std::size_t Order> void halve(vector* line, std::size_t step, bool upper) {
-    for (std::size_t level = 1; level < Order; ++level)
-        for (std::size_t i = 0; i + level < Order; ++i) {
-            const std::size_t at = upper ? i : Order - 1 - i;
-            const std::size_t other = upper ? at + 1 : at - 1;
-            line[at * step] = (line[at * step] + line[other * step]) * 0.5;
-        }
-}
-
-/// The quarter of a net's range that begins at quarter / 4, along u or v.
-template <std::size_t Order>
-square_net<Order> quarter_of(square_net<Order> net, std::size_t quarter, bool along_u) {
-    for (const bool upper : {quarter >= 2, quarter % 2 == 1})
-        for (std::size_t i = 0; i < Order; ++i)
-            halve<Order>(net.data() + (along_u ? Order * i : i), along_u ? 1 : Order, upper);
-    return net;
-}
 
 } // namespace
 
@@ -76,21 +55,15 @@ void l3d_facing_cones::ball_and_cone::hold_normals(std::span<const vector> norma
 
 l3d_facing_cones::l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch,
                                    const l3d_normal_net& normals) {
-    square_net<6> of_normals;
-    for (int r = 0; r < 6; ++r)
-        for (int c = 0; c < 6; ++c)
-            of_normals[l3d_normal_net::index(r, c)] = normals.at(r, c);
     whole_.hold_points(patch.points);
-    whole_.hold_normals(of_normals);
-    for (std::size_t row = 0; row < 4; ++row) {
-        const square_net<4> points = quarter_of<4>(patch.points, row, false);
-        const square_net<6> directions = quarter_of<6>(of_normals, row, false);
-        for (std::size_t column = 0; column < 4; ++column) {
-            ball_and_cone of;
-            of.hold_points(quarter_of<4>(points, column, true));
-            of.hold_normals(quarter_of<6>(directions, column, true));
-            set(4 * row + column, of);
-        }
+    whole_.hold_normals(normals.polynomial().points);
+    const auto points = l3d_blocks_of(patch);
+    const auto directions = l3d_blocks_of(normals.polynomial());
+    for (std::size_t block = 0; block < blocks; ++block) {
+        ball_and_cone of;
+        of.hold_points(points[block].points);
+        of.hold_normals(directions[block].points);
+        set(block, of);
     }
 }
 

@@ -26,13 +26,12 @@ bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view) {
            l3d_centres_near(box.top, box.bottom, window.top).none();
 }
 
-bool l3d_left_out(const l3d_image_patch& net, const l3d_dice_view& view, l3d_dice_counts& counts) {
-    const l3d_depth_range depth = l3d_depth_range_of(net.points);
+bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts) {
     std::int64_t* const count = l3d_reason_to_leave_out(
-        depth, view, [&] { return l3d_outside(net.points, view.margin(), view.near, view.far); },
+        net.w(), view, [&] { return l3d_outside(net.points, view.margin(), view.near, view.far); },
         [&] {
-            return depth.least > view.near && !is_wider_than_a_pixel(net) &&
-                   l3d_holds_no_centre(l3d_image_box_of(net.points), view);
+            return net.w().least > view.near && !is_wider_than_a_pixel(net) &&
+                   l3d_holds_no_centre(net.box(), view);
         },
         counts);
     if (count)

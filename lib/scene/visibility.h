@@ -31,6 +31,6 @@ std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_di
 
 /// Whether a patch need not be diced: its net proves that it covers no pixel's centre, and nobody
 /// keeps it. The reason is counted.
-bool l3d_left_out(const l3d_image_patch& net, const l3d_dice_view& view, l3d_dice_counts& counts);
+bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

@@ -30,27 +30,13 @@ l3d_image_patch sheet(random_numbers& random, double bend) {
     return result;
 }
 
-std::array<l3d_image_patch, 16> blocks_of(const l3d_image_patch& patch) {
-    std::array<l3d_image_patch, 16> result;
-    const auto [low, high] = patch.split_v();
-    const std::array<std::pair<l3d_image_patch, l3d_image_patch>, 2> rows{low.split_v(),
-                                                                          high.split_v()};
-    for (std::size_t b = 0; b < 4; ++b) {
-        const l3d_image_patch& row = b % 2 == 0 ? rows[b / 2].first : rows[b / 2].second;
-        const auto [left, right] = row.split_u();
-        std::tie(result[4 * b], result[4 * b + 1]) = left.split_u();
-        std::tie(result[4 * b + 2], result[4 * b + 3]) = right.split_u();
-    }
-    return result;
-}
-
 int total(const std::array<int, 4>& steps) {
     return std::accumulate(steps.begin(), steps.end(), 0);
 }
 
 l3d_step_plan plan_of(const l3d_image_patch& patch, double budget,
                       l3d_quad_kind kind = l3d_quad_kind::whole) {
-    return l3d_plan_steps(patch, blocks_of(patch), view_with(budget), budget, kind);
+    return l3d_plan_steps(patch, l3d_blocks_of(patch), view_with(budget), budget, kind);
 }
 
 /// Whether with one step less along u quads of a strip would be larger than they may be.
@@ -69,8 +55,8 @@ TEST(step_plan, every_visible_block_is_within_the_budget_and_no_strip_has_a_step
         const double budget = random.of_any_size(0.05, 2);
         const l3d_step_plan plan = plan_of(patch, budget);
         ASSERT_TRUE(plan.visible);
-        const l3d_block_needs needs =
-            l3d_needs_of(patch, blocks_of(patch), view_with(budget), budget, l3d_quad_kind::whole);
+        const l3d_block_needs needs = l3d_needs_of(patch, l3d_blocks_of(patch), view_with(budget),
+                                                   budget, l3d_quad_kind::whole);
         const auto error = [&](std::size_t a, std::size_t b, int nu, int nv) {
             return planned_error(needs, a, b, nu, nv);
         };
@@ -110,8 +96,8 @@ TEST(step_plan, blocks_that_may_fold_are_finer_and_no_others_are_coarser) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         random_numbers random(seed);
         const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
-        l3d_block_needs needs =
-            l3d_needs_of(patch, blocks_of(patch), view_with(budget), budget, l3d_quad_kind::whole);
+        l3d_block_needs needs = l3d_needs_of(patch, l3d_blocks_of(patch), view_with(budget), budget,
+                                             l3d_quad_kind::whole);
         needs.finer_outlines = random.between(1, 5);
         needs.folds = 1U << random.below(16);
         const l3d_step_plan plan = l3d_plan_steps(needs, budget, l3d_quad_kind::whole);
@@ -129,7 +115,7 @@ TEST(step_plan, outlines_are_no_reason_to_cut_a_piece) {
     random_numbers random(7);
     const l3d_image_patch patch = sheet(random, 60);
     l3d_block_needs needs =
-        l3d_needs_of(patch, blocks_of(patch), view_with(0.01), 0.01, l3d_quad_kind::whole);
+        l3d_needs_of(patch, l3d_blocks_of(patch), view_with(0.01), 0.01, l3d_quad_kind::whole);
     const l3d_step_plan usual = l3d_plan_steps(needs, 0.02, l3d_quad_kind::whole);
     ASSERT_LE(std::max(usual.most_u(), usual.most_v()), l3d_most_steps_whole);
     needs.finer_outlines = 100;

@@ -19,6 +19,12 @@ TEST(image_box, and_depth_range_hold_the_surface) {
         const auto patch = random_patch(random, kinds[round % 3]);
         const auto box = l3d_image_box_of(patch.points).grown(1e-9);
         const auto depth = l3d_depth_range_of(patch.points);
+        l3d_image_net net = random_patch(random, kinds[0]);
+        for (int again = 0; again < 2; ++again) {
+            EXPECT_EQ(net.box().left, l3d_image_box_of(net.points).left);
+            EXPECT_EQ(net.w().most, l3d_depth_range_of(net.points).most);
+            net = patch; // which forgets what was found
+        }
         for (int i = 0; i < 20; ++i) {
             const double u = random.within(0, 1), v = random.within(0, 1);
             const point h = patch.evaluate(u, v);

@@ -2,6 +2,7 @@
 // l3d_normal_net against cross products of derivatives: inside, at collapsed edges, of nothing.
 #include "geom/bezier_oracle.h"
 #include "geom/normal_net.h"
+#include "geom/patch_part.h"
 #include "geom/files/patch_file.h"
 
 #include <gtest/gtest.h>
@@ -274,6 +275,26 @@ TEST(normal_net, of_patches_without_area_is_zero) {
         EXPECT_EQ(net.evaluate(0.3, 0.6), vector(0.0));
     }
     EXPECT_TRUE(is_zero(l3d_normal_net()));
+}
+
+TEST(normal_net, blocks_of_its_polynomial_are_the_normals_of_the_patch_there) {
+    oracle::random_values random(seed);
+    patch p;
+    for (vector& point : p.points)
+        point = {random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)};
+    const l3d_normal_net net(p);
+    const auto blocks = l3d_blocks_of(net.polynomial());
+    const auto parts = l3d_blocks_of(p);
+    for (std::size_t row = 0; row < 4; ++row)
+        for (std::size_t column = 0; column < 4; ++column)
+            for (const double end : {0.0, 1.0}) {
+                const double u = 0.25 * (static_cast<double>(column) + end);
+                const double v = 0.25 * (static_cast<double>(row) + end);
+                const std::size_t block = 4 * row + column, corner = end > 0 ? 1 : 0;
+                const vector normal = blocks[block].points[35 * corner] - net.evaluate(u, v);
+                const vector place = parts[block].points[15 * corner] - p.evaluate(u, v);
+                EXPECT_LT(l3d_length(normal) + l3d_length(place), 1e-14) << block;
+            }
 }
 
 } // namespace

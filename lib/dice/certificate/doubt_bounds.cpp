@@ -10,7 +10,7 @@
 
 namespace {
 
-using vector = l3d_doubt_piece::vector;
+using vector = l3d_normal_polynomial::vector;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using l3d_detail::line_of, l3d_detail::put, l3d_detail::rounding;
@@ -79,7 +79,7 @@ facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
     }
     reach = std::sqrt(reach);
     facing_range result{infinite, -infinite, normals.longest + p.of->normal_off};
-    for (const vector& n : p.normals) {
+    for (const vector& n : p.normals.points) {
         const double f = l3d_dot(n, middle);
         result.least = std::min(result.least, f);
         result.most = std::max(result.most, f);
@@ -198,7 +198,7 @@ std::array<double, 2> l3d_doubt_bounds::range(const l3d_doubt_line& of,
 l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_view& view) {
     l3d_doubt_bounds b;
     const l3d_doubt_patch& of = *piece.of;
-    const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
+    const l3d_depth_range& w = piece.net.w();
     b.w.least = w.least - of.error_w;
     b.w.most = w.most + of.error_w;
     b.may_end = !(b.w.least > of.near) || !(b.w.most < view.view.far);
@@ -210,7 +210,7 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
         put(b.w, 0, b.w.most, {.off = infinite});
         return b;
     }
-    const l3d_image_box hull = l3d_image_box_of(piece.net.points);
+    const l3d_image_box& hull = piece.net.box();
     const double pad = l3d_vertex_error(of.error_xy, of.error_w, hull.reach(), w.least) +
                        rounding * (view.view.size.width + view.view.size.height + hull.reach());
     const double x = view.view.size.width / 2.0, y = view.view.size.height / 2.0;
@@ -218,7 +218,7 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     for (std::size_t side = 0; side < l3d_side_pairs::sides; ++side)
         if (of.sides->at(of.patch, side).is == l3d_side_pairs::kind::open && piece.reaches(side))
             b.open_sides |= 1U << side;
-    const seen_normals normals(piece.normals);
+    const seen_normals normals(piece.normals.points);
     const facing_range facing = facing_of(piece, normals, view);
     b.facing = facing.least > 0 ? 1 : facing.most < 0 ? -1 : 0;
     b.may_be_missing = of.one_sided && b.facing * of.back >= 0;

@@ -8,8 +8,8 @@
 namespace l3d_detail {
 namespace {
 
-using vector = l3d_doubt_piece::vector;
-constexpr std::size_t order = l3d_doubt_piece::order;
+using vector = l3d_normal_polynomial::vector;
+constexpr std::size_t order = l3d_normal_polynomial::order;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Normals that differ more from their common axis have no bound but that of all levels.
@@ -118,7 +118,7 @@ cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const v
     std::array<double, order * order> t;
     double least_r = infinite, most_r = -infinite;
     for (std::size_t i = 0; i < t.size(); ++i) {
-        t[i] = l3d_dot(piece.normals[i], across);
+        t[i] = l3d_dot(piece.normals.points[i], across);
         const double r = t[i] / q[i];
         least_r = std::min(least_r, r);
         most_r = std::max(most_r, r);

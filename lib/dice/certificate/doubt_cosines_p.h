@@ -34,8 +34,9 @@ struct plane {
 
 /// A piece's normals, along their common axis and across it.
 struct seen_normals {
-    using vector = l3d_doubt_piece::vector;
-    static constexpr std::size_t count = l3d_doubt_piece::order * l3d_doubt_piece::order;
+    using vector = l3d_normal_polynomial::vector;
+    static constexpr std::size_t count =
+        l3d_normal_polynomial::order * l3d_normal_polynomial::order;
 
     vector axis{0.0, 0.0, 0.0};
     std::array<double, count> along; ///< each normal's part along the axis
@@ -53,7 +54,7 @@ struct cosines {
     double slope = 2; ///< largest distance of a unit normal from the normals' axis
 
     cosines(const l3d_doubt_piece& piece, const seen_normals& seen,
-            const l3d_doubt_piece::vector& light);
+            const l3d_normal_polynomial::vector& light);
 };
 
 /// Turns a linear function of the parameters into one of the place.

@@ -5,14 +5,11 @@
 
 #include "dice/certificate/light_bounds.h"
 #include "scene/side_pairs.h"
-#include "geom/normal_net.h"
-#include "geom/step_bound.h"
+#include "geom/patch_part.h"
 #include "raster/background.h"
 #include "raster/lighting.h"
 
-#include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 /// A lamp of the exact picture.
@@ -51,21 +48,9 @@ struct l3d_doubt_patch {
     }
 };
 
-/// A part of a patch by halves. Shape: nets as l3d_bezier_patch and l3d_normal_net have them.
-struct l3d_doubt_piece {
-    using vector = l3d_vector<double, 3>;
-    static constexpr std::size_t order = 6; ///< order of normals, of degree 5
-
+/// A part of an exact patch. Its normals are in the world.
+struct l3d_doubt_piece : l3d_exact_part {
     const l3d_doubt_patch* of = nullptr;
-    l3d_image_patch net;
-    std::array<vector, order * order> normals; ///< in the world
-    double u0 = 0, u1 = 1, v0 = 0, v1 = 1;     ///< parameters in the patch; exact
-
-    /// The halves along u, or along v.
-    std::pair<l3d_doubt_piece, l3d_doubt_piece> split(bool along_u) const;
-
-    /// Whether the picture is longer along u than along v. Expects: every w > 0.
-    bool is_longer_along_u() const;
 
     /// Whether the piece reaches a side of its patch, in the order of l3d_side_pairs.
     bool reaches(std::size_t side) const {

@@ -166,12 +166,12 @@ bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) co
 /// areas_left_out_.
 bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
     const l3d_doubt_patch& of = *piece.of;
-    const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
-    if (w.least <= 2 * of.error_w)
+    const double least = piece.net.w().least;
+    if (least <= 2 * of.error_w)
         return false;
-    const double reach = l3d_image_box_of(piece.net.points).reach();
+    const double reach = piece.net.box().reach();
     const double area = area_along(
-        piece.net, l3d_vertex_error(of.error_xy, of.error_w, reach, w.least) + 0x1p-48 * reach);
+        piece.net, l3d_vertex_error(of.error_xy, of.error_w, reach, least) + 0x1p-48 * reach);
     if (!(areas_left_out_ + area <= most_left_out))
         return false;
     areas_left_out_ += area;
@@ -183,7 +183,7 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
     const l3d_dice_view& view = view_->view;
     const double near = view.camera_near > 0 ? view.camera_near : view.near;
     const l3d_doubt_patch& of = *piece.of;
-    const l3d_depth_range w = l3d_depth_range_of(piece.net.points);
+    const l3d_depth_range& w = piece.net.w();
     if (is_too_much_ || w.most + of.error_w <= near || w.least - of.error_w >= view.far)
         return;
     if (w.least <= 2 * of.error_w && is_beside_all(piece, near))
@@ -192,7 +192,7 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
     bool may_be_plain = piece.u1 - piece.u0 < least_part || piece.v1 - piece.v0 < least_part;
     const bool is_smallest = may_be_plain;
     if (w.least > 2 * of.error_w) {
-        const l3d_image_box hull = l3d_image_box_of(piece.net.points);
+        const l3d_image_box& hull = piece.net.box();
         const double pad =
             1.0 / 64 + l3d_vertex_error(of.error_xy, of.error_w, hull.reach(), w.least);
         const double x = view.size.width / 2.0, y = view.size.height / 2.0;
@@ -201,7 +201,8 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
                     pad)))
             return;
         may_be_plain = may_be_plain || std::max(hull.width(), hull.height()) <= largest_plain;
-        along_u = is_smallest || piece.is_longer_along_u();
+        const auto [in_u, in_v] = l3d_image_gaps_of(piece.net);
+        along_u = is_smallest || in_u >= in_v;
     }
     if (may_be_plain) {
         const l3d_doubt_bounds bounds = l3d_bounds_of(piece, *view_);
@@ -213,9 +214,8 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
         }
     }
     ++cuts_;
-    const auto [low, high] = piece.split(along_u);
-    cut(low, into);
-    cut(high, into);
+    for (const l3d_doubt_piece& half : l3d_halves(piece, along_u))
+        cut(half, into);
 }
 
 /// Lists the leaves of each cell, in their order.

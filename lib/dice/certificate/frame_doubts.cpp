@@ -109,17 +109,15 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
             }
             if (!frame.has_levels)
                 p.of.lighting = &view_.lighting;
-            const l3d_image_patch net = l3d_placed_net(to_image, model.patches()[i]);
-            const l3d_depth_range w = l3d_depth_range_of(net.points);
+            const l3d_image_net net = l3d_placed_net(to_image, model.patches()[i]);
             const double margin = 1 + p.of.error_xy / near;
             if (l3d_outside(net.points, window.grown(margin), near - p.of.error_w, view.far))
                 continue;
             p.box = {-infinite, -infinite, infinite, infinite};
-            if (w.least > 2 * p.of.error_w) {
-                const l3d_image_box hull = l3d_image_box_of(net.points);
-                p.box = hull.grown(
-                    margin + l3d_vertex_error(p.of.error_xy, p.of.error_w, hull.reach(), w.least));
-            }
+            if (net.w().least > 2 * p.of.error_w)
+                p.box =
+                    net.box().grown(margin + l3d_vertex_error(p.of.error_xy, p.of.error_w,
+                                                              net.box().reach(), net.w().least));
             patches_.push_back(p);
         }
         ++index;
@@ -133,11 +131,8 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     whole.of = &p.of;
     whole.net = l3d_placed_net(frame.to_image * instance.placement(), model.patches()[p.of.patch]);
     const l3d_normal_net& own = model.normals(p.of.patch);
-    const l3d_normal_net normals =
-        instance.turns_normals() ? own.turned(instance.normal_matrix()) : own;
-    for (int row = 0; row < static_cast<int>(l3d_doubt_piece::order); ++row)
-        for (int column = 0; column < static_cast<int>(l3d_doubt_piece::order); ++column)
-            whole.normals[l3d_normal_net::index(row, column)] = normals.at(row, column);
+    whole.normals = instance.turns_normals() ? own.turned(instance.normal_matrix()).polynomial()
+                                             : own.polynomial();
     return whole;
 }
 

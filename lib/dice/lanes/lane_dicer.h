@@ -11,7 +11,7 @@
 #include "dice/edges/edge_polyline.h"
 #include "dice/lanes/lane_light_p.h"
 #include "dice/lanes/lane_rows_p.h"
-#include "dice/patch_part.h"
+#include "geom/patch_part.h"
 #include "dice/bend_bounds.h"
 
 #include <span>

@@ -81,13 +81,11 @@ void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
                              const l3d_normal_net& normals, const vector& eye,
                              const l3d_image_patch& net, unsigned sides, double share) {
     take_share(share);
-    piece whole;
+    piece whole{};
     for (std::size_t i = 0; i < whole.patch.points.size(); ++i)
         whole.patch.points[i] = patch.points[i] - eye;
     whole.net = net;
-    for (int row = 0; row < static_cast<int>(order); ++row)
-        for (int column = 0; column < static_cast<int>(order); ++column)
-            whole.normals[l3d_normal_net::index(row, column)] = normals.at(row, column);
+    whole.normals = normals.polynomial();
     whole.sides = sides;
     search(whole);
 }
@@ -97,7 +95,7 @@ void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
 l3d_outline_search::level_set<l3d_outline_search::order>
 l3d_outline_search::facing_of(const piece& p) const {
     vector axis(0.0);
-    for (const vector& n : p.normals)
+    for (const vector& n : p.normals.points)
         axis = axis + n;
     const double length = l3d_length(axis);
     axis = length > 0 ? axis * (1 / length) : vector(0.0);
@@ -110,8 +108,8 @@ l3d_outline_search::facing_of(const piece& p) const {
     }
     level_set<order> result;
     double largest = 0;
-    for (std::size_t i = 0; i < p.normals.size(); ++i) {
-        const vector& n = p.normals[i];
+    for (std::size_t i = 0; i < result.at.size(); ++i) {
+        const vector& n = p.normals.points[i];
         const double by_axis = l3d_dot(n, axis);
         result.at[i] = l3d_dot(n, middle);
         result.error = std::max(result.error,
@@ -126,7 +124,7 @@ void l3d_outline_search::search(const piece& p) {
     ++pieces_;
     if (l3d_outside(p.net.points, window_, least_near_, view_.far))
         return;
-    const l3d_depth_range w = l3d_depth_range_of(p.net.points);
+    const l3d_depth_range& w = p.net.w();
     const bool is_cut = w.least < most_near_ || w.most > view_.far;
     piece next = p;
     level_set<order> facing;
@@ -138,21 +136,21 @@ void l3d_outline_search::search(const piece& p) {
     if (!next.may_fold && !is_cut && next.sides == 0)
         return;
     if (w.least < least_near_ / 2) {
-        if (p.level < most_levels)
+        if (p.depth < most_levels)
             split(next);
         else
             add_box(view_.window());
         return;
     }
-    const l3d_image_box box = l3d_image_box_of(p.net.points);
+    const l3d_image_box& box = p.net.box();
     const double size = std::max(box.width(), box.height());
-    if ((size >= least_asked || p.level == 0) && hides(box, w))
+    if ((size >= least_asked || p.depth == 0) && hides(box, w))
         return;
     if (pieces_ > most_pieces) {
         add_box(box);
         return;
     }
-    if (size <= longest_line || p.level >= most_levels) {
+    if (size <= longest_line || p.depth >= most_levels) {
         const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3),
                                          p.net.column(0)};
         for (std::size_t k = 0; k < std::size(sides); ++k)
@@ -176,7 +174,7 @@ void l3d_outline_search::search(const piece& p) {
         }
         if (!next.may_fold && !cut_left)
             return;
-        if (size <= allowed_ || p.level >= most_levels) {
+        if (size <= allowed_ || p.depth >= most_levels) {
             add_box(box);
             return;
         }
@@ -194,30 +192,14 @@ void l3d_outline_search::split(const piece& p) {
         }
     const bool in_u = along_u >= along_v;
     // On the heap, since the recursion is as deep as there are halvings.
-    const auto halves = std::make_unique<std::array<piece, 2>>();
+    const auto halves = std::make_unique<std::array<piece, 2>>(l3d_halves(p, in_u));
     auto& [low, high] = *halves;
     std::tie(low.patch, high.patch) = in_u ? p.patch.split_u() : p.patch.split_v();
-    std::tie(low.net, high.net) = in_u ? p.net.split_u() : p.net.split_v();
-    const std::size_t step = in_u ? 1 : order, across = in_u ? order : 1;
-    for (std::size_t line = 0; line < order; ++line) {
-        std::array<vector, order> b;
-        for (std::size_t i = 0; i < order; ++i)
-            b[i] = p.normals[line * across + i * step];
-        for (std::size_t left = order; left > 0; --left) {
-            low.normals[line * across + (order - left) * step] = b[0];
-            high.normals[line * across + (left - 1) * step] = b[left - 1];
-            for (std::size_t i = 0; i + 1 < left; ++i)
-                b[i] = (b[i] + b[i + 1]) * 0.5;
-        }
-    }
     constexpr unsigned low_v = 1, high_u = 2, high_v = 4, low_u = 8;
     low.sides = p.sides & ~(in_u ? high_u : high_v);
     high.sides = p.sides & ~(in_u ? low_u : low_v);
-    for (piece* half : {&low, &high}) {
-        half->may_fold = p.may_fold;
-        half->level = p.level + 1;
-        search(*half);
-    }
+    search(low);
+    search(high);
 }
 
 /// Whether everything drawn in and around a box hides the surface. It must be nearer than the
@@ -331,7 +313,7 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     if (count == 0)
         return true;
 
-    const auto& net = p.net;
+    const l3d_image_net& net = p.net;
     const place q00 = projected(net.at(0, 0)), q01 = projected(net.at(0, 3));
     const place q10 = projected(net.at(3, 0)), q11 = projected(net.at(3, 3));
     const place q = mix(mix(q00, q01, 0.5), mix(q10, q11, 0.5), 0.5);
@@ -341,8 +323,7 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
         return {q.x + ds.x * (s - 0.5) + dt.x * (t - 0.5),
                 q.y + ds.y * (s - 0.5) + dt.y * (t - 0.5)};
     };
-    const l3d_depth_range w = l3d_depth_range_of(net.points);
-    linear_error error{0, w.least, w.most};
+    linear_error error{0, net.w().least, net.w().most};
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             error.add(net.at(i, j), seen(j / 3.0, i / 3.0));

@@ -4,7 +4,7 @@
 #define L3D_DICE_OUTLINES_OUTLINE_SEARCH_H
 
 #include "scene/dice_view.h"
-#include "geom/normal_net.h"
+#include "geom/patch_part.h"
 #include "raster/outline_mask.h"
 #include "raster/two_layer_depths.h"
 
@@ -43,16 +43,13 @@ public:
 
 private:
     using vector = l3d_vector<double, 3>;
-    static constexpr std::size_t order = 6; ///< order of normals, of degree 5
+    static constexpr std::size_t order = l3d_normal_polynomial::order;
 
     /// A part of a patch, and the outlines that it may still have.
-    struct piece {
+    struct piece : l3d_exact_part {
         l3d_bezier_patch<double, 3> patch; ///< from the eye
-        l3d_image_patch net;
-        std::array<vector, order * order> normals;
         unsigned sides = 0;
         bool may_fold = true;
-        int level = 0; ///< halvings so far
     };
     /// A polynomial over a piece by its coefficients, known to `error`.
     template <std::size_t N> struct level_set {

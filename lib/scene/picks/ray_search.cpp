@@ -19,6 +19,8 @@ constexpr double most_contraction = 0.08;
 /// Parts whose points are all within so many errors of the ray are not split: no half can be told
 /// to hold the hit.
 constexpr double blurred_errors = 16;
+/// Parts no larger than that, along u or along v, are not split that way.
+constexpr double least_size = 0x1p-48;
 /// Limit of steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
 /// split.
 constexpr long most_steps = 1 << 16;
@@ -31,15 +33,6 @@ struct range {
     double middle() const { return (low + high) / 2; }
     double width() const { return high - low; }
 };
-
-range range_of(const l3d_ray_net& net, int coordinate) {
-    range result{net.points[0][coordinate], net.points[0][coordinate]};
-    for (const auto& point : net.points) {
-        result.low = std::min(result.low, point[coordinate]);
-        result.high = std::max(result.high, point[coordinate]);
-    }
-    return result;
-}
 
 /// The net of the same polynomial for u and v from -margin to 1 + margin.
 l3d_ray_net inflated(const l3d_ray_net& net) {
@@ -135,23 +128,24 @@ struct operator_of {
 } // namespace
 
 bool l3d_ray_search::may_be_met(const l3d_ray_net& net, double error) const {
-    for (int coordinate = 0; coordinate < 2; ++coordinate) {
-        const range values = range_of(net, coordinate);
-        if (values.low > error || values.high < -error)
-            return false;
-    }
-    const range depth = range_of(net, 2);
-    return depth.high + error >= near_ && depth.low - error <= far_;
+    const auto [low, high] = net.bounds();
+    return low[0] <= error && high[0] >= -error && low[1] <= error && high[1] >= -error &&
+           high[2] + error >= near_ && low[2] - error <= far_;
 }
 
 void l3d_ray_search::add(std::size_t patch, const l3d_ray_net& net, double error) {
     if (!may_be_met(net, error))
         return;
     roots_.push_back({patch, net, error});
-    push({range_of(net, 2).low, roots_.size() - 1, 0, 0, 1, 1, net, std::nullopt});
+    part whole{};
+    whole.net = net;
+    whole.root = roots_.size() - 1;
+    push(std::move(whole));
 }
 
-void l3d_ray_search::push(part&& one) {
+void l3d_ray_search::push(part one, const std::optional<l3d_ray_hit>& hit) {
+    one.least_depth = hit && hit->is_proven ? hit->depth : one.net.w().least;
+    one.hit = hit;
     heap_.push_back(std::move(one));
     std::ranges::push_heap(heap_, std::greater(), &part::least_depth);
 }
@@ -178,10 +172,11 @@ std::optional<l3d_ray_hit> l3d_ray_search::nearest() {
 
 void l3d_ray_search::look_into(const part& one) {
     const double error = roots_[one.root].error;
-    if (!may_be_met(one.net, error) || settle(one))
+    if (settle(one))
         return;
-    const double widest = std::max(range_of(one.net, 0).width(), range_of(one.net, 1).width());
-    const bool is_least = one.du < 0x1p-48 && one.dv < 0x1p-48;
+    const auto [low, high] = one.net.bounds();
+    const double widest = std::max(high[0] - low[0], high[1] - low[1]);
+    const bool is_least = one.u1 - one.u0 < least_size && one.v1 - one.v0 < least_size;
     if (widest <= blurred_errors * error || is_least || ++steps_ > most_steps)
         keep_unproven(one);
     else
@@ -200,16 +195,10 @@ void l3d_ray_search::split(const part& one) {
                 along_u = std::max(along_u, gap(one.net.at(i, k), one.net.at(i, k + 1)));
                 along_v = std::max(along_v, gap(one.net.at(k, i), one.net.at(k + 1, i)));
             }
-    const bool halves_u = along_u >= along_v ? one.du >= 0x1p-48 : one.dv < 0x1p-48;
-    auto [low, high] = halves_u ? one.net.split_u() : one.net.split_v();
-    const double du = halves_u ? one.du / 2 : one.du, dv = halves_u ? one.dv : one.dv / 2;
-    const double error = roots_[one.root].error;
-    for (const bool second : {false, true}) {
-        const l3d_ray_net& net = second ? high : low;
-        if (may_be_met(net, error))
-            push({range_of(net, 2).low, one.root, one.u + (second && halves_u ? du : 0),
-                  one.v + (second && !halves_u ? dv : 0), du, dv, net, std::nullopt});
-    }
+    for (part& half : l3d_halves(one, along_u >= along_v ? one.u1 - one.u0 >= least_size
+                                                         : one.v1 - one.v0 < least_size))
+        if (may_be_met(half.net, roots_[one.root].error))
+            push(std::move(half));
 }
 
 /// True if a part is settled: it has no hit, or its one hit is now in the heap.
@@ -239,10 +228,10 @@ bool l3d_ray_search::settle(const part& one) {
         at[1] -= step[1];
         left = std::max(std::abs(step[0]), std::abs(step[1]));
     }
-    const double du = one.du * size, dv = one.dv * size;
+    const double du = (one.u1 - one.u0) * size, dv = (one.v1 - one.v0) * size;
     l3d_ray_hit hit{.patch = whole.patch,
-                    .u = one.u + (at[0] - edge) * du,
-                    .v = one.v + (at[1] - edge) * dv,
+                    .u = one.u0 + (at[0] - edge) * du,
+                    .v = one.v0 + (at[1] - edge) * dv,
                     .is_proven = true};
     // A last step from the whole net, whose rounding `error` bounds.
     const auto rest = newton.step(whole.net.evaluate(hit.u, hit.v));
@@ -261,21 +250,21 @@ bool l3d_ray_search::settle(const part& one) {
     bring_inside(hit.v, hit.v_error);
     hit.depth = whole.net.evaluate(hit.u, hit.v)[2];
     if (hit.depth >= near_ && hit.depth <= far_ && is_seen_(hit))
-        push({hit.depth, one.root, one.u, one.v, one.du, one.dv, one.net, hit});
+        push(one, hit);
     return true;
 }
 
 void l3d_ray_search::keep_unproven(const part& one) {
-    const range x = range_of(one.net, 0), y = range_of(one.net, 1), depth = range_of(one.net, 2);
-    push({depth.low, one.root, one.u, one.v, one.du, one.dv, one.net,
-          l3d_ray_hit{.patch = roots_[one.root].patch,
-                      .u = one.u + one.du / 2,
-                      .v = one.v + one.dv / 2,
-                      .u_error = one.du / 2,
-                      .v_error = one.dv / 2,
-                      .depth = depth.middle(),
-                      .width = x.width() + y.width() + 2 * roots_[one.root].error,
-                      .depth_width = depth.width()}});
+    const auto [low, high] = one.net.bounds();
+    push(one,
+         l3d_ray_hit{.patch = roots_[one.root].patch,
+                     .u = (one.u0 + one.u1) / 2,
+                     .v = (one.v0 + one.v1) / 2,
+                     .u_error = (one.u1 - one.u0) / 2,
+                     .v_error = (one.v1 - one.v0) / 2,
+                     .depth = (low[2] + high[2]) / 2,
+                     .width = (high[0] - low[0]) + (high[1] - low[1]) + 2 * roots_[one.root].error,
+                     .depth_width = high[2] - low[2]});
 }
 
 /// Joins unproven hits, which lie side by side along an outline: any of them may be the nearest.

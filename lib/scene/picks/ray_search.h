@@ -3,7 +3,7 @@
 #ifndef L3D_SCENE_PICKS_RAY_SEARCH_H
 #define L3D_SCENE_PICKS_RAY_SEARCH_H
 
-#include "geom/bezier_patch.h"
+#include "geom/patch_part.h"
 
 #include <cstddef>
 #include <functional>
@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, 2 is the depth.
-using l3d_ray_net = l3d_bezier_patch<double, 3>;
+/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, 2 is the depth. So its range
+/// of depths is w().
+using l3d_ray_net = l3d_image_net;
 
 /// A place where the ray meets a patch.
 struct l3d_ray_hit {
@@ -45,16 +46,14 @@ private:
         double error;
     };
     /// A part of a patch, or a hit that was found in it.
-    struct part {
-        double least_depth;
-        std::size_t root;
-        double u, v, du, dv; ///< its beginning, and its size
-        l3d_ray_net net;
+    struct part : l3d_patch_part {
+        std::size_t root = 0;
+        double least_depth = 0;
         std::optional<l3d_ray_hit> hit;
     };
 
     bool may_be_met(const l3d_ray_net& net, double error) const;
-    void push(part&& one);
+    void push(part one, const std::optional<l3d_ray_hit>& hit = std::nullopt);
     part pop();
     void look_into(const part& one);
     void split(const part& one);

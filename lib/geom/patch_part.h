@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// l3d_patch_part: a part of a patch, and its halves.
+#ifndef L3D_GEOM_PATCH_PART_H
+#define L3D_GEOM_PATCH_PART_H
+
+#include "geom/normal_net.h"
+#include "geom/step_bound.h"
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+
+/// A part of a patch: its own homogeneous image net, and its range of parameters.
+struct l3d_patch_part {
+    l3d_image_net net;
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< exact
+    int depth = 0;                         ///< cuts that made it
+};
+
+/// The same with its normals.
+struct l3d_exact_part : l3d_patch_part {
+    l3d_normal_polynomial normals;
+};
+
+/// Both halves of a piece, cut across u or across v. Members beyond net, range of parameters, depth
+/// and normals are copies. The lower half comes first.
+template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool along_u) {
+    std::array<Piece, 2> result{p, p};
+    auto& [low, high] = result;
+    low.depth = high.depth = p.depth + 1;
+    std::tie(low.net, high.net) = along_u ? p.net.split_u() : p.net.split_v();
+    (along_u ? low.u1 : low.v1) = (along_u ? high.u0 : high.v0) =
+        along_u ? (p.u0 + p.u1) / 2 : (p.v0 + p.v1) / 2;
+    if constexpr (std::is_base_of_v<l3d_exact_part, Piece>)
+        std::tie(low.normals, high.normals) = along_u ? p.normals.split_u() : p.normals.split_v();
+    return result;
+}
+
+/// The 4 x 4 blocks of a net. Shape: block 4 * row + column, columns along u.
+template <class Net> std::array<Net, 16> l3d_blocks_of(const Net& net) {
+    std::array<Net, 16> result;
+    std::array<Net, 4> rows;
+    const auto [low, high] = net.split_v();
+    std::tie(rows[0], rows[1]) = low.split_v();
+    std::tie(rows[2], rows[3]) = high.split_v();
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const auto [left, right] = rows[row].split_u();
+        std::tie(result[4 * row], result[4 * row + 1]) = left.split_u();
+        std::tie(result[4 * row + 2], result[4 * row + 3]) = right.split_u();
+    }
+    return result;
+}
+
+#endif
