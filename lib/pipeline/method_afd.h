@@ -31,7 +31,7 @@ private:
     void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) override;
     const l3d_dice_counts& do_counts() const override { return counts_; }
     const l3d_surface_counts& do_surface_counts() const override { return used_->counts(); }
-    const l3d_outline_mask* do_outlines() const override {
+    const l3d_pixel_bits* do_outlines() const override {
         return outlines_ ? &outlines_->mask() : nullptr;
     }
 

@@ -3,7 +3,7 @@
 #include "pipeline/pipeline_afd_p.h"
 
 #include "pipeline/surface_method.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 #include "raster/parallel/workers.h"
 #include "scene/camera_shading.h"
 #include "scene/drawn_pixels.h"
@@ -75,7 +75,7 @@ void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
     redraw();
 }
 
-const l3d_outline_mask* l3d_pipeline_afd::outlines() const {
+const l3d_pixel_bits* l3d_pipeline_afd::outlines() const {
     return report_.outline_pixels == l3d_surface_counts::none_counted ? nullptr
                                                                       : stages_->method->outlines();
 }
@@ -257,7 +257,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     else
         for (const l3d_pixel_box& part : parts.boxes())
             draw_surfaces(now, {scene_, now.target, part, settings_.depth}, times);
-    const l3d_outline_mask* const outlines =
+    const l3d_pixel_bits* const outlines =
         scene_.transparent_count() > 0 ? nullptr : stages_->method->outlines();
     report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
     untouched_ = true;

@@ -22,7 +22,7 @@
 
 class l3d_error_map;
 struct l3d_frame_lights;
-class l3d_outline_mask;
+class l3d_pixel_bits;
 class l3d_pixel_boxes;
 
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
@@ -197,7 +197,7 @@ public:
 
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
     /// the method does not find them, or if a part of the picture was drawn alone.
-    const l3d_outline_mask* outlines() const;
+    const l3d_pixel_bits* outlines() const;
 
     /// The bound of each pixel's difference from the exact picture, with the settings' lights and
     /// fog. Null if nobody asked for it, for a wireframe, for shades that are not light,

@@ -18,7 +18,7 @@
 #include <span>
 #include <string>
 
-class l3d_outline_mask;
+class l3d_pixel_bits;
 struct l3d_dice_view;
 
 /// The task of a frame: the scene to draw, and the picture to draw it into.
@@ -83,7 +83,7 @@ public:
 
     /// The pixels of the last frame that outlines reach, if it asked for them. Methods that do not
     /// find them give null. So does a frame that was a part of a picture.
-    const l3d_outline_mask* outlines() const { return do_outlines(); }
+    const l3d_pixel_bits* outlines() const { return do_outlines(); }
 
 protected:
     /// The value for `covered`, given the depth of all that was drawn.
@@ -99,7 +99,7 @@ private:
     virtual void do_draw(const l3d_method_frame& frame, l3d_stage_times& times) = 0;
     virtual const l3d_dice_counts& do_counts() const = 0;
     virtual const l3d_surface_counts& do_surface_counts() const = 0;
-    virtual const l3d_outline_mask* do_outlines() const { return nullptr; }
+    virtual const l3d_pixel_bits* do_outlines() const { return nullptr; }
 };
 
 class l3d_rasterizer_factory;

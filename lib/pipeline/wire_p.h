@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WIRE_P_H
 #define L3D_PIPELINE_WIRE_P_H
 
+#include "base/number_hash_p.h"
 #include "raster/surface_part.h"
 #include "raster/paths/path.h"
 #include "raster/rasterizer_2d.h"
@@ -45,20 +46,12 @@ public:
 private:
     using ends = std::array<std::uint64_t, 2>;
 
-    struct hash {
-        std::size_t operator()(const ends& of) const {
-            // 2^64 by the golden ratio, odd: every bit of the ends reaches the upper half
-            const std::uint64_t mixed = (of[0] ^ std::rotl(of[1], 32)) * 0x9e3779b97f4a7c15U;
-            return static_cast<std::size_t>(mixed ^ mixed >> 32);
-        }
-    };
-
     static std::uint64_t place(std::int32_t x, std::int32_t y) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32 |
                std::bit_cast<std::uint32_t>(y);
     }
 
-    std::unordered_set<ends, hash> seen_;
+    std::unordered_set<ends, number_hash> seen_;
 };
 
 /// The colour of lines: light blue, seen on the dark ground and on grey surfaces.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// l3d_two_layer_depths: coverage by edge functions, two sheets a pixel.
+// l3d_two_layer_depths: two sheets a pixel.
 #include "raster/two_layer_depths.h"
+
+#include "raster/shapes/attribute_plane_p.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace {
 
-constexpr std::int64_t one = l3d_subpixel_one, half = one / 2;
+using namespace l3d_detail;
 
 /// A polygon thinner than this is a slit. The change of its depth says nothing of the surface. So
 /// the surface's depth is taken to change over this length by no more than the slit's whole range.
@@ -19,30 +20,13 @@ constexpr double thinnest = 0.25;
 /// 2^-23.
 constexpr double rounding = 4 * 0x1p-24;
 
-/// The pixels right of an edge, by the rule that left and top edges belong to a polygon.
-struct edge_function {
-    std::int64_t along_x, along_y, start;
-
-    /// Shape: (x, y) is the centre of a pixel; clockwise in a picture whose rows go down.
-    template <class Corner>
-    edge_function(const Corner& from, const Corner& to, std::int64_t x, std::int64_t y)
-        : along_x(-(to.y - from.y)), along_y(to.x - from.x),
-          start(along_x * (x - from.x) + along_y * (y - from.y)) {
-        const bool is_left = along_x > 0, is_top = along_x == 0 && along_y > 0;
-        if (!is_left && !is_top)
-            --start;
-        along_x *= one;
-        along_y *= one;
-    }
-};
-
-/// The first pixel whose centre is at or after a place.
-std::int64_t pixel_from(std::int64_t place) {
-    return (place + half - 1) >> l3d_subpixel_bits;
+scan_point place_of(const l3d_micro_vertex& v) {
+    return {v.x, v.y};
 }
 
-template <class Corner> std::int64_t twice_area(const Corner& a, const Corner& b, const Corner& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+std::int64_t twice_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                        const l3d_micro_vertex& c) {
+    return cross(place_of(b) - place_of(a), place_of(c) - place_of(a));
 }
 
 } // namespace
@@ -59,39 +43,34 @@ void l3d_two_layer_depths::begin(l3d_size size, double focal) {
     patches_.clear();
     pixels_.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
                    {});
+    scan_.set_rows({0, size.height});
 }
 
 void l3d_two_layer_depths::add(const l3d_surface_part& part, const l3d_sheet_patch& of) {
     const auto owner = static_cast<std::uint32_t>(kinds * patches_.size());
     patches_.push_back(of);
     const l3d_micro_grid& grid = part.grid;
-    const auto vertex = [&](int row, int column) -> corner {
-        const std::size_t i = grid.index(row, column);
-        return {grid.x[i], grid.y[i], grid.inv_w[i]};
-    };
     for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column) {
             if (grid.is_cut(grid.index(row, column)))
                 continue;
             const bool is_rim =
                 row == 0 || column == 0 || row + 2 == grid.rows || column + 2 == grid.columns;
-            add_quad(vertex(row, column), vertex(row, column + 1), vertex(row + 1, column + 1),
-                     vertex(row + 1, column), owner + (is_rim ? rim : inner));
+            add_quad(grid.vertex(row, column), grid.vertex(row, column + 1),
+                     grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column),
+                     owner + (is_rim ? rim : inner));
         }
     // A piece that was clipped has nothing else.
     const std::uint32_t of_triangles = grid.rows > 0 ? slit : rim;
-    for (std::size_t i = 0; i < part.triangles.count; ++i) {
-        const auto corner_of = [&](std::size_t k) -> corner {
-            const l3d_micro_vertex v = part.triangles.vertex(i, k);
-            return {v.x, v.y, v.inv_w};
-        };
-        add_triangle(corner_of(0), corner_of(1), corner_of(2), owner + of_triangles);
-    }
+    for (std::size_t i = 0; i < part.triangles.count; ++i)
+        add_triangle(part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
+                     part.triangles.vertex(i, 2), owner + of_triangles);
 }
 
 /// Two triangles that do not overlap, if it is not folded.
-void l3d_two_layer_depths::add_quad(const corner& a, const corner& b, const corner& c,
-                                    const corner& d, std::uint32_t owner) {
+void l3d_two_layer_depths::add_quad(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                                    const l3d_micro_vertex& c, const l3d_micro_vertex& d,
+                                    std::uint32_t owner) {
     const bool by_ac = (twice_area(a, b, c) > 0) == (twice_area(a, c, d) > 0);
     const bool by_bd = (twice_area(a, b, d) > 0) == (twice_area(b, c, d) > 0);
     if (by_ac || !by_bd) {
@@ -103,47 +82,34 @@ void l3d_two_layer_depths::add_quad(const corner& a, const corner& b, const corn
     }
 }
 
-void l3d_two_layer_depths::add_triangle(const corner& a, corner b, corner c, std::uint32_t owner) {
-    std::int64_t area = twice_area(a, b, c);
+void l3d_two_layer_depths::add_triangle(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                                        const l3d_micro_vertex& c, std::uint32_t owner) {
+    const std::int64_t area = twice_area(a, b, c);
+    const std::array<scan_point, 3> corners{place_of(a), place_of(b), place_of(c)};
     if (area == 0)
         return;
-    if (area < 0) {
-        std::swap(b, c);
-        area = -area;
-    }
-    const auto left = std::max<std::int64_t>(0, pixel_from(std::min({a.x, b.x, c.x})));
-    const auto top = std::max<std::int64_t>(0, pixel_from(std::min({a.y, b.y, c.y})));
-    const auto right =
-        std::min<std::int64_t>(size_.width, pixel_from(std::max({a.x, b.x, c.x}) + 1));
-    const auto bottom =
-        std::min<std::int64_t>(size_.height, pixel_from(std::max({a.y, b.y, c.y}) + 1));
-    if (left >= right || top >= bottom)
-        return;
-    const std::int64_t x0 = left * one + half, y0 = top * one + half;
-    const edge_function edges[3] = {{a, b, x0, y0}, {b, c, x0, y0}, {c, a, x0, y0}};
-    const double to_b = b.inv_w - a.inv_w, to_c = c.inv_w - a.inv_w;
+    const scan_rows rows = scan_.convert(std::span<const scan_point, 3>(corners), area > 0);
+    constexpr std::int32_t one = l3d_subpixel_one, half = one / 2;
+    const std::int32_t left = std::max(0, first_centre(std::min({a.x, b.x, c.x})));
+    const std::int64_t x0 = std::int64_t{left} * one + half,
+                       y0 = std::int64_t{rows.top} * one + half;
+    const double to_b = double{b.inv_w} - a.inv_w, to_c = double{c.inv_w} - a.inv_w;
     const double unit = static_cast<double>(one) / static_cast<double>(area);
     const auto d = [](std::int64_t p, std::int64_t q) { return static_cast<double>(p - q); };
     const double plane_x = (to_b * d(c.y, a.y) - to_c * d(b.y, a.y)) * unit;
     const double plane_y = (to_c * d(b.x, a.x) - to_b * d(c.x, a.x)) * unit;
     const double start = a.inv_w + (plane_x * d(x0, a.x) + plane_y * d(y0, a.y)) / one;
-    const auto [least, most] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
+    const auto [least, most] = std::minmax<double>({a.inv_w, b.inv_w, c.inv_w});
     const double steepest = (most - least) / thinnest;
     const auto along_x = static_cast<float>(std::clamp(plane_x, -steepest, steepest));
     const auto along_y = static_cast<float>(std::clamp(plane_y, -steepest, steepest));
-    for (std::int64_t y = top; y < bottom; ++y)
-        for (std::int64_t x = left; x < right; ++x) {
-            bool inside = true;
-            for (const edge_function& e : edges)
-                inside = inside && e.start + (x - left) * e.along_x + (y - top) * e.along_y >= 0;
-            if (!inside)
-                continue;
-            const double inv_w = std::clamp(start + plane_x * static_cast<double>(x - left) +
-                                                plane_y * static_cast<double>(y - top),
-                                            least, most);
-            const auto px = static_cast<int>(x), py = static_cast<int>(y);
-            put(pixels_[place(px, py)], {static_cast<float>(inv_w), along_x, along_y, owner}, px,
-                py);
+    for (std::int32_t y = rows.top; y < rows.bottom; ++y)
+        for (std::int32_t x = std::max(scan_.first(y), 0),
+                          end = std::min(scan_.last(y), size_.width);
+             x < end; ++x) {
+            const double inv_w =
+                std::clamp(start + plane_x * (x - left) + plane_y * (y - rows.top), least, most);
+            put(pixels_[place(x, y)], {static_cast<float>(inv_w), along_x, along_y, owner}, x, y);
         }
 }
 

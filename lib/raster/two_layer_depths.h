@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_TWO_LAYER_DEPTHS_H
 #define L3D_RASTER_TWO_LAYER_DEPTHS_H
 
+#include "raster/shapes/scan_polygon_p.h"
 #include "raster/surface_part.h"
 #include "tool_2d/pixels.h"
 
@@ -61,20 +62,15 @@ private:
         fragment front, second;
         float gap = std::numeric_limits<float>::infinity();
     };
-    /// Units: 1/256 pixel.
-    struct corner {
-        std::int64_t x, y;
-        double inv_w;
-    };
-
     const pixel& at(int x, int y) const { return pixels_[place(x, y)]; }
     std::size_t place(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
                static_cast<std::size_t>(x);
     }
-    void add_quad(const corner& a, const corner& b, const corner& c, const corner& d,
-                  std::uint32_t owner);
-    void add_triangle(const corner& a, corner b, corner c, std::uint32_t owner);
+    void add_quad(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
+                  const l3d_micro_vertex& d, std::uint32_t owner);
+    void add_triangle(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                      const l3d_micro_vertex& c, std::uint32_t owner);
     void put(pixel& into, const fragment& f, int x, int y) const;
     bool overlap(const fragment& a, const fragment& b) const;
     float gap_between(const fragment& front, const fragment& other, int x, int y) const;
@@ -83,6 +79,7 @@ private:
     double focal_ = 1;
     std::vector<pixel> pixels_;
     std::vector<l3d_sheet_patch> patches_;
+    l3d_detail::scan_polygon scan_;
 };
 
 #endif

@@ -9,7 +9,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory.h"
 #include "tool_2d/screen_memory.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 
 #include <cstdint>
 #include <limits>
@@ -21,7 +21,7 @@ struct picture {
     std::vector<std::uint32_t> words;
     std::vector<float> distances; ///< along the view axis, infinite where nothing is; if asked for
     l3d_frame_report report;
-    l3d_outline_mask outlines; ///< if asked for
+    l3d_pixel_bits outlines; ///< if asked for
 };
 
 inline picture drawn(const dice_tests::scene& s, const l3d_patch_scene& world,

@@ -12,7 +12,7 @@
 #include "reference/random_patches.h"
 #include "reference/second_judge.h"
 #include "tool_2d/screen_memory.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ using reference::outline_kind;
 struct frame {
     std::vector<std::uint32_t> words;
     l3d_depth_buffer depth;
-    l3d_outline_mask mask;
+    l3d_pixel_bits mask;
     l3d_frame_report report;
 };
 
@@ -54,7 +54,7 @@ frame drawn(const scene& s, double tolerance, int threads = 1) {
     const auto pipeline = pipeline_of(s, settings);
     pipeline->draw_event();
     frame result{words_of(pipeline->screen().pixels()), pipeline->depth(), {}, pipeline->report()};
-    const l3d_outline_mask* const mask = pipeline->outlines();
+    const l3d_pixel_bits* const mask = pipeline->outlines();
     EXPECT_NE(mask, nullptr);
     if (mask != nullptr)
         result.mask = *mask;
@@ -107,7 +107,7 @@ agreement compare(const std::string& name, const scene& s, double tolerance) {
     for (int y = 0; y < s.size.height; ++y)
         for (int x = 0; x < s.size.width; ++x) {
             const outline_kind kind = judge.outline_within(x + 0.5, y + 0.5, bound, 2 * depth);
-            const bool is_marked = f.mask.at(x, y);
+            const bool is_marked = f.mask.has(x, y);
             sum.wanted += kind != outline_kind::none;
             sum.marked += is_marked;
             if (is_marked)
@@ -225,7 +225,7 @@ TEST(outlines, reach_the_holes_where_two_of_them_meet) {
                     ++holes;
                     inner += is_drawn(x - 1, y) && is_drawn(x + 1, y) && is_drawn(x, y - 1) &&
                              is_drawn(x, y + 1);
-                    EXPECT_TRUE(f.mask.at(x, y)) << x << ", " << y;
+                    EXPECT_TRUE(f.mask.has(x, y)) << x << ", " << y;
                 }
         std::printf("%.1f px: %d pixels are not drawn though covered, %d of them holes; %ld "
                     "marked\n",

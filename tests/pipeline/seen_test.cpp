@@ -60,8 +60,8 @@ void expect_seen(const shown_model& shown, std::size_t view, l3d_size size, cons
                                                   {proven.bound_px, proven.depth_bound_px},
                                                   reference::project_light);
         // The pixels that outlines reach, as the frame itself reports them.
-        std::erase_if(seen.far, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
-        std::erase_if(seen.sparks, [&](const auto& p) { return drawn.outlines.at(p.x, p.y); });
+        std::erase_if(seen.far, [&](const auto& p) { return drawn.outlines.has(p.x, p.y); });
+        std::erase_if(seen.sparks, [&](const auto& p) { return drawn.outlines.has(p.x, p.y); });
         std::printf("%-8s %2zu, %.2f px: %6ld shown, %5.1f %% judged; outlines %ld border, %ld "
                     "jump, %ld crease, %ld close; levels rms %.2f, judged %.2f, largest %d; depth "
                     "%.3f px; far %zu (%ld anywhere, %ld at outlines, %zu strange), sparks %zu (of "

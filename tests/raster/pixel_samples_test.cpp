@@ -28,7 +28,7 @@ struct all_fragments {
     l3d_workers workers{1};
     band_list list;
     coarse_depth coarse;
-    pixel_bits bits;
+    l3d_pixel_bits bits;
     band_fragments fragments;
 
     all_fragments(const surface_parts& scene, const l3d_shading& shading) {
@@ -93,7 +93,7 @@ struct masks {
         coarse_depth coarse;
         coarse.resize(of);
         coarse.forget(0, of.height); // so that nothing counts as hidden
-        pixel_bits bits;
+        l3d_pixel_bits bits;
         bits.resize(of);
         bits.clear(0, of.height);
         for (int y = 0; y < of.height; ++y)

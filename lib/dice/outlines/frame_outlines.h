@@ -8,7 +8,7 @@
 #include "scene/patch_scene.h"
 #include "scene/patch_neighbours.h"
 #include "scene/scene_culling.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 #include "raster/two_layer_depths.h"
 
 #include <map>
@@ -32,7 +32,7 @@ public:
     void finish(double bound_px, double depth_bound_px, double near);
 
     /// The outlines of the last frame that was finished.
-    const l3d_outline_mask& mask() const { return mask_; }
+    const l3d_pixel_bits& mask() const { return mask_; }
 
 private:
     const l3d_patch_neighbours& sides_of(const l3d_patch_model& model);
@@ -43,7 +43,7 @@ private:
     double focal_ = 1;
     std::map<const void*, l3d_patch_neighbours> sides_; ///< by the identity of the frame's models
     l3d_two_layer_depths depths_;
-    l3d_outline_mask mask_;
+    l3d_pixel_bits mask_;
 };
 
 #endif

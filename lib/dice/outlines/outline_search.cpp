@@ -58,11 +58,20 @@ double distance(const place& a, const place& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// Pixels whose centres are in [low, high], of `count`. Units: pixels.
+struct pixel_range {
+    int first, end;
+
+    pixel_range(double low, double high, int count)
+        : first(static_cast<int>(std::clamp(std::ceil(low - 0.5), 0.0, double(count)))),
+          end(static_cast<int>(std::clamp(std::floor(high - 0.5) + 1, 0.0, double(count)))) {}
+};
+
 } // namespace
 
 l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, double bound,
                                        double depth_bound, double farthest_near,
-                                       const l3d_two_layer_depths& depths, l3d_outline_mask& mask)
+                                       const l3d_two_layer_depths& depths, l3d_pixel_bits& mask)
     : whole_(view), view_(view), focal_(focal), bound_(bound), depth_bound_(depth_bound),
       farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
       mask_(mask) {}
@@ -222,12 +231,31 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
     return true;
 }
 
+/// Sets the bits of pixels whose centres are no farther than `radius` from the line between two
+/// places. Units: pixels from the picture's centre.
+void l3d_outline_search::add_line(place from, place to, double radius) {
+    for (place* end : {&from, &to})
+        *end = {end->x + view_.size.width / 2.0, end->y + view_.size.height / 2.0};
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const double square = dx * dx + dy * dy;
+    const pixel_range rows(std::min(from.y, to.y) - radius, std::max(from.y, to.y) + radius,
+                           view_.size.height);
+    const pixel_range columns(std::min(from.x, to.x) - radius, std::max(from.x, to.x) + radius,
+                              view_.size.width);
+    for (int y = rows.first; y < rows.end; ++y)
+        for (int x = columns.first; x < columns.end; ++x) {
+            const double px = x + 0.5 - from.x, py = y + 0.5 - from.y;
+            const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
+            const double qx = px - t * dx, qy = py - t * dy;
+            if (qx * qx + qy * qy <= radius * radius)
+                mask_.set(x, y);
+        }
+}
+
 /// Expects: w > 0 in the box.
 void l3d_outline_search::add_box(const l3d_image_box& box) {
     const place middle{mean(box.left, box.right), mean(box.top, box.bottom)};
-    const double x = view_.size.width / 2.0, y = view_.size.height / 2.0;
-    mask_.add({middle.x + x, middle.y + y}, {middle.x + x, middle.y + y},
-              fold_radius_ + std::hypot(box.width(), box.height()) / 2);
+    add_line(middle, middle, fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
 /// Adds places as one line, wider by their distance from it. False, with nothing done, if it would
@@ -249,8 +277,7 @@ bool l3d_outline_search::add_straight(const place* places, std::size_t count, do
                                       length);
     if (!(length <= longest_line && error + beside <= allowed_))
         return false;
-    const double x = view_.size.width / 2.0, y = view_.size.height / 2.0;
-    mask_.add({from.x + x, from.y + y}, {to.x + x, to.y + y}, radius + error + beside);
+    add_line(from, to, radius + error + beside);
     return true;
 }
 

@@ -5,12 +5,17 @@
 
 #include "scene/dice_view.h"
 #include "geom/patch_part.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 #include "raster/two_layer_depths.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+
+/// A place in the picture. Units: pixels.
+struct l3d_picture_place {
+    double x = 0, y = 0;
+};
 
 /// Finds the pixels near outlines.
 ///
@@ -31,7 +36,7 @@ public:
     /// Lives:   borrows depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
                        double farthest_near, const l3d_two_layer_depths& depths,
-                       l3d_outline_mask& mask);
+                       l3d_pixel_bits& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_neighbours
     /// has
@@ -63,6 +68,7 @@ private:
     bool hides(const l3d_image_box& box, const l3d_depth_range& w) const;
     void add_curve(const l3d_image_curve& curve, int level);
     void add_box(const l3d_image_box& box);
+    void add_line(l3d_picture_place from, l3d_picture_place to, double radius);
     level_set<order> facing_of(const piece& p) const;
     template <std::size_t N> bool add_level_set(const level_set<N>& of, const piece& p);
     bool add_straight(const l3d_picture_place* places, std::size_t count, double error,
@@ -76,7 +82,7 @@ private:
     l3d_image_box window_{};
     double allowed_; ///< the most that a line may be too wide
     const l3d_two_layer_depths& depths_;
-    l3d_outline_mask& mask_;
+    l3d_pixel_bits& mask_;
     std::int64_t pieces_ = 0;
 };
 

@@ -2,6 +2,7 @@
 // corner_normals: divides vertices, so that each has one normal.
 #include "geom/files/corner_normals_p.h"
 
+#include "base/number_hash_p.h"
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
@@ -76,17 +77,12 @@ std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) cons
 /// Divides vertices: one stays with the first normal of its corners, and a new one is made for each
 /// other normal.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
-    struct place_hash {
-        std::size_t operator()(const std::pair<std::uint32_t, std::uint64_t>& of) const {
-            return std::hash<std::uint64_t>()((of.second << 32 | of.second >> 32) ^ of.first);
-        }
-    };
     const bool has_groups = std::ranges::any_of(
         of_faces_, [](std::uint64_t groups) { return groups != 0 && groups != unsaid; });
     const faces_around around(has_groups ? mesh : l3d_polygon_mesh());
     const std::size_t vertices = mesh.vertices.size();
     std::vector<std::uint64_t> said(vertices, free);
-    std::unordered_map<std::pair<std::uint32_t, std::uint64_t>, std::uint32_t, place_hash> others;
+    std::unordered_map<std::array<std::uint64_t, 2>, std::uint32_t, number_hash> others;
     mesh.vertex_normals.assign(vertices, vector(0));
 
     std::size_t corner = 0;
@@ -103,7 +99,7 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
                 to = l3d_polygon_mesh::index_of(mesh.vertices.size());
                 is_new = says == flat;
                 if (says != flat) {
-                    const auto found = others.try_emplace({at, says}, to);
+                    const auto found = others.try_emplace({std::uint64_t{at}, says}, to);
                     to = found.first->second;
                     is_new = found.second;
                 }

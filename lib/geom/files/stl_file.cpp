@@ -2,6 +2,7 @@
 // Reader of .stl, text or binary: triangles that share nothing, whose corners are welded to
 // vertices again.
 #include "base/counted_p.h"
+#include "base/number_hash_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/stl_file_p.h"
 
@@ -41,17 +42,8 @@ public:
     }
 
 private:
-    struct hash {
-        std::size_t operator()(const std::array<double, 3>& at) const {
-            std::size_t result = 0;
-            for (const double value : at) // -0 is at the same place as 0
-                result = result * 1000003 + std::hash<double>()(value + 0.0);
-            return result;
-        }
-    };
-
     l3d_polygon_mesh& mesh_;
-    std::unordered_map<std::array<double, 3>, std::uint32_t, hash> places_;
+    std::unordered_map<std::array<double, 3>, std::uint32_t, l3d_detail::number_hash> places_;
 };
 
 class stl_reader {

@@ -3,11 +3,9 @@
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
 
+#include "raster/pixel_bits.h"
 #include "raster/shapes/piece_pixels_p.h"
-#include "tool_2d/pixels.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,14 +27,11 @@ public:
     bool hides(const l3d_painter_piece& piece);
 
 private:
-    bool covers(std::int32_t row, columns span) const;
     bool hides_sides(const l3d_painter_piece& piece) const;
 
-    l3d_size size_{};
     std::span<const l3d_painter_triangle> triangles_;
     const std::vector<l3d_painter_cut>* cuts_ = nullptr;
-    std::size_t words_ = 0;             ///< in each row
-    std::vector<std::uint64_t> pixels_; ///< a bit each
+    l3d_pixel_bits pixels_;
     std::vector<plane_cut> placed_;
     scan_polygon scan_;
 };

@@ -2,9 +2,10 @@
 // mesh_borders: sets of parameters that run along common borders, the same way or the other way.
 #include "raster/paths/mesh_borders_p.h"
 
+#include "base/number_hash_p.h"
+
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -17,20 +18,6 @@ namespace {
 
 /// The coordinates of four control points.
 using border = std::array<double, 8>;
-
-struct border_hash {
-    std::size_t operator()(const border& of) const {
-        // 2^64 by the golden ratio, odd. Products mix upwards only, so they are turned by about
-        // half of their bits, an odd number.
-        constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
-        constexpr int about_half = 29;
-        std::uint64_t result = 0;
-        for (const double x : of) // + 0 makes one zero of both
-            result =
-                std::rotl((result ^ std::bit_cast<std::uint64_t>(x + 0.0)) * factor, about_half);
-        return static_cast<std::size_t>(result);
-    }
-};
 
 border backwards(const border& of) {
     return {of[6], of[7], of[4], of[5], of[2], of[3], of[0], of[1]};
@@ -86,7 +73,7 @@ private:
 void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings) {
     // Parameter 2 i is u of patch i, and 2 i + 1 is its v.
     parameter_sets sets(2 * patches.size());
-    std::unordered_map<border, parameter_sets::place, border_hash> first_with;
+    std::unordered_map<border, parameter_sets::place, number_hash> first_with;
     first_with.reserve(4 * patches.size());
     const auto add = [&](std::size_t parameter, const border& of) {
         const border other = backwards(of);

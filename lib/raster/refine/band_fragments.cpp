@@ -26,7 +26,7 @@ l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
 
 } // namespace
 
-void band_fragments::begin(const pixel_bits& marks, const drawn_depth& depth,
+void band_fragments::begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
                            const l3d_pixel_box& band) {
     pixels_.begin(marks, depth, band);
     polygon_count_ = 0;

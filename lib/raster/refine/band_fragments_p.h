@@ -25,7 +25,7 @@ namespace l3d_detail {
 class band_fragments {
 public:
     /// Starts a band of a picture. Expects: it begins with a whole tile of marked_pixels.
-    void begin(const pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
+    void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
 
     /// The colours of the frame's materials, if it has any and they are levels'; whether shaders
     /// want to know the place of the material itself.

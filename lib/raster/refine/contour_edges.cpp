@@ -156,7 +156,8 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
     };
     for (int word = cells.column_begin / word_bits; word * word_bits < cells.column_end; ++word) {
         const auto w = static_cast<std::size_t>(word);
-        const std::uint64_t inside = pixel_bits::within(word, cells.column_begin, cells.column_end);
+        const std::uint64_t inside =
+            l3d_pixel_bits::within(word, cells.column_begin, cells.column_end);
         const std::uint64_t any_folded = folded[w] | folded_above[w];
         std::uint64_t level = row > 0 ? (right[w] ^ right_above[w]) | any_folded : 0;
         for (level &= inside; level != 0; level &= level - 1) {

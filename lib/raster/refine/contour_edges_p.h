@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
 #define L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
 
-#include "raster/refine/pixel_bits_p.h"
+#include "raster/pixel_bits.h"
 #include "raster/shapes/scan_edge_p.h"
 #include "raster/surfaces/band_list_p.h"
 

@@ -96,7 +96,7 @@ HWY_INLINE void add_pixels(std::uint64_t bits, std::int32_t x, std::int32_t end,
     bits = (bits | bits >> 1 | bits >> 2) & first_channels;
     for (; bits != 0; bits &= bits - 1)
         if (const std::int32_t at = x + std::countr_zero(bits) / channels; at < end)
-            to[pixel_bits::word_of(at)] |= std::uint64_t{1} << pixel_bits::bit_of(at);
+            to[l3d_pixel_bits::word_of(at)] |= std::uint64_t{1} << l3d_pixel_bits::bit_of(at);
 }
 
 void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {

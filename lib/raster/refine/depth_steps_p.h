@@ -3,7 +3,7 @@
 #ifndef L3D_RASTER_REFINE_DEPTH_STEPS_P_H
 #define L3D_RASTER_REFINE_DEPTH_STEPS_P_H
 
-#include "raster/refine/pixel_bits_p.h"
+#include "raster/pixel_bits.h"
 #include "tool_2d/pixels.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr int most_kink_levels = 16;
 
 /// Jumps from pixels to their neighbours: on the right, and below.
 struct level_jumps {
-    pixel_bits right, down;
+    l3d_pixel_bits right, down;
 
     void resize(l3d_size size) {
         right.resize(size);

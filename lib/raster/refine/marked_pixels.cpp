@@ -11,12 +11,12 @@
 
 namespace l3d_detail {
 
-void marked_pixels::begin(const pixel_bits& marks, const drawn_depth& depth,
+void marked_pixels::begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
                           const l3d_pixel_box& band) {
     assert(band.top % side == 0);
     band_ = band;
     first_row_ = band.top / side;
-    columns_ = marks.row_words() * (pixel_bits::word_pixels / side);
+    columns_ = marks.row_words() * (l3d_pixel_bits::word_pixels / side);
     const auto rows = static_cast<std::size_t>((band.bottom - band.top + side - 1) / side);
     tiles_.assign(rows * columns_, {});
     pixels_.clear();
@@ -53,8 +53,8 @@ bool marked_pixels::reopen() {
 }
 
 /// A word of a row has the rows of eight tiles.
-void marked_pixels::gather_bits(const pixel_bits& marks) {
-    constexpr std::size_t in_word = pixel_bits::word_pixels / side;
+void marked_pixels::gather_bits(const l3d_pixel_bits& marks) {
+    constexpr std::size_t in_word = l3d_pixel_bits::word_pixels / side;
     constexpr std::uint64_t row_bits = (1u << side) - 1;
     for (std::int32_t y = band_.top; y < band_.bottom; ++y) {
         tile* const row =

@@ -4,7 +4,7 @@
 #define L3D_RASTER_REFINE_MARKED_PIXELS_P_H
 
 #include "raster/refine/drawn_depth_p.h"
-#include "raster/refine/pixel_bits_p.h"
+#include "raster/pixel_bits.h"
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ public:
     };
 
     /// Expects: the band begins with a whole tile.
-    void begin(const pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
+    void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
 
     /// Begins again in pixels that are closed and not covered by what came, for all that is behind
     /// them as well. The others take nothing more. Returns whether there are any.
@@ -95,7 +95,7 @@ public:
     const std::vector<marked_pixel>& pixels() const { return pixels_; }
 
 private:
-    void gather_bits(const pixel_bits& marks);
+    void gather_bits(const l3d_pixel_bits& marks);
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;

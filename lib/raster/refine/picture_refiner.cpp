@@ -29,7 +29,7 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 /// Marks the pixels of a band that an edge passes through where it is not hidden. Edges on the
 /// border of two pixels count for the first one.
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
-               pixel_bits& marks) {
+               l3d_pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };
     const std::int32_t to_x = sign(edge.to.y - edge.from.y), to_y = sign(edge.from.x - edge.to.x);
     scan_point high = edge.from, low = edge.to;
@@ -112,8 +112,8 @@ void picture_refiner::join_marks(const drawn_frame& frame, const l3d_pixel_box& 
             // The last words of rows go on beyond the picture with its last column.
             marks_.row(y)[w] |=
                 (right | right << 1 | before | down | above) &
-                pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);
-            before = right >> (pixel_bits::word_pixels - 1);
+                l3d_pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);
+            before = right >> (l3d_pixel_bits::word_pixels - 1);
         }
     }
 }

@@ -8,7 +8,7 @@
 #include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
 #include "raster/refine/depth_steps_p.h"
-#include "raster/refine/pixel_bits_p.h"
+#include "raster/pixel_bits.h"
 #include "raster/surfaces/band_list_p.h"
 #include "raster/surfaces/coarse_depth_p.h"
 
@@ -58,7 +58,7 @@ private:
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
 
     level_jumps jumps_;
-    pixel_bits marks_; ///< pixels that are sampled
+    l3d_pixel_bits marks_; ///< pixels that are sampled
     std::vector<worker_space> each_worker_;
 };
 

@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: MIT
-// pixel_bits: a bit for each pixel of a picture.
-#ifndef L3D_RASTER_REFINE_PIXEL_BITS_P_H
-#define L3D_RASTER_REFINE_PIXEL_BITS_P_H
+// l3d_pixel_bits: a bit for each pixel of a picture.
+#ifndef L3D_RASTER_PIXEL_BITS_H
+#define L3D_RASTER_PIXEL_BITS_H
 
 #include "tool_2d/pixels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-namespace l3d_detail {
 
 /// A bit for each pixel of a picture.
 ///
 /// Shape: rows of whole words, 64 pixels each. Threads that change different rows do not meet.
 /// Cost:  allocates only when larger than ever before.
-class pixel_bits {
+class l3d_pixel_bits {
 public:
     static constexpr std::int32_t word_pixels = 64;
 
     /// Sets the size. The bits mean nothing until each row is cleared.
     void resize(l3d_size size) {
+        size_ = size;
         row_words_ = (static_cast<std::size_t>(size.width) + word_pixels - 1) / word_pixels;
-        const std::size_t needed = row_words_ * static_cast<std::size_t>(size.height);
-        if (words_.size() < needed)
-            words_.resize(needed);
+        words_.resize(std::max(words_.size(), place(size.height)));
     }
 
     /// Clears rows [top, bottom).
@@ -33,6 +31,13 @@ public:
         std::fill(row(top), row(top) + place(bottom - top), std::uint64_t{0});
     }
 
+    /// Sets the size, and clears all.
+    void begin(l3d_size size) {
+        resize(size);
+        clear(0, size.height);
+    }
+
+    l3d_size size() const { return size_; }
     std::size_t row_words() const { return row_words_; }
     std::uint64_t* row(std::int32_t y) { return words_.data() + place(y); }
     const std::uint64_t* row(std::int32_t y) const { return words_.data() + place(y); }
@@ -59,15 +64,39 @@ public:
         return (all >> (word_pixels - (end - begin))) << begin;
     }
 
+    /// Sets the bits of columns [left, right) of a row, or tells whether all are set.
+    /// Expects: they are in the picture; at least one.
+    void set_all(std::int32_t y, std::int32_t left, std::int32_t right) {
+        for (std::int32_t word = left / word_pixels; word * word_pixels < right; ++word)
+            row(y)[word] |= within(word, left, right);
+    }
+    bool has_all(std::int32_t y, std::int32_t left, std::int32_t right) const {
+        bool result = true;
+        for (std::int32_t word = left / word_pixels; result && word * word_pixels < right; ++word)
+            result = (~row(y)[word] & within(word, left, right)) == 0;
+        return result;
+    }
+
+    /// The number of bits that are 1. Expects: all rows were cleared.
+    std::int64_t count() const {
+        std::int64_t result = 0;
+        for (const std::uint64_t* word = row(0); word < row(size_.height); ++word)
+            result += std::popcount(*word);
+        return result;
+    }
+
+    friend bool operator==(const l3d_pixel_bits& a, const l3d_pixel_bits& b) {
+        return a.size_ == b.size_ && std::equal(a.row(0), a.row(a.size_.height), b.row(0));
+    }
+
 private:
     static constexpr std::uint32_t word_bits = word_pixels;
 
     std::size_t place(std::int32_t y) const { return static_cast<std::size_t>(y) * row_words_; }
 
+    l3d_size size_;
     std::size_t row_words_ = 0;
     std::vector<std::uint64_t> words_;
 };
-
-} // namespace l3d_detail
 
 #endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// number_hash: tables of the library that look up arrays of numbers.
+#ifndef L3D_BASE_NUMBER_HASH_P_H
+#define L3D_BASE_NUMBER_HASH_P_H
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace l3d_detail {
+
+/// A hash of an array of doubles or of whole numbers. Equal arrays have equal ones: -0 is 0.
+struct number_hash {
+    template <class Numbers> std::size_t operator()(const Numbers& of) const {
+        // 2^64 by the golden ratio, odd. Products mix upwards only, so they are turned by about
+        // half of their bits, an odd number.
+        constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
+        constexpr int about_half = 29;
+        std::uint64_t result = 0;
+        for (const auto number : of) {
+            if constexpr (std::is_same_v<decltype(number), const double>)
+                result ^= std::bit_cast<std::uint64_t>(number + 0.0);
+            else
+                result ^= number;
+            result = std::rotl(result * factor, about_half);
+        }
+        return static_cast<std::size_t>(result);
+    }
+};
+
+} // namespace l3d_detail
+
+#endif
