@@ -2,7 +2,7 @@
 // l3d_grid_builder: walking, evaluating, clipping.
 #include "dice/grid_builder.h"
 
-#include "dice/edges/outline_edges.h"
+#include "dice/edges/gap_filler.h"
 #include "dice/grid_light.h"
 #include "dice/facing_fix.h"
 #include "dice/snap.h"

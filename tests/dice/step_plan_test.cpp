@@ -211,7 +211,7 @@ TEST(step_plan, near_the_eye_the_exact_w_stays_above_half_the_near_plane) {
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c)
             through.at(r, c) = {1e-6 * c, 2e-6 * r, 5.0 - 4 * c + 3 * (c == 3)};
-    const auto blocks = blocks_of(through);
+    const auto blocks = l3d_blocks_of(through);
     const l3d_step_plan plan = plan_of(through, 0.5, l3d_quad_kind::triangles);
     for (std::size_t a = 0; a < 4; ++a) {
         const l3d_depth_range depth = l3d_depth_range_of(blocks[a].points);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The samples that polygons have in pixels, and what is seen of them.
 #include "raster/refine/band_fragments_p.h"
-#include "raster/refine/pixel_light_p.h"
+#include "raster/refine/picture_refiner_p.h"
 #include "raster/refine/sample_places_p.h"
 #include "surface_scene.h"
 

@@ -4,7 +4,7 @@
 #define L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 
 #include "dice/certificate/doubt_bounds.h"
-#include "dice/certificate/doubt_verdict.h"
+#include "dice/certificate/light_bounds.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #define L3D_DICE_CERTIFICATE_DOUBT_LIGHT_P_H
 
 #include "dice/certificate/doubt_bounds.h"
-#include "dice/certificate/doubt_verdict.h"
+#include "dice/certificate/light_bounds.h"
 
 #include <algorithm>
 #include <array>

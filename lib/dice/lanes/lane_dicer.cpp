@@ -6,7 +6,6 @@
 #include "geom/forward_difference.h"
 #include "dice/drawn_error.h"
 #include "dice/piece_bounds.h"
-#include "dice/edges/outline_edges.h"
 #include "dice/edges/gap_filler.h"
 
 #include <algorithm>

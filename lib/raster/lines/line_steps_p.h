@@ -104,6 +104,9 @@ inline line_steps steps_of(const l3d_line_2d& line, l3d_size size) {
     return steps;
 }
 
+/// Draws a line by the rule of l3d_rasterizer_2d::draw_line, between any whole numbers.
+void draw_plain_line(const l3d_pixels& target, int x0, int y0, int x1, int y1, std::uint32_t color);
+
 } // namespace l3d_detail
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mesh_borders: sets of parameters that run along common borders, the same way or the other way.
-#include "raster/paths/mesh_borders_p.h"
+#include "raster/paths/mesh_steps_p.h"
 
 #include "base/number_hash_p.h"
 

@@ -3,8 +3,6 @@
 // on.
 #include "raster/paths/mesh_steps_p.h"
 
-#include "raster/paths/mesh_borders_p.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -70,6 +70,11 @@ struct mesh_dicing {
 /// have any.
 std::vector<mesh_dicing> dicings_of(std::span<const l3d_mesh_patch> patches, mesh_colors colors);
 
+/// Lets patches whose borders have the same four control points take as many steps along them as
+/// each of them needs. So do the opposite borders, and the patches that share them.
+/// Expects: a dicing for each patch.
+void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings);
+
 } // namespace l3d_detail
 
 #endif

@@ -3,7 +3,6 @@
 #include "raster/refine/picture_refiner_p.h"
 
 #include "raster/refine/drawn_depth_p.h"
-#include "raster/refine/pixel_light_p.h"
 
 #include <algorithm>
 #include <cmath>

@@ -62,6 +62,14 @@ private:
     std::vector<worker_space> each_worker_;
 };
 
+/// Writes the words of a band's marked pixels: the mean of the light at the middles of polygons'
+/// seen parts, weighted by the number of samples. If `has_color`, polygons have the colours of
+/// materials.
+/// Expects: `band` is finished.
+void light_pixels(const band_fragments& band, const l3d_shading& shading,
+                  std::span<const l3d_material> materials, bool has_color,
+                  const l3d_pixels& target);
+
 } // namespace l3d_detail
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pixel_light: the light of polygons at places, in linear light.
-#include "raster/refine/pixel_light_p.h"
+#include "raster/refine/picture_refiner_p.h"
 
 #include "raster/color/linear_light_p.h"
 #include "raster/refine/sample_places_p.h"

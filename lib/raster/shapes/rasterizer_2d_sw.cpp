@@ -9,7 +9,7 @@
 #include "raster/paths/mesh_strip_p.h"
 #include "raster/shapes/blend_p.h"
 #include "raster/color/color_mixer_p.h"
-#include "raster/lines/plain_lines_p.h"
+#include "raster/lines/line_steps_p.h"
 #include "raster/lines/smooth_line_p.h"
 #include "raster/shapes/visit_coverage_p.h"
 #include "raster/shapes/small_triangle_p.h"

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/surfaces/band_lanes_p.h"
+#include "raster/surfaces/band_cells_p.h"
 #include "raster/shapes/scan_edge_p.h"
 #include "raster/parallel/simd_dispatch_p.h"
 

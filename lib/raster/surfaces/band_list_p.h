@@ -4,7 +4,6 @@
 #define L3D_RASTER_SURFACES_BAND_LIST_P_H
 
 #include "raster/surfaces/band_cells_p.h"
-#include "raster/surfaces/band_lanes_p.h"
 #include "raster/surfaces/fill_kernel_p.h"
 #include "raster/parallel/height_order_p.h"
 #include "raster/surfaces/pixel_box_p.h"

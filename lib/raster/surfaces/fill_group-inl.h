@@ -7,7 +7,7 @@
 #define L3D_RASTER_SURFACES_FILL_GROUP_INL_H
 #endif
 
-#include "raster/surfaces/fill_pieces_p.h"
+#include "raster/surfaces/fill_kernel_p.h"
 #include "raster/surfaces/fill_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -211,6 +211,10 @@ void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
 /// Fills what still waits, and only now is the band done but for the rest.
 void fill_finish(const fill_target& to);
 
+/// Queues the pieces of a folded or skew quad, cut as by surface_fill; or puts a polygon to the
+/// rest. Expects: polygon i of the queue is folded or skew if `in_pieces` and it is a quad.
+void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces);
+
 } // namespace l3d_detail
 
 #endif

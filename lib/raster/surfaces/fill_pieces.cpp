@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fill_pieces: folded quads round their projective centre, skew ones in halves.
-#include "raster/surfaces/fill_pieces_p.h"
+#include "raster/surfaces/fill_kernel_p.h"
 
 #include "raster/surfaces/quad_cut_p.h"
 #include "raster/shaders/surface_shader_p.h"
