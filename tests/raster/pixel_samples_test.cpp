@@ -260,4 +260,25 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
     EXPECT_LT(band.kept_fragments(), std::size_t{1} << 18);
 }
 
+TEST(pixel_bits, of_some_columns_are_set_found_and_counted) {
+    constexpr std::int32_t width = 200;
+    for (const auto& [left, right] : {std::pair{0, 1}, {63, 65}, {5, 64}, {64, 128}, {60, 200}}) {
+        l3d_pixel_bits bits, one_by_one;
+        bits.begin({2 * width, 4}); // forgotten by the next
+        bits.set_all(1, 0, 2 * width);
+        for (l3d_pixel_bits* some : {&bits, &one_by_one})
+            some->begin({width, 3});
+        bits.set_all(1, left, right);
+        EXPECT_FALSE(bits == one_by_one);
+        for (std::int32_t x = left; x < right; ++x)
+            one_by_one.set(x, 1);
+        EXPECT_TRUE(bits == one_by_one);
+        EXPECT_EQ(bits.count(), right - left);
+        EXPECT_TRUE(bits.has_all(1, left, right));
+        EXPECT_FALSE(left > 0 && bits.has_all(1, left - 1, right));
+        EXPECT_FALSE(right < width && bits.has_all(1, left, right + 1));
+        EXPECT_FALSE(bits.has_all(2, left, right));
+    }
+}
+
 } // namespace
