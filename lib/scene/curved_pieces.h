@@ -38,9 +38,9 @@ public:
     /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and each level an
     /// eighth of the one before.
     static double normal_target(int level);
-    /// Pieces are not cut more often than this for their normals alone, so that one that nearly has
-    /// a cusp does not take all cells: 4096 cells at level 0, and twice as many along each side at
-    /// each level.
+    /// Pieces are not cut more often than this for their normals alone. So one that nearly has a
+    /// cusp does not take all cells. Each level has twice as many along each side; level 0 has
+    /// 4096.
     static constexpr int most_halvings_for_normals(int level) { return 12 + 2 * level; }
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr std::size_t most_cells = std::size_t{1} << 17;
