@@ -120,8 +120,8 @@ private:
     void compare(const candidate& c) {
         const bool is_known = c.about < of_.how_.exact_from;
         exactly += !is_known;
-        const double distance =
-            is_known ? c.about * c.bound : surface_->distance(c.at.x, c.at.y, c.at.u, c.at.v);
+        const double distance = is_known ? surface_->about(c.at.x, c.at.y, c.at.u, c.at.v)
+                                         : surface_->distance(c.at.x, c.at.y, c.at.u, c.at.v);
         const bool kept = distance <= c.bound;
         if (std::isfinite(distance))
             measured = std::max(measured, distance);
