@@ -123,17 +123,24 @@ struct corner_view {
 /// The four control points at a corner. With d = P - S w for the corner's own S, the derivatives
 /// are S_u = m d_10 / w, S_v = n d_01 / w, and S_uv = (m n (d_11 - d_10 - d_01) - w_u S_v - w_v
 /// S_u) / w. Those along a boundary take nothing but the boundary's points.
+///
+/// Neighbours of a far larger weight would throw the points out of all proportion. They count as
+/// four times as heavy as the corner; cells that are small enough have none.
 void fill_corner(const corner_view& of, bicubic& patch) {
     const double m = of.piece.degree_u, n = of.piece.degree_v;
     const point& p = of.at(0, 0);
     const double w = p[3];
     const vector s = place_of(p) / w;
-    const auto beside = [&](const point& q) { return place_of(q) - s * q[3]; };
+    const auto weight = [w](const point& q) { return std::min(q[3], 4 * w); };
+    const auto beside = [&](const point& q) {
+        return (place_of(q) - s * q[3]) * (weight(q) / q[3]);
+    };
     const point &pu = of.at(0, 1), &pv = of.at(1, 0), &puv = of.at(1, 1);
     const vector du = beside(pu), dv = beside(pv);
     const vector su = du * (m / w), sv = dv * (n / w);
-    const vector suv =
-        ((beside(puv) - du - dv) * (m * n) - sv * (m * (pu[3] - w)) - su * (n * (pv[3] - w))) / w;
+    const vector suv = ((beside(puv) - du - dv) * (m * n) - sv * (m * (weight(pu) - w)) -
+                        su * (n * (weight(pv) - w))) /
+                       w;
     const int row = of.from_top ? 3 : 0, column = of.from_right ? 3 : 0;
     const int in_row = of.from_top ? 2 : 1, in_column = of.from_right ? 2 : 1;
     patch.at(row, column) = s;

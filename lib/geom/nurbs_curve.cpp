@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "geom/bezier_patch.h"
+#include "geom/bicubic_approximation.h"
 #include "geom/spline_lines_p.h"
 
 #include <algorithm>
@@ -32,9 +33,10 @@ std::string l3d_detail::points_complaint(const std::vector<l3d_vector<double, 3>
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(points[i][k]) <= l3d_bpt_largest_coordinate))
                 return name + " is not finite, or beyond 1e12";
-        if (!weights.empty() && !(weights[i] > 0 && weights[i] <= l3d_bpt_largest_coordinate))
+        if (!weights.empty() && !(weights[i] >= l3d_rational_piece::least_weight &&
+                                  weights[i] <= l3d_bpt_largest_coordinate))
             return name + " has the weight " + std::to_string(weights[i]) +
-                   ", which is not positive, or beyond 1e12";
+                   ", which is not from 1e-100 to 1e12";
     }
     return "";
 }

@@ -81,8 +81,8 @@ struct L3D_PUBLIC l3d_surface_derivatives {
 /// A non-uniform rational B-spline surface of degrees 1 to 15: clamped, unclamped or periodic in
 /// each direction.
 ///
-/// Shape:  u.points() * v.points() control points, u fastest; weights are positive. The outside is
-///         where dS/du x dS/dv points.
+/// Shape:  u.points() * v.points() control points, u fastest; weights are from 1e-100 to
+///         1e12. The outside is where dS/du x dS/dv points.
 /// Source: Piegl and Tiller, The NURBS Book, chapters 3 to 5.
 class L3D_PUBLIC l3d_nurbs_surface {
 public:
@@ -145,7 +145,8 @@ struct L3D_PUBLIC l3d_curve_jet {
 
 /// A non-uniform rational B-spline curve of degree 1 to 15: clamped, unclamped or periodic.
 ///
-/// Shape:  one knot direction, which says how many control points there are; weights are positive.
+/// Shape:  one knot direction, which says how many control points there are; weights are from
+///         1e-100 to 1e12.
 /// Source: Piegl and Tiller, The NURBS Book, chapters 3 to 5.
 class L3D_PUBLIC l3d_nurbs_curve {
 public:

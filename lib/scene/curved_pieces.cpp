@@ -121,9 +121,10 @@ double l3d_curved_pieces::normal_target(int level) {
 /// Each line is halved until places are well in all cells along it, and then until normals are. The
 /// worst cell of a piece decides which way the piece is cut: its halves tell.
 std::vector<l3d_curved_pieces::halvings>
-l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal) const {
+l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
+                               int most_for_normals) const {
     // Where normals have no bound, as at a cusp, cutting may never give one.
-    constexpr int most_for_normals = 4;
+    constexpr int most_without_bound = 4;
     // Rounding, or a cusp, is reached where halving no longer gains a tenth.
     constexpr double gain = 0.9;
     std::vector<int> of_line(alike_.size(), 0);
@@ -152,7 +153,8 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal) const 
                               of_normals.take(by.normal_error, part);
                           });
             const bool is_off = of_places.off > wanted_place;
-            if (!is_off && !(of_normals.off > wanted_normal)) {
+            if (!is_off &&
+                (!(of_normals.off > wanted_normal) || have.u + have.v >= most_for_normals)) {
                 is_done[i] = true; // finer cells of neighbours make it no worse
                 continue;
             }
@@ -172,7 +174,7 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal) const 
             if (!in_u && !in_v) {
                 const bool helps = left_by(1, 1) < gain * now_off;
                 const bool may_help =
-                    std::isinf(now_off) && std::max(have.u, have.v) < most_for_normals;
+                    std::isinf(now_off) && std::max(have.u, have.v) < most_without_bound;
                 in_u = in_v = helps || may_help;
                 is_done[i] = !in_u;
             }
@@ -194,7 +196,8 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal) const 
 }
 
 l3d_curved_pieces::cells l3d_curved_pieces::at_level(int places, int normals) const {
-    const std::vector<halvings> cuts = halvings_at(place_target(places), normal_target(normals));
+    const std::vector<halvings> cuts = halvings_at(place_target(places), normal_target(normals),
+                                                   most_halvings_for_normals(normals));
     cells result;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         for_each_part(l3d_rational_piece(pieces_[i]), cuts[i].u, cuts[i].v,

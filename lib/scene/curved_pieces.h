@@ -38,6 +38,10 @@ public:
     /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and each level an
     /// eighth of the one before.
     static double normal_target(int level);
+    /// Pieces are not cut more often than this for their normals alone. So one that nearly has a
+    /// cusp does not take all cells. Each level has twice as many along each side; level 0 has
+    /// 4096.
+    static constexpr int most_halvings_for_normals(int level) { return 12 + 2 * level; }
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr std::size_t most_cells = std::size_t{1} << 17;
 
@@ -56,7 +60,8 @@ private:
     struct halvings {
         int u = 0, v = 0;
     };
-    std::vector<halvings> halvings_at(double wanted_place, double wanted_normal) const;
+    std::vector<halvings> halvings_at(double wanted_place, double wanted_normal,
+                                      int most_for_normals) const;
     void unite_common_boundaries();
     std::size_t root_of(std::size_t line) const;
 

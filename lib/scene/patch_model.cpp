@@ -4,6 +4,7 @@
 
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
+#include "geom/bicubic_approximation.h"
 #include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
@@ -72,11 +73,11 @@ std::string complaint_of(const l3d_patch_points& patch) {
             if (!(std::abs(patch.points[i][k]) <= l3d_bpt_largest_coordinate))
                 return point +
                        l3d_detail::formatted(": %c is not finite, or beyond 1e12", "xyz"[k]);
-        if (!patch.weights.empty() &&
-            !(patch.weights[i] > 0 && patch.weights[i] <= l3d_bpt_largest_coordinate))
-            return point + l3d_detail::formatted(
-                               " has the weight %g, which is not positive, or beyond 1e12",
-                               patch.weights[i]);
+        if (!patch.weights.empty() && !(patch.weights[i] >= l3d_rational_piece::least_weight &&
+                                        patch.weights[i] <= l3d_bpt_largest_coordinate))
+            return point +
+                   l3d_detail::formatted(" has the weight %g, which is not from 1e-100 to 1e12",
+                                         patch.weights[i]);
     }
     return "";
 }

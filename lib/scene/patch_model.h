@@ -89,8 +89,8 @@ public:
     /// Patches as files have them, brought to degree 3 by 3; a curved model if one is no bicubic
     /// patch, for its weights or its degrees.
     /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, its points
-    ///         or weights are not as many as these say, or a weight is not positive. Nothing also
-    ///         for what checked() refuses.
+    ///         or weights are not as many as these say, or a weight not from 1e-100 to 1e12.
+    ///         Nothing also for what checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 

@@ -79,6 +79,41 @@ TEST(bicubic_approximation, keeps_its_bounds_on_random_patches_of_every_degree) 
                 ratios[ratios.size() / 2], ratios.back(), with_normals);
 }
 
+TEST(bicubic_approximation, keeps_its_bounds_for_weights_and_places_of_any_size) {
+    std::mt19937 random(2502);
+    std::uniform_real_distribution<double> any(-1, 1);
+    int finite = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        l3d_patch_points patch = oracle::random_rational(random);
+        const double least = std::array{-20, -40, -332, -332}[trial % 4];
+        const double most = std::array{20, 40, -300, 40}[trial % 4];
+        patch.weights.clear();
+        for (auto& p : patch.points) {
+            patch.weights.push_back(std::exp2(least + (most - least) * (0.5 + 0.5 * any(random))));
+            if (trial % 3 == 0)
+                for (double& x : p)
+                    x *= 1e7;
+        }
+        const part of(patch, static_cast<int>(random() % 6), random);
+        const l3d_bicubic_approximation by(of.piece);
+        double size = 0, reach = 0;
+        for (const auto& p : patch.points)
+            for (const double x : p)
+                size = std::max(size, std::abs(x));
+        for (const auto& p : by.patch.points)
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_TRUE(std::isfinite(p[k])) << trial;
+                reach = std::max(reach, std::abs(p[k]));
+            }
+        EXPECT_TRUE(trial % 4 > 1 || reach < 1000 * size) << trial;
+        if (!std::isfinite(by.error))
+            continue;
+        ++finite;
+        ASSERT_LE(measured(patch, by, of.a, of.b, of.h, 6).error, by.error) << trial;
+    }
+    EXPECT_GT(finite, 200);
+}
+
 TEST(bicubic_approximation, converges_with_the_fourth_power_and_at_poles_too) {
     // An eighth of a sphere: quarter circles of degree 2 turn about the pole.
     const double c = std::sqrt(0.5);

@@ -239,7 +239,7 @@ TEST(nurbs, refuses_what_is_no_surface_and_says_why) {
     EXPECT_EQ(of(line, {square[0]}, {}), "surface: 1 control points; the knots ask for 4");
     EXPECT_EQ(of(line, square, {1, 1}), "surface: 2 weights for 4 control points");
     EXPECT_EQ(of(line, square, {1, 1, 0, 1}),
-              "surface: control point 3 has the weight 0.000000, which is not positive, or beyond "
+              "surface: control point 3 has the weight 0.000000, which is not from 1e-100 to "
               "1e12");
     EXPECT_EQ(of(line, {{0, 0, 0}, {1e13, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {}),
               "surface: control point 2 is not finite, or beyond 1e12");

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,24 @@ TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {
     EXPECT_EQ(model->most_level(), 0);
 }
 
+TEST(curved_model, is_not_cut_without_end_for_normals_that_turn_at_once) {
+    // Random and all but gentle: somewhere its normals nearly vanish.
+    std::mt19937 random(9);
+    const auto any = [&random] { return static_cast<int>(random() % 33) / 16.0 - 1; };
+    l3d_patch_points patch{2, 2, {}, {}};
+    for (int i = 0; i < 9; ++i) {
+        const double x = i % 3 + any(), y = i / 3 + any();
+        patch.points.push_back({x, y, any()});
+        patch.weights.push_back(std::exp2(std::round(3 * any())));
+    }
+    std::string why;
+    const auto model = l3d_patch_model::from_patches(std::vector{patch}, "cusp", why);
+    ASSERT_TRUE(model);
+    EXPECT_LE(model->patches().size(), 4096u);
+    EXPECT_LE(model->surface_error(), model->place_target(0));
+    EXPECT_GT(model->normal_error(), model->normal_target(0));
+}
+
 TEST(curved_model, refuses_what_is_no_piece) {
     const auto why_not = [](const l3d_patch_points& patch) {
         std::string why;
@@ -93,7 +112,7 @@ TEST(curved_model, refuses_what_is_no_piece) {
     EXPECT_EQ(why_not({1, 1, square, {1, 2}}),
               "name: patch 1 of degree 1 by 1 has 4 points and 2 weights");
     EXPECT_EQ(why_not({1, 1, square, {1, 1, -2, 1}}),
-              "name: patch 1: point 3 has the weight -2, which is not positive, or beyond 1e12");
+              "name: patch 1: point 3 has the weight -2, which is not from 1e-100 to 1e12");
 }
 
 TEST(curved_model, gets_the_level_that_its_view_needs) {

@@ -6,6 +6,7 @@
 #include "scene/camera_shading.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
+#include "scene/level_choice.h"
 #include "pipeline/pipeline_afd.h"
 #include "scene/scene_culling.h"
 #include "processor_time.h"
@@ -81,7 +82,7 @@ private:
         scene_.clear();
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
-        l3d_dice_view view = to_image.view(c.tolerance);
+        l3d_dice_view view = to_image.view(c.dice_tolerance);
         rest_of_shading_ = l3d_lit_while_diced(
             view, l3d_camera_shading(c.camera, c.size, l3d_shade::lambert, light), true);
         depth_scale_ = view.depth_scale;
@@ -122,7 +123,7 @@ std::optional<library_case> library_case::of(const test_case& c, std::string& wh
                      vector_of(c.eye.up),  c.eye.fov_degrees,
                      c.eye.near,           c.far};
     result.size = {c.size.width, c.size.height};
-    result.tolerance = c.tolerance;
+    result.tolerance = result.dice_tolerance = c.tolerance;
     why = l3d_afd_complaint(result.camera, result.size, settings_of(result.tolerance));
     if (!why.empty())
         return std::nullopt;
@@ -130,10 +131,23 @@ std::optional<library_case> library_case::of(const test_case& c, std::string& wh
     for (std::size_t i = 0; i < patches.size(); ++i)
         for (std::size_t k = 0; k < 16; ++k)
             patches[i].points[k] = vector_of(c.patches[i].points[k]);
-    auto model = l3d_patch_model::checked(std::move(patches), c.name, why);
+    auto model = c.curved.empty() ? l3d_patch_model::checked(std::move(patches), c.name, why)
+                                  : l3d_patch_model::from_patches(c.curved, c.name, why);
     if (!model)
         return std::nullopt;
     result.model = *std::move(model);
+    if (result.model.is_curved()) {
+        constexpr double share = 0.125; // as in l3d_pipeline_afd
+        l3d_patch_scene scene(result.model);
+        result.curved_px = scene
+                               .choose_levels({.camera = result.camera,
+                                               .size = result.size,
+                                               .places_px = share * c.tolerance,
+                                               .normals = std::numeric_limits<double>::infinity()})
+                               .places_px;
+        result.model = scene.instances()[0].model();
+        result.dice_tolerance = (1 - share) * c.tolerance;
+    }
     return result;
 }
 

@@ -26,6 +26,8 @@ struct library_case {
     l3d_camera camera;
     l3d_size size;
     double tolerance = 0;
+    double dice_tolerance = 0; ///< less, for curved models
+    double curved_px = 0;      ///< what the rest of the tolerance went to
 
     /// Errors: nothing, and why in `why`, if the library refuses it.
     static std::optional<library_case> of(const test_case& c, std::string& why);

@@ -3,6 +3,7 @@
 #ifndef L3D_TESTS_STABILITY_CASES_H
 #define L3D_TESTS_STABILITY_CASES_H
 
+#include "geom/files/patch_file.h"
 #include "reference/exact.h"
 
 #include <cstdint>
@@ -16,6 +17,7 @@ namespace stability {
 struct test_case {
     std::string group, name;
     std::vector<reference::patch> patches;
+    std::vector<l3d_patch_points> curved; ///< in the place of `patches`: rational, or of any degree
     reference::camera eye;
     reference::picture_size size;
     double tolerance = 0.25;

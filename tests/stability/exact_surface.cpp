@@ -30,23 +30,18 @@ point unit(const point& a) {
     return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Bernstein's cubics.
-template <class Number> std::array<Number, 4> weights(double parameter) {
+/// Bernstein's polynomials.
+template <class Number>
+std::array<Number, l3d_bpt_largest_degree + 1> weights(int degree, double parameter) {
     const Number t(parameter), s = Number(1) - t;
-    return {s * s * s, Number(3) * s * s * t, Number(3) * s * t * t, t * t * t};
-}
-
-/// Homogeneous point of a net at (u, v).
-template <class Number, class Net> std::array<Number, 3> value(const Net& net, double u, double v) {
-    const auto a = weights<Number>(u), b = weights<Number>(v);
-    std::array<Number, 3> sum{Number(0), Number(0), Number(0)};
-    for (std::size_t row = 0; row < 4; ++row)
-        for (std::size_t column = 0; column < 4; ++column) {
-            const Number weight = a[column] * b[row];
-            for (std::size_t k = 0; k < 3; ++k)
-                sum[k] += weight * net[4 * row + column][k];
-        }
-    return sum;
+    std::array<Number, l3d_bpt_largest_degree + 1> result{Number(1)};
+    for (std::size_t level = 0; level < static_cast<std::size_t>(degree); ++level) {
+        result[level + 1] = result[level] * t;
+        for (std::size_t k = level; k > 0; --k)
+            result[k] = result[k] * s + result[k - 1] * t;
+        result[0] *= s;
+    }
+    return result;
 }
 
 } // namespace
@@ -74,15 +69,47 @@ exact_camera::point exact_camera::project(const reference::vec3& world) const {
 }
 
 exact_surface::exact_surface(const reference::patch& surface, const exact_camera& camera) {
-    for (std::size_t i = 0; i < 16; ++i) {
-        net_[i] = camera.project(surface.points[i]);
-        for (std::size_t k = 0; k < 3; ++k)
-            rounded_[i][k] = static_cast<long double>(net_[i][k]);
+    for (const reference::vec3& point : surface.points)
+        append(point, 1, camera);
+}
+
+exact_surface::exact_surface(const l3d_patch_points& surface, const exact_camera& camera)
+    : degree_u_(surface.degree_u), degree_v_(surface.degree_v) {
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+        const auto& [x, y, z] = surface.points[i];
+        append({x, y, z}, surface.weights.empty() ? 1 : surface.weights[i], camera);
     }
 }
 
+void exact_surface::append(const reference::vec3& point, double weight,
+                           const exact_camera& camera) {
+    exact_camera::point seen = camera.project(point);
+    std::array<long double, 3> rounded{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        seen[k] *= digits(weight);
+        rounded[k] = static_cast<long double>(seen[k]);
+    }
+    net_.push_back(seen);
+    rounded_.push_back(rounded);
+}
+
+/// Homogeneous point of a net at (u, v).
+template <class Number>
+std::array<Number, 3> exact_surface::value(const std::vector<std::array<Number, 3>>& net, double u,
+                                           double v) const {
+    const auto a = weights<Number>(degree_u_, u), b = weights<Number>(degree_v_, v);
+    std::array<Number, 3> sum{Number(0), Number(0), Number(0)};
+    const auto columns = static_cast<std::size_t>(degree_u_ + 1);
+    for (std::size_t i = 0; i < net.size(); ++i) {
+        const Number weight = a[i % columns] * b[i / columns];
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[k] += weight * net[i][k];
+    }
+    return sum;
+}
+
 double exact_surface::distance(double x, double y, double u, double v) const {
-    const auto at = value<digits>(net_, u, v);
+    const auto at = value(net_, u, v);
     if (at[2] <= 0)
         return std::numeric_limits<double>::infinity();
     const digits dx = at[0] / at[2] - digits(x), dy = at[1] / at[2] - digits(y);
@@ -90,7 +117,7 @@ double exact_surface::distance(double x, double y, double u, double v) const {
 }
 
 double exact_surface::about(double x, double y, double u, double v) const {
-    const auto at = value<long double>(rounded_, u, v);
+    const auto at = value(rounded_, u, v);
     const long double dx = at[0] / at[2] - x, dy = at[1] / at[2] - y;
     return at[2] > 0 ? static_cast<double>(std::sqrt(dx * dx + dy * dy))
                      : std::numeric_limits<double>::infinity();

@@ -3,11 +3,13 @@
 #ifndef L3D_TESTS_STABILITY_EXACT_SURFACE_H
 #define L3D_TESTS_STABILITY_EXACT_SURFACE_H
 
+#include "geom/files/patch_file.h"
 #include "reference/exact.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <array>
+#include <vector>
 
 namespace stability {
 
@@ -36,6 +38,7 @@ private:
 class exact_surface {
 public:
     exact_surface(const reference::patch& surface, const exact_camera& camera);
+    exact_surface(const l3d_patch_points& surface, const exact_camera& camera);
 
     /// The distance of a picture point from the surface point (u, v) in the picture; infinite if
     /// that is not in front of the eye. Units: pixels.
@@ -45,8 +48,14 @@ public:
     double about(double x, double y, double u, double v) const;
 
 private:
-    std::array<exact_camera::point, 16> net_;
-    std::array<std::array<long double, 3>, 16> rounded_;
+    void append(const reference::vec3& point, double weight, const exact_camera& camera);
+    template <class Number>
+    std::array<Number, 3> value(const std::vector<std::array<Number, 3>>& net, double u,
+                                double v) const;
+
+    int degree_u_ = 3, degree_v_ = 3;
+    std::vector<exact_camera::point> net_; ///< u fastest, times the weights
+    std::vector<std::array<long double, 3>> rounded_;
 };
 
 } // namespace stability

@@ -62,15 +62,19 @@ public:
 
     void operator()(std::size_t patch, std::span<const l3d_diced_piece> pieces,
                     double frame_bound) {
-        surface_ = &of_.surfaces_[patch];
+        part_ = of_.parts_[patch];
+        surface_ = &of_.surfaces_[part_.surface];
+        const double curved = of_.accepted_->curved_px;
         worst_.clear();
         std::size_t polygons = 0;
         for (const l3d_diced_piece& piece : pieces)
             polygons += quads_of(piece) + piece.part.triangles.count;
-        const dice_tests::drawn_points some(size_, 1 + polygons / of_.how_.most_polygons);
+        // The parts of a surface share what one patch may have.
+        const std::size_t parts = of_.parts_.size() / of_.surfaces_.size();
+        const dice_tests::drawn_points some(size_, 1 + polygons * parts / of_.how_.most_polygons);
         for (const l3d_diced_piece& piece : pieces) {
-            some.of_grid(piece, [&](const auto& at) { look(at, piece.bound); });
-            some.of_triangles(piece, [&](const auto& at) { look(at, frame_bound); });
+            some.of_grid(piece, [&](const auto& at) { look(at, piece.bound + curved); });
+            some.of_triangles(piece, [&](const auto& at) { look(at, frame_bound + curved); });
         }
         for (const candidate& c : worst_)
             compare(c);
@@ -96,8 +100,10 @@ private:
     static bool worse(const candidate& a, const candidate& b) { return a.about > b.about; }
 
     /// Keeps the points with the largest ratios, as 64 bits see them.
-    void look(const dice_tests::drawn_point& at, double bound) {
+    void look(dice_tests::drawn_point at, double bound) {
         ++points;
+        at.u = part_.u + part_.du * at.u;
+        at.v = part_.v + part_.dv * at.v;
         double about = surface_->about(at.x, at.y, at.u, at.v) / bound;
         if (!(about <= std::numeric_limits<double>::max()))
             about = std::numeric_limits<double>::max(); // a NaN is worst, not unordered
@@ -112,8 +118,10 @@ private:
     }
 
     void compare(const candidate& c) {
-        ++exactly;
-        const double distance = surface_->distance(c.at.x, c.at.y, c.at.u, c.at.v);
+        const bool is_known = c.about < of_.how_.exact_from;
+        exactly += !is_known;
+        const double distance = is_known ? surface_->about(c.at.x, c.at.y, c.at.u, c.at.v)
+                                         : surface_->distance(c.at.x, c.at.y, c.at.u, c.at.v);
         const bool kept = distance <= c.bound;
         if (std::isfinite(distance))
             measured = std::max(measured, distance);
@@ -129,6 +137,7 @@ private:
 
     const judge& of_;
     l3d_size size_;
+    seen_part part_;
     const exact_surface* surface_ = nullptr;
     std::vector<candidate> worst_;
 };
@@ -140,6 +149,12 @@ judge::judge(const test_case& c, const effort& how)
     const exact_camera camera(c.eye, c.size);
     for (const reference::patch& p : c.patches)
         surfaces_.emplace_back(p, camera);
+    for (const l3d_patch_points& p : c.curved)
+        surfaces_.emplace_back(p, camera);
+    if (!c.curved.empty())
+        parts_ = parts_of(accepted_->model, c.curved);
+    for (std::size_t i = 0; i < c.patches.size(); ++i)
+        parts_.push_back({.surface = i});
 }
 
 verdict judge::refused() const {
@@ -152,7 +167,7 @@ verdict judge::refused() const {
 }
 
 void judge::finish(verdict& v, const l3d_dice_counts& counts, const measuring& points) const {
-    v.bound = counts.bound_px;
+    v.bound = counts.bound_px + accepted_->curved_px;
     v.measured = points.measured;
     v.ratio = points.ratio;
     v.ratio_measured = points.ratio_measured;

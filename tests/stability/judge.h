@@ -5,6 +5,7 @@
 
 #include "arithmetics.h"
 #include "cases.h"
+#include "curved_cases.h"
 #include "exact_surface.h"
 
 #include "reference/region.h"
@@ -53,6 +54,7 @@ struct effort {
     std::size_t most_polygons =
         20000;                    ///< of a patch; if there are more, each n-th, and one a piece
     std::size_t exact_points = 8; ///< a patch, the ones that seem worst, in 100 digits
+    double exact_from = 0;        ///< of their bounds: what is off by less is known in 64 bits
 };
 
 /// One case, which several arithmetics are judged by.
@@ -86,6 +88,7 @@ private:
     std::string why_;
     std::optional<library_case> accepted_;
     std::vector<exact_surface> surfaces_;
+    std::vector<seen_part> parts_; ///< of surfaces, one for each drawn patch
     bool picture_tried_ = false;
     std::unique_ptr<reference::exact_image> least_covered_; ///< what must be covered
     std::unique_ptr<reference::exact_region> most_covered_; ///< what may be

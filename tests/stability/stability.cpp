@@ -17,15 +17,16 @@ namespace {
 using namespace stability;
 
 /// A part of everything for each `make test`: seconds, the sanitizers' as well.
-const extent sample{14, 300, 6, 50, 1, "", ""};
-const extent everything{1, 300'000, 2000, 2000, 1, "", ""};
+const extent sample{14, 300, 6, 2, 50, 1, "", ""};
+const extent everything{1, 300'000, 2000, 2000, 2000, 1, "", ""};
 
 [[noreturn]] void refuse(const std::string& what) {
-    std::fprintf(stderr,
-                 "stability: %s\n"
-                 "usage: stability [--sample] [--random N] [--ordinary N] [--threads N] [--folder "
-                 "FOLDER] [--only TEXT]\n",
-                 what.c_str());
+    std::fprintf(
+        stderr,
+        "stability: %s\n"
+        "usage: stability [--sample] [--random N] [--curved N] [--ordinary N] [--threads N] "
+        "[--folder FOLDER] [--only TEXT]\n",
+        what.c_str());
     std::exit(2);
 }
 
@@ -55,20 +56,22 @@ int main(int argc, char** argv) try {
         const std::string value = argv[++i];
         if (option == "--random")
             how_much.random = count_of(option, value);
+        else if (option == "--curved")
+            how_much.curved = count_of(option, value);
         else if (option == "--ordinary")
             how_much.ordinary = count_of(option, value);
         else if (option == "--threads")
             how_much.threads =
                 static_cast<int>(std::clamp<std::uint64_t>(count_of(option, value), 1, 256));
         else if (option == "--only")
-            how_much = {1, 0, 0, 0, how_much.threads, value, ""};
+            how_much = {1, 0, 0, 0, 0, how_much.threads, value, ""};
         else if (option == "--folder")
             folder = value;
         else
             refuse(option + ": unknown");
     }
     if (!folder.empty())
-        how_much.slices = folder + "/stability_" + l3d_real_name() + "_random.csv";
+        how_much.slices = folder + "/stability_" + l3d_real_name();
     const suite_result result = run_suite(how_much);
     if (!how_much.only.empty())
         write_cases(stdout, result);

@@ -34,6 +34,7 @@ class Run:
         base = os.path.join(folder, "stability_" + real)
         self.named, self.random, self.facts, self.curves, self.walks = (
             rows_of(base + more + ".csv") for more in ("", "_random", "_facts", "_curves", "_walks"))
+        self.curved = rows_of(base + "_curved.csv")
         for row in self.named:
             row["stiffness"] = float(row["stiffness"])
 
@@ -43,9 +44,10 @@ class Run:
     def violations(self):
         return [r["case"] for r in self.facts if r["what"] == "violation"]
 
-    def random_sums(self):
+    @staticmethod
+    def sums(rows):
         sums = {}
-        for row in self.random:
+        for row in rows:
             into = sums.setdefault(row["arithmetic"], dict.fromkeys(
                 ("within", "weaker", "no_bound", "refused", "violated", "points", "in_100_digits", "pictures"), 0))
             for key in into:
@@ -115,7 +117,7 @@ def conclusions(runs):
     named = sum(len(r.named) for r in runs)
     seeds = {r.real: sum(int(row[k]) for row in r.random if row["arithmetic"] == "float"
                          for k in ("within", "weaker", "no_bound", "refused", "violated")) for r in runs}
-    broken = sum(len(r.violations()) for r in runs) + sum(sums["violated"] for r in runs for sums in r.random_sums().values())
+    broken = sum(len(r.violations()) for r in runs) + sum(sums["violated"] for r in runs for rows in (r.random, r.curved) for sums in r.sums(rows).values())
     lines = [f"**{broken} violations** in {named} named cases (l3d_real = {', '.join(r.real for r in runs)}), each in four "
              "arithmetics and as polygons. So it is in random cases: "
              + ", ".join(f"{count} with l3d_real = {real}" for real, count in seeds.items() if count) + "."]
@@ -168,10 +170,10 @@ and the frame reports that it knows no bound. *refused*: nothing is drawn, for a
 """
 
 
-def random_table(runs):
+def random_table(runs, kind):
     rows = []
     for run in runs:
-        for name, s in run.random_sums().items():
+        for name, s in run.sums(getattr(run, kind)).items():
             cases = sum(s[k] for k in ("within", "weaker", "no_bound", "refused", "violated"))
             rows.append([run.real, name, cases, s["within"], s["weaker"], s["no_bound"], s["refused"], s["violated"], s["points"],
                          s["in_100_digits"], s["pictures"]])
@@ -198,7 +200,10 @@ def page(runs, has_diagram):
              f"cases are left out here. Every case is in {', '.join(f'[stability_{r.real}.csv](stability_{r.real}.csv)' for r in runs)}, "
              "with the reasons of those that are refused.\n\n") + stiffest(first)
     text += ("\n## Random cases\n\nAny shape in any view, tolerances from 0.02 to 2 pixels, pictures from 1 x 1 to 8192 pixels wide, "
-             "worlds of 1e-9 to 1e9 units.\n\n") + random_table(runs)
+             "worlds of 1e-9 to 1e9 units.\n\n") + random_table(runs, "random")
+    if any(run.curved for run in runs):
+        text += ("\n### Rational patches, and patches of degrees 4 to 15\n\nWeights from 1e-3 to 1e3, poles and needles. Most cases are parts of "
+                 "patches.\n\n") + random_table(runs, "curved")
     text += ("\n## Plane curves\n\nThe chords of paths may be 1/1024 pixel off. Samples of each curve are compared in 100 digits.\n\n"
              + table(["stiffness", "group", "case", "chords", "bound px", "measured px"],
                      [[short(float(r["stiffness"])), r["group"], r["case"], r["chords"], short(float(r["bound_px"])),

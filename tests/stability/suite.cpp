@@ -2,6 +2,7 @@
 // Named cases, random ones, ordinary ones, walks.
 #include "suite.h"
 
+#include "curved_cases.h"
 #include "polygon_ways.h"
 #include "slices.h"
 
@@ -26,6 +27,8 @@ constexpr std::size_t listed_worst = 5, listed_violations = 100;
 
 /// Random cases have fewer points in 100 digits, so that there can be a million.
 constexpr effort named_effort{3000, 8}, random_effort{40, 2}, ordinary_effort{100'000, 8};
+/// A point of degree 15 in 100 digits takes a millisecond. So only those near their bound do.
+constexpr effort curved_effort{400, 2, 0.9};
 
 /// The results, to which threads add one at a time.
 class collector {
@@ -154,25 +157,36 @@ void run_named(suite_result& result, const extent& how_much, collector& collecte
                });
 }
 
+/// Cases that are made of seeds.
+struct seeded {
+    const char* name; ///< of the file of slices
+    std::uint64_t count, frames;
+    test_case (*make)(std::uint64_t seed);
+    effort how;
+    std::array<tally, arithmetic_count>& into;
+};
+
 /// In slices; those that the file has already are left out.
-void run_random(suite_result& result, const extent& how_much, collector& collected) {
+void run_seeded(suite_result& result, const extent& how_much, const seeded& cases,
+                collector& collected) {
     std::optional<slice_file> slices;
     if (!how_much.slices.empty())
-        slices.emplace(how_much.slices,
+        slices.emplace(how_much.slices + '_' + cases.name + ".csv",
                        std::string("l3d_real = ") + l3d_real_name() + ' ' + l3d_simd_target());
-    for (std::uint64_t first = 0; first < how_much.random; first += slice_size) {
+    const std::string what = std::string(cases.name) + " cases of a slice";
+    for (std::uint64_t first = 0; first < cases.count; first += slice_size) {
         if (slices && slices->has(first))
             continue;
         std::array<tally, arithmetic_count> tallies;
-        const std::uint64_t count = std::min(slice_size, how_much.random - first);
-        on_threads(how_much.threads, count, "random cases of a slice", collected,
+        const std::uint64_t count = std::min(slice_size, cases.count - first);
+        on_threads(how_much.threads, count, what.c_str(), collected,
                    [&](std::uint64_t i, const arithmetics& ways) {
-                       const test_case c = random_case(first + i + 1);
-                       const bool picture = first + i < how_much.frames;
-                       collected.add(tallies, c, judged(c, random_effort, picture, ways));
+                       const test_case c = cases.make(first + i + 1);
+                       const bool picture = first + i < cases.frames;
+                       collected.add(tallies, c, judged(c, cases.how, picture, ways));
                    });
         for (std::size_t a = 0; a < arithmetic_count; ++a)
-            result.random_tally[a].add(tallies[a]);
+            cases.into[a].add(tallies[a]);
         if (slices && count == slice_size)
             slices->add(first, result, tallies);
     }
@@ -260,7 +274,13 @@ suite_result run_suite(const extent& how_much) {
         result.arithmetics[a] = ways[a]->name();
     collector collected(result);
     run_named(result, how_much, collected);
-    run_random(result, how_much, collected);
+    run_seeded(result, how_much,
+               {"random", how_much.random, how_much.frames, random_case, random_effort,
+                result.random_tally},
+               collected);
+    run_seeded(result, how_much,
+               {"curved", how_much.curved, 0, curved_case, curved_effort, result.curved_tally},
+               collected);
     run_ordinary(result, how_much, collected);
     if (how_much.only.empty()) {
         result.walks = all_walks();

@@ -21,10 +21,11 @@ struct extent {
     std::size_t every_named = 1; ///< only each n-th named case
     std::uint64_t random = 0;    ///< random cases, whose points are judged
     std::uint64_t frames = 0;    ///< of those, the first ones have their pictures judged, too
+    std::uint64_t curved = 0;    ///< curved ones, whose points are judged
     std::uint64_t ordinary = 0;  ///< ordinary patches, for how tight the bound is
     int threads = 1;
     std::string only;   ///< if not empty, only named cases whose "group: name" has this
-    std::string slices; ///< if not empty, the file that random cases are kept in
+    std::string slices; ///< if not empty, what the files begin with that random cases are kept in
 };
 
 inline constexpr std::size_t arithmetic_count = 4;
@@ -64,7 +65,7 @@ struct named_result {
 struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
-    std::array<tally, arithmetic_count> named_tally, random_tally;
+    std::array<tally, arithmetic_count> named_tally, random_tally, curved_tally;
     tally polygon_tally; ///< of the named cases as polygons
     std::vector<curve_result> curves;
     std::vector<worst_case> worst;       ///< five, the worst first
