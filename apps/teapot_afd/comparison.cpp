@@ -234,6 +234,8 @@ void comparison::follow_left() {
     if (equal_time_ && other_method_.keeps_tolerance())
         now.tolerance = other_tolerance_;
     other_.settings() = as_method_can(now);
+    if (!method.draws_parallel())
+        camera().projection = l3d_projection::perspective;
     other_.camera() = camera();
     other_.style = controls().panel_style();
     other_.text.method = method.name();
@@ -297,7 +299,7 @@ void comparison::measure() {
     live_.begin({shown(),
                  camera(),
                  screen().pixels().size(),
-                 {l3d_distances(depth()), l3d_distances(other_.depth())}});
+                 {distances(), other_.distances()}});
 }
 
 void comparison::take_results() {

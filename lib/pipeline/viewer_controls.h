@@ -270,6 +270,9 @@ public:
     /// Performs the key l of a viewer of surfaces: takes the other value, and says so.
     void switch_headlight(bool& is_on);
 
+    /// Takes the camera's other projection, and says so.
+    void switch_projection();
+
     /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }
 

@@ -17,14 +17,14 @@ namespace {
 using namespace stability;
 
 /// A part of everything for each `make test`: seconds, the sanitizers' as well.
-const extent sample{14, 300, 6, 50, 1, "", ""};
-const extent everything{1, 300'000, 2000, 2000, 1, "", ""};
+const extent sample{14, 300, 6, 24, 50, 1, "", ""};
+const extent everything{1, 300'000, 2000, 10'000, 2000, 1, "", ""};
 
 [[noreturn]] void refuse(const std::string& what) {
     std::fprintf(stderr,
                  "stability: %s\n"
-                 "usage: stability [--sample] [--random N] [--ordinary N] [--threads N] [--folder "
-                 "FOLDER] [--only TEXT]\n",
+                 "usage: stability [--sample] [--random N] [--parallel N] [--ordinary N] "
+                 "[--threads N] [--folder FOLDER] [--only TEXT]\n",
                  what.c_str());
     std::exit(2);
 }
@@ -55,13 +55,15 @@ int main(int argc, char** argv) try {
         const std::string value = argv[++i];
         if (option == "--random")
             how_much.random = count_of(option, value);
+        else if (option == "--parallel")
+            how_much.parallel = count_of(option, value);
         else if (option == "--ordinary")
             how_much.ordinary = count_of(option, value);
         else if (option == "--threads")
             how_much.threads =
                 static_cast<int>(std::clamp<std::uint64_t>(count_of(option, value), 1, 256));
         else if (option == "--only")
-            how_much = {1, 0, 0, 0, how_much.threads, value, ""};
+            how_much = {1, 0, 0, 0, 0, how_much.threads, value, ""};
         else if (option == "--folder")
             folder = value;
         else

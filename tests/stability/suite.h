@@ -21,6 +21,7 @@ struct extent {
     std::size_t every_named = 1; ///< only each n-th named case
     std::uint64_t random = 0;    ///< random cases, whose points are judged
     std::uint64_t frames = 0;    ///< of those, the first ones have their pictures judged, too
+    std::uint64_t parallel = 0;  ///< random cases in parallel projection, with their pictures
     std::uint64_t ordinary = 0;  ///< ordinary patches, for how tight the bound is
     int threads = 1;
     std::string only;   ///< if not empty, only named cases whose "group: name" has this
@@ -64,7 +65,7 @@ struct named_result {
 struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
-    std::array<tally, arithmetic_count> named_tally, random_tally;
+    std::array<tally, arithmetic_count> named_tally, random_tally, parallel_tally;
     tally polygon_tally; ///< of the named cases as polygons
     std::vector<curve_result> curves;
     std::vector<worst_case> worst;       ///< five, the worst first
