@@ -48,8 +48,10 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     for (int i = 0; i < 3; ++i)
         eye_terms_ += std::abs(camera.eye[i]);
     terms_ = steady_bound(scene.reach() + eye_terms_);
-    if (camera.is_parallel())
-        return set_parallel(camera, scene);
+    if (camera.is_parallel()) {
+        set_parallel(camera, scene);
+        return;
+    }
     const double focal = camera.focal_length(size);
     focal_ = focal;
     const double farthest = farthest_from(camera.eye, scene);

@@ -3,6 +3,7 @@
 #include "certificate.h"
 #include "surface_certificate.h"
 
+#include "reference/random_numbers.h"
 #include "reference/random_patches.h"
 
 #include <gtest/gtest.h>
