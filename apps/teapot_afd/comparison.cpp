@@ -296,10 +296,7 @@ void comparison::measure() {
     if (!measures_errors() || seen == begun_ || !live_.is_idle())
         return;
     begun_ = seen;
-    live_.begin({shown(),
-                 camera(),
-                 screen().pixels().size(),
-                 {distances(), other_.distances()}});
+    live_.begin({shown(), camera(), screen().pixels().size(), {distances(), other_.distances()}});
 }
 
 void comparison::take_results() {

@@ -148,9 +148,8 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
 /// largest angle in the picture's middle. The rays of a parallel projection have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
-    return l3d_lit_shade_bound(shading, scene_.materials(), size,
-                               {.normal = report_.dice.normal_off + report_.surface.normal_error,
-                                .way = camera_.is_parallel()
-                                           ? 0
-                                           : report_.dice.bound_px / camera_.focal_length(size)});
+    return l3d_lit_shade_bound(
+        shading, scene_.materials(), size,
+        {.normal = report_.dice.normal_off + report_.surface.normal_error,
+         .way = camera_.is_parallel() ? 0 : report_.dice.bound_px / camera_.focal_length(size)});
 }

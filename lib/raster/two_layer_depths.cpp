@@ -172,8 +172,8 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
 
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, x and y from the picture's centre. In
 /// space that is f along_x X + f along_y Y + c Z = 1, so a pixel's distance along the normal
-/// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ. In
-/// a parallel projection, depth_by_pixel takes the place of c / f.
+/// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ.
+/// In a parallel projection, depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {
     constexpr float far = std::numeric_limits<float>::infinity();

@@ -99,7 +99,8 @@ struct L3D_PUBLIC l3d_camera {
     double scale_at_target(l3d_size size) const;
 
     /// World (x, y, z, 1) to homogeneous image (x, y, 0, w). The pixel is the picture's centre plus
-    /// (x / w, y / w), y down. w is the distance along the view axis, or 1 in a parallel projection.
+    /// (x / w, y / w), y down. w is the distance along the view axis, or 1 in a parallel
+    /// projection.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
     /// Turns eye and up about the target. Units: radians, about the up axis and the right axis.

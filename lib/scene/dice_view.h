@@ -70,7 +70,7 @@ struct l3d_dice_view {
     /// l3d_parallel_part of it, and depths are linear in w.
     double w_middle = 0;
 
-    double error_xy = 0;        ///< error of a transformed control point
+    double error_xy = 0; ///< error of a transformed control point
     double error_w = 0;
 
     /// Bound of the terms that the points' coordinates are summed up from, the eye's included:

@@ -199,7 +199,8 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// As l3d_framed in perspective; none if no eye is near enough to a tiny model. Expects: the model is not empty.
+/// As l3d_framed in perspective; none if no eye is near enough to a tiny model. Expects: the model
+/// is not empty.
 std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();

@@ -22,21 +22,22 @@ double steady_bound(double value) {
     return std::ceil(value / unit) * unit;
 }
 
-/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a placement
-/// multiplied in it is good to 8 more; four products and three sums add at most 8. A patch cut in 50
-/// halvings is rounded at its own size first, not at that of its pieces, at 3 midpoints each.
+/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a
+/// placement multiplied in it is good to 8 more; four products and three sums add at most 8. A
+/// patch cut in 50 halvings is rounded at its own size first, not at that of its pieces, at 3
+/// midpoints each.
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
-/// The axes to the right and down are turned by the rounding of the line of sight and of the product
-/// with `up`, 4 ulps, over the sine between them.
+/// The axes to the right and down are turned by the rounding of the line of sight and of the
+/// product with `up`, 4 ulps, over the sine between them.
 constexpr double turning = 4 * 0x1p-53;
 
 /// Bound of the distance of any control point from a place: the sum of its parts along the axes.
 double farthest_from(const l3d_camera::vector& place, const l3d_patch_scene& scene) {
     double result = 0;
     for (int i = 0; i < 3; ++i)
-        result += std::max(std::abs(scene.least()[i] - place[i]),
-                           std::abs(scene.most()[i] - place[i]));
+        result +=
+            std::max(std::abs(scene.least()[i] - place[i]), std::abs(scene.most()[i] - place[i]));
     return steady_bound(result);
 }
 

@@ -150,9 +150,8 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
     const double near = is_parallel ? -infinite : view.camera.near;
     const double far = is_parallel ? infinite : view.camera.far;
-    l3d_ray_search search(near, far, [&](const l3d_ray_hit& hit) {
-        return !view.one_sided || shows_front(hit);
-    });
+    l3d_ray_search search(
+        near, far, [&](const l3d_ray_hit& hit) { return !view.one_sided || shows_front(hit); });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const l3d_patch_instance& instance = scene.instances()[i];
         if (instance.opacity() == 0) // it is invisible

@@ -97,8 +97,7 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
     // In a parallel projection all w are nearly alike, and a float holds what they differ by.
-    const double from =
-        view_.is_parallel() ? view_.w_middle * (1 - 2 * l3d_parallel_part) : 0.0;
+    const double from = view_.is_parallel() ? view_.w_middle * (1 - 2 * l3d_parallel_part) : 0.0;
     extent where{static_cast<float>(std::max(view_.near, boxes.least[i]) - from),
                  std::numeric_limits<float>::infinity(),
                  {}};

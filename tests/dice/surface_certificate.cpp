@@ -107,12 +107,7 @@ auto surface_certificate::corner_of(const l3d_micro_vertex& vertex, double u, do
                        ? (real{vertex.inv_w} - real{depths_.depth_base}) / real{depths_.depth_step}
                        : 1 / real{vertex.inv_w};
     const real pixel = (frame_.parallel ? 1 : w) / frame_.focal;
-    return {{(x - frame_.center_x) * pixel, (y - frame_.center_y) * pixel, w},
-            u,
-            v,
-            x,
-            y,
-            vertex};
+    return {{(x - frame_.center_x) * pixel, (y - frame_.center_y) * pixel, w}, u, v, x, y, vertex};
 }
 
 auto surface_certificate::exact_at(double u, double v) const -> exact {

@@ -183,13 +183,13 @@ TEST(certified_scenes, that_fold_in_their_own_plane_are_within_their_bounds) {
     EXPECT_EQ(all.exceptions, 0) << all.where;
 }
 
-/// A camera that sees nearly the same as a parallel one: a millionth of a scene's depth moves a place
-/// by some 10^-5 of a pixel here.
+/// A camera that sees nearly the same as a parallel one: a millionth of a scene's depth moves a
+/// place by some 10^-5 of a pixel here.
 reference::camera far_twin(reference::camera eye) {
     constexpr double times = 1e6, half = 3.14159265358979324 / 360;
     const auto away = [](double from, double to) { return to + times * (from - to); };
-    const double arm = std::hypot(eye.eye.x - eye.target.x, eye.eye.y - eye.target.y,
-                                  eye.eye.z - eye.target.z);
+    const double arm =
+        std::hypot(eye.eye.x - eye.target.x, eye.eye.y - eye.target.y, eye.eye.z - eye.target.z);
     eye.eye = {away(eye.eye.x, eye.target.x), away(eye.eye.y, eye.target.y),
                away(eye.eye.z, eye.target.z)};
     eye.fov_degrees = std::atan(std::tan(eye.fov_degrees * half) / times) / half;
@@ -206,8 +206,8 @@ TEST(certified_scenes, in_parallel_projection_are_within_their_bounds) {
         eye.parallel = true;
         const auto patches = [&]() -> std::vector<reference::patch> {
             if (seed % 2 == 0)
-                return dice_tests::random_body(
-                    random, static_cast<dice_tests::body_kind>(random.below(4)));
+                return dice_tests::random_body(random,
+                                               static_cast<dice_tests::body_kind>(random.below(4)));
             const double bend = random.of_any_size(0.001, 0.3);
             return {sheet(random, eye, bend, 0.2), sheet(random, eye, bend, 0.2)};
         }();

@@ -102,8 +102,8 @@ TEST(lit_picture, that_changes_is_the_same_bits_as_drawn_whole) {
 }
 
 template <class Pipeline, class... More>
-std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings,
-                                    l3d_projection projection, const More&... more) {
+std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings, l3d_projection projection,
+                                    const More&... more) {
     l3d_camera camera;
     camera.eye = {3.1, 2.3, 4.2};
     camera.projection = projection;
@@ -134,7 +134,8 @@ TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
             EXPECT_GT(std::ranges::count_if(by_depth, [](auto w) { return channel(w, 8) > 180; }),
                       5);
             try {
-                expect_near(polygons<l3d_pipeline_zbuffer>(settings, projection, l3d_rasterizer_factory_mesa()),
+                expect_near(polygons<l3d_pipeline_zbuffer>(settings, projection,
+                                                           l3d_rasterizer_factory_mesa()),
                             by_depth);
             } catch (const l3d_error&) { // no GL here
             }

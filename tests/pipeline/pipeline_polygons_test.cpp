@@ -386,8 +386,7 @@ TEST(pipeline_polygons, smooth_hidden_lines_are_some_of_all_lines) {
 
 TEST(pipeline_polygons, a_side_of_two_faces_is_one_wire) {
     const l3d_polygon_model model(l3d_torus_mesh(12, 8, 1.7, 0.7));
-    const l3d_polygon_view view(camera(), window,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(camera(), window, l3d_identity<double>());
     std::size_t sides = 0;
     for (const l3d_model_triangle& triangle : model.triangles())
         sides += static_cast<std::size_t>(std::popcount(triangle.sides));
@@ -408,8 +407,7 @@ TEST(pipeline_polygons, wires_are_clipped) {
     const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));
     l3d_camera inside = camera(2.1, 0.1, 0.3);
     inside.target = {1.7, 1.4, -0.2};
-    const l3d_polygon_view view(inside, window,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(inside, window, l3d_identity<double>());
     l3d_polygon_wires wires;
     const auto lines = wires.make(model, view, false);
     EXPECT_GT(lines.size(), 500u);

@@ -191,8 +191,7 @@ TEST(polygon_pick, backs_are_not_met_unless_all_faces_are_drawn) {
     const l3d_polygon_model ball(l3d_sphere_mesh(40, 20));
     l3d_camera camera{.eye = {0.1, 0.2, 5.0}, .target = {0.0, 0.0, 0.0}};
     const auto depth = [&](bool culls) {
-        const l3d_polygon_view view(camera, size,
-                                    l3d_identity<double>());
+        const l3d_polygon_view view(camera, size, l3d_identity<double>());
         const auto pick = l3d_polygon_pick_at(ball, view, culls, 80, 60);
         return pick ? pick->depth : 0;
     };
@@ -204,8 +203,7 @@ TEST(polygon_pick, backs_are_not_met_unless_all_faces_are_drawn) {
 
 TEST(polygon_pick, text_names_every_value_with_its_error) {
     const l3d_polygon_model model(l3d_tessellated(l3d_patch_model::teapot(), 4).mesh);
-    const l3d_polygon_view view(dice_tests::oblique_camera(), size,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(dice_tests::oblique_camera(), size, l3d_identity<double>());
     const auto pick = l3d_polygon_pick_at(model, view, true, 64, 40);
     ASSERT_TRUE(pick);
     const std::string text = pick->text();

@@ -24,9 +24,10 @@ exact_image::exact_image(std::span<const patch> patches, const camera& view, pic
                 const std::size_t place = index(at.i, at.j);
                 ++layers_[place];
                 exact_sample& nearest = samples_[place];
-                const double w = view.parallel ? static_cast<double>(
-                                                     exact_point(patches[k], frame, at.u, at.v).w)
-                                               : at.w;
+                const double w =
+                    view.parallel
+                        ? static_cast<double>(exact_point(patches[k], frame, at.u, at.v).w)
+                        : at.w;
                 if (w < nearest.w)
                     nearest = {w, at.u, at.v, {}, static_cast<int>(k)};
             },

@@ -149,7 +149,8 @@ surface_point exact_point(const patch& surface, const camera_frame& frame, real 
     const homogeneous_point h = frame.project({at[0], at[1], at[2]});
     const vec3 world{static_cast<double>(at[0]), static_cast<double>(at[1]),
                      static_cast<double>(at[2])};
-    return {h.x / h.w, h.y / h.w, frame.distance({at[0], at[1], at[2]}), world, normal_at(surface, u, v)};
+    return {h.x / h.w, h.y / h.w, frame.distance({at[0], at[1], at[2]}), world,
+            normal_at(surface, u, v)};
 }
 
 surface_point exact_point(const patch& surface, const camera& view, picture_size size, real u,

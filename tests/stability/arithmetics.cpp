@@ -119,9 +119,12 @@ std::optional<library_case> library_case::of(const test_case& c, std::string& wh
         return l3d_camera::vector{v.x, v.y, v.z};
     };
     library_case result;
-    result.camera = {vector_of(c.eye.eye), vector_of(c.eye.target),
-                     vector_of(c.eye.up),  c.eye.fov_degrees,
-                     c.eye.near,           c.far,
+    result.camera = {vector_of(c.eye.eye),
+                     vector_of(c.eye.target),
+                     vector_of(c.eye.up),
+                     c.eye.fov_degrees,
+                     c.eye.near,
+                     c.far,
                      c.eye.parallel ? l3d_projection::parallel : l3d_projection::perspective};
     result.size = {c.size.width, c.size.height};
     result.tolerance = c.tolerance;

@@ -74,8 +74,8 @@ public:
     point_writer(const l3d_dice_view& view, const edge_strips& out)
         : centre_x_(view.centre_x()), centre_y_(view.centre_y()),
           depth_scale_(static_cast<float>(view.depth_scale)), is_parallel_(view.is_parallel()),
-          w_middle_(view.w_middle), depth_slope_(is_parallel_ ? view.depth_slope() : 0), t_(out.t), x_(out.x), y_(out.y),
-          inv_w_(out.inv_w) {}
+          w_middle_(view.w_middle), depth_slope_(is_parallel_ ? view.depth_slope() : 0), t_(out.t),
+          x_(out.x), y_(out.y), inv_w_(out.inv_w) {}
 
     /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
     /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the

@@ -83,7 +83,8 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
     const double most_w = l3d_balanced_reach * walked_w(view);
-    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, l3d_balanced_reach * bounds_.most_w / l3d_subpixel_one);
+    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy,
+                                    l3d_balanced_reach * bounds_.most_w / l3d_subpixel_one);
     const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
     // The error of a vertex if walking added nothing. The centre of a folded quad is rounded to
     // sub-pixels once more.

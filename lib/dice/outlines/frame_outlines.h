@@ -21,7 +21,8 @@
 ///        of the scene, also of those that cover no pixel.
 class l3d_frame_outlines {
 public:
-    /// Shape: to_image takes the world to the view's units. In a parallel projection, depths change by
+    /// Shape: to_image takes the world to the view's units. In a parallel projection, depths change
+    /// by
     ///        depth_by_pixel where the distance changes by a pixel's width; in perspective it is 0.
     /// Units: focal in pixels.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,

@@ -62,11 +62,11 @@ double distance(const place& a, const place& b) {
 
 l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal,
                                        double depth_by_pixel, double bound, double depth_bound,
-                                       double farthest_near,
-                                       const l3d_two_layer_depths& depths, l3d_outline_mask& mask)
-    : whole_(view), view_(view), focal_(focal), depth_by_pixel_(depth_by_pixel), bound_(bound), depth_bound_(depth_bound),
-      farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
-      mask_(mask) {}
+                                       double farthest_near, const l3d_two_layer_depths& depths,
+                                       l3d_outline_mask& mask)
+    : whole_(view), view_(view), focal_(focal), depth_by_pixel_(depth_by_pixel), bound_(bound),
+      depth_bound_(depth_bound), farthest_near_(farthest_near),
+      allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths), mask_(mask) {}
 
 /// Takes a patch's share of errors: its near planes are no farther than these errors push them.
 void l3d_outline_search::take_share(double share) {
@@ -229,9 +229,8 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
         return is_parallel ? double{view_.depth_at(of_w)} : view_.depth_scale / of_w;
     };
     const double nearest = depth(w.least), farthest = depth(w.most);
-    const double limit = is_parallel
-                             ? 2 * nearest - farthest + 4 * bound_ * depth_by_pixel_
-                             : (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
+    const double limit = is_parallel ? 2 * nearest - farthest + 4 * bound_ * depth_by_pixel_
+                                     : (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
     const double margin = fold_radius_ + 1.5;
     const auto pixel = [](double at, int count) {
         return static_cast<int>(std::clamp(std::floor(at), 0.0, double(count)));

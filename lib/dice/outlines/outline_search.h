@@ -30,8 +30,7 @@ public:
     /// Units:   pixels; `farthest_near` in the view's w: the farthest near plane in use.
     /// Lives:   borrows depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double depth_by_pixel, double bound,
-                       double depth_bound,
-                       double farthest_near, const l3d_two_layer_depths& depths,
+                       double depth_bound, double farthest_near, const l3d_two_layer_depths& depths,
                        l3d_outline_mask& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_neighbours
