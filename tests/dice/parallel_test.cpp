@@ -123,7 +123,7 @@ template <class T> void check_random(std::uint64_t first, std::uint64_t count) {
     judged_scenes<T> all;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        all.check(random_scene(seed), random_numbers(seed).of_any_size(0.03, 2), 7);
+        all.check(random_scene(seed), random_numbers(seed).of_any_size(0.03, 2), 61);
     }
 }
 

@@ -67,7 +67,8 @@ public:
         std::size_t polygons = 0;
         for (const l3d_diced_piece& piece : pieces)
             polygons += quads_of(piece) + piece.part.triangles.count;
-        const dice_tests::drawn_points some(size_, 1 + polygons / of_.how_.most_polygons);
+        const dice_tests::drawn_points some(size_, 1 + polygons / of_.how_.most_polygons,
+                                            of_.case_.eye.parallel);
         for (const l3d_diced_piece& piece : pieces) {
             some.of_grid(piece, [&](const auto& at) { look(at, piece.bound); });
             some.of_triangles(piece, [&](const auto& at) { look(at, frame_bound); });
