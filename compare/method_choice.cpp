@@ -36,7 +36,7 @@ namespace {
 struct method_row {
     const char* name;
     l3d_method method;
-    bool has_bound, keeps_tolerance;
+    bool has_bound, keeps_tolerance, draws_parallel;
     int usual = 0, least = 0, most = 0;
 };
 
@@ -46,19 +46,19 @@ constexpr int most_a_pixel = 16;
 /// 1024 x 1024 quads of fd are 2^20 for each patch. With 1024 cells along each axis, a teapot fills
 /// 4 million in 600 MB of bricks.
 constexpr std::array<method_row, 13> rows{{
-    {"afd", l3d_method::afd, true, true},
-    {"fd", l3d_method::fd, true, true, 0, 1, 1024},
-    {"isocurves", l3d_method::isocurves, false, false, 2, 1, most_a_pixel},
-    {"subdivision", l3d_method::subdivision, true, true},
-    {"tessellation", l3d_method::tessellation, true, false, 16, 1, l3d_most_facets},
-    {"micropolygons", l3d_method::micropolygons, true, false, 2, 1, most_a_pixel},
-    {"kept", l3d_method::kept, false, false, 2, 1, most_a_pixel},
-    {"scanline", l3d_method::scanline, false, true},
-    {"whitted", l3d_method::whitted, false, true},
-    {"blinn", l3d_method::blinn, false, true},
-    {"lane-carpenter", l3d_method::lane_carpenter, false, true},
-    {"voxels", l3d_method::voxels, false, false, 256, 8, 1024},
-    {"mesa", l3d_method::mesa, false, true},
+    {"afd", l3d_method::afd, true, true, true},
+    {"fd", l3d_method::fd, true, true, false, 0, 1, 1024},
+    {"isocurves", l3d_method::isocurves, false, false, false, 2, 1, most_a_pixel},
+    {"subdivision", l3d_method::subdivision, true, true, true},
+    {"tessellation", l3d_method::tessellation, true, false, false, 16, 1, l3d_most_facets},
+    {"micropolygons", l3d_method::micropolygons, true, false, true, 2, 1, most_a_pixel},
+    {"kept", l3d_method::kept, false, false, false, 2, 1, most_a_pixel},
+    {"scanline", l3d_method::scanline, false, true, true},
+    {"whitted", l3d_method::whitted, false, true, true},
+    {"blinn", l3d_method::blinn, false, true, true},
+    {"lane-carpenter", l3d_method::lane_carpenter, false, true, true},
+    {"voxels", l3d_method::voxels, false, false, false, 256, 8, 1024},
+    {"mesa", l3d_method::mesa, false, true, false},
 }};
 
 const method_row& row_of(l3d_method method) {
@@ -194,6 +194,14 @@ bool l3d_method_choice::keeps_tolerance() const {
     return row_of(method).keeps_tolerance && !(method == l3d_method::fd && resolution > 0);
 }
 
+bool l3d_method_choice::draws_parallel() const {
+    return row_of(method).draws_parallel;
+}
+
+std::string l3d_method_choice::names_with_parallel() {
+    return names_of([](const method_row& row) { return row.draws_parallel; });
+}
+
 std::string l3d_method_choice::names_with_tolerance() {
     return names_of([](const method_row& row) { return row.keeps_tolerance; });
 }
@@ -205,5 +213,5 @@ l3d_method_factory l3d_method_choice::factory() const {
             [choice = *this](const l3d_rasterizer_factory& rasterizers, l3d_workers& workers) {
                 return create_method(choice, rasterizers, workers);
             },
-            has_bound()};
+            has_bound(), draws_parallel()};
 }

@@ -58,6 +58,12 @@ struct l3d_method_choice {
     /// number of them.
     bool keeps_tolerance() const;
 
+    /// Whether it draws parallel projections.
+    bool draws_parallel() const;
+
+    /// Names of the methods that do, separated by ", ".
+    static std::string names_with_parallel();
+
     /// Names of the methods that obey the tolerance, separated by ", ".
     static std::string names_with_tolerance();
 

@@ -32,6 +32,10 @@ l3d_afd_settings l3d_method_option::settings(const l3d_afd_options& afd) const {
     if (result.fog.is_on() && method.method != l3d_method::afd)
         throw l3d_error(l3d_exit::usage,
                         "--fog: --method " + method.name() + " draws without; afd has it");
+    if (afd.camera().is_parallel() && !method.draws_parallel())
+        throw l3d_error(l3d_exit::usage,
+                        "--parallel: --method " + method.name() + " draws perspective alone; " +
+                            l3d_method_choice::names_with_parallel() + " have both");
     if (result.shade == l3d_shade::error && !method.has_bound())
         throw l3d_error(l3d_exit::usage,
                         "--shade: error shows a bound of the error, and --method " + method.name() +

@@ -124,8 +124,7 @@ void l3d_method_tessellation::do_draw(const l3d_method_frame& frame, l3d_stage_t
         first_patches_ = first_patches_of(frame.scene);
         made_of_.remember(frame.scene);
     }
-    const l3d_polygon_view view(camera_of(frame), frame.view.size, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(camera_of(frame), frame.view.size, l3d_identity<double>());
     constexpr bool cull = false; // surfaces are two-sided
     const auto ends = frame.shading.mode == l3d_shade::error ? std::span(face_ends_)
                                                              : std::span<const std::size_t>();

@@ -234,6 +234,8 @@ void comparison::follow_left() {
     if (equal_time_ && other_method_.keeps_tolerance())
         now.tolerance = other_tolerance_;
     other_.settings() = as_method_can(now);
+    if (!method.draws_parallel())
+        camera().projection = l3d_projection::perspective;
     other_.camera() = camera();
     other_.style = controls().panel_style();
     other_.text.method = method.name();
@@ -294,10 +296,7 @@ void comparison::measure() {
     if (!measures_errors() || seen == begun_ || !live_.is_idle())
         return;
     begun_ = seen;
-    live_.begin({shown(),
-                 camera(),
-                 screen().pixels().size(),
-                 {l3d_distances(depth()), l3d_distances(other_.depth())}});
+    live_.begin({shown(), camera(), screen().pixels().size(), {distances(), other_.distances()}});
 }
 
 void comparison::take_results() {

@@ -25,7 +25,7 @@ reference::vec3 vec3_of(const l3d_camera::vector& v) {
 
 reference::camera camera_of(const l3d_camera& camera) {
     return {vec3_of(camera.eye), vec3_of(camera.target), vec3_of(camera.up), camera.fov,
-            camera.near};
+            camera.near,         camera.is_parallel()};
 }
 
 std::vector<reference::patch> patches_of(const l3d_patch_model& model) {
@@ -173,7 +173,7 @@ measured_frames measure_patches(const measured_view& view, const measured_settin
     result.row.failures = report.dice.failures;
     result.row.bound_px = report.dice.bound_px;
     result.row.rms_levels = rms_of(levels_of(pipeline.screen().pixels()), view.levels());
-    result.errors = view.errors(l3d_distances(pipeline.depth()), most_distances);
+    result.errors = view.errors(pipeline.distances(), most_distances);
     return result;
 }
 

@@ -79,7 +79,7 @@ void method_viewer::measure() {
     if (begun_ == now() || !live_->is_idle())
         return;
     begun_ = now();
-    live_->begin({*begun_.model.model, begun_.camera, begun_.size, {l3d_distances(depth())}});
+    live_->begin({*begun_.model.model, begun_.camera, begun_.size, {distances()}});
 }
 
 void method_viewer::take_errors() {
@@ -100,7 +100,7 @@ void method_viewer::paint_surfaces() {
 /// edges end where their pixels' centres do, since only these are measured.
 void method_viewer::paint_errors() {
     constexpr std::uint32_t not_measured = 0x00606060;
-    const std::vector<float> distances = l3d_distances(depth());
+    const std::vector<float> distances = this->distances();
     const l3d_pixels target = pixels();
     std::size_t k = 0;
     for (int y = 0; y < target.height; ++y)

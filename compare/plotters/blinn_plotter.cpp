@@ -222,7 +222,7 @@ void l3d_blinn_plotter::scan_span(const l3d_scan_piece& piece, int row, bool fro
         before = last;
         last = *root;
         ++known;
-        const auto inv_w = static_cast<float>(of.view.depth_scale / root->w);
+        const auto inv_w = of.view.depth_at(root->w);
         if (of.canvas.is_nearest(column, row, inv_w))
             of.canvas.put(column, row, inv_w,
                           l3d_unit_normal(of.normals.evaluate(root->u, root->v)));

@@ -128,7 +128,7 @@ void l3d_scanline_plotter::try_pixels(const piece& p, const l3d_image_box& hull,
 
 void l3d_scanline_plotter::put(const piece& p, int column, int row, const l3d_scan_root& root,
                                const l3d_plot_task& of) {
-    const auto inv_w = static_cast<float>(of.view.depth_scale / root.w);
+    const auto inv_w = of.view.depth_at(root.w);
     if (of.canvas.is_nearest(column, row, inv_w))
         of.canvas.put(column, row, inv_w,
                       l3d_unit_normal(of.normals.evaluate(p.u0 + (p.u1 - p.u0) * root.u,

@@ -144,7 +144,7 @@ void l3d_whitted_plotter::meet(const piece& p, std::vector<tracked>& edges, doub
         each.t = *t;
         const l3d_image_point h = each.edge.curve.evaluate(*t);
         const l3d_scan_root at = l3d_between(each.edge.from, each.edge.to, *t);
-        ends_.push_back({h[0] / h[2], of.view.depth_scale / h[2],
+        ends_.push_back({h[0] / h[2], double{of.view.depth_at(h[2])},
                          l3d_unit_normal(of.normals.evaluate(p.u0 + (p.u1 - p.u0) * at.u,
                                                              p.v0 + (p.v1 - p.v0) * at.v))});
     }

@@ -323,7 +323,8 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     using vector = l3d_vector<double, 3>;
     const l3d_micro_grid& grid = part.grid;
     const auto place = [&](std::size_t i) {
-        const double w = 1 / double{grid.inv_w[i]}, pixel = w / (l3d_subpixel_one * view.focal);
+        const double w = view.is_parallel() ? view.w_at(grid.inv_w[i]) : 1 / double{grid.inv_w[i]};
+        const double pixel = w / (l3d_subpixel_one * view.focal);
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };

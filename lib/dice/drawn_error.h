@@ -65,11 +65,10 @@ struct l3d_vertex_accuracy {
 };
 
 /// The error of a vertex along the line of sight, beyond that of its place: the errors of w, and of
-/// 1 / w as a float. That float is divided, scaled, interpolated and rounded, some four times 2^-24
-/// of it.
+/// depth as a float.
 /// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
-    return view.focal * (error_w / w_low + 4 * 0x1p-24);
+    return view.focal * (error_w / w_low) + view.depth_rounding();
 }
 
 #endif

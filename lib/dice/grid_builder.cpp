@@ -74,6 +74,7 @@ void l3d_grid_builder<T>::draw(const piece& p, const l3d_piece_bounds<T>& nets,
     }
     l3d_micro_grid& grid = out.part.grid;
     grid.resize(columns_, rows_);
+    grid.is_parallel = view_.is_parallel();
     if (nets.walked()) {
         walk_rows(nets, plan, out);
     } else {
@@ -222,7 +223,7 @@ template <class T> void l3d_grid_builder<T>::copy_evaluated(l3d_micro_grid& grid
             const std::size_t at = grid.index(row, column);
             grid.x[at] = s.x + view_.centre_x();
             grid.y[at] = s.y + view_.centre_y();
-            grid.inv_w[at] = s.inv_w * static_cast<float>(view_.depth_scale);
+            grid.inv_w[at] = view_.depth_at(from.h[2]);
             for (std::size_t k = 0; k < 3; ++k)
                 grid.normal[k][at] = from.dice.vertex.normal[k];
         }
@@ -280,7 +281,7 @@ l3d_clip_vertex l3d_grid_builder<T>::grid_vertex(const piece& p, const l3d_micro
                                                  int row, int column) const {
     l3d_clip_vertex v;
     v.dice.vertex = grid.vertex(row, column);
-    const double w = view_.depth_scale / static_cast<double>(v.dice.vertex.inv_w);
+    const double w = view_.w_at(v.dice.vertex.inv_w);
     v.h = {(v.dice.vertex.x - view_.centre_x()) * w / l3d_subpixel_one,
            (v.dice.vertex.y - view_.centre_y()) * w / l3d_subpixel_one, w};
     // A clipped neighbour cuts the edges at a shared corner in the same place.

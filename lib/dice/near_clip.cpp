@@ -94,7 +94,7 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     const l3d_snapped s = l3d_snap(v.h[0], v.h[1], v.h[2]);
     v.dice.vertex.x = s.x + view.centre_x();
     v.dice.vertex.y = s.y + view.centre_y();
-    v.dice.vertex.inv_w = s.inv_w * static_cast<float>(view.depth_scale);
+    v.dice.vertex.inv_w = view.depth_at(v.h[2]);
     v.drawable = true;
 }
 

@@ -95,7 +95,8 @@ void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d
     const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
     vertex_error_ = accuracy.drawn_error(w_ratio);
     error_w_ = accuracy.error_w;
-    if (!whole_)
+    // Depths of a parallel projection are what is left of w, too little for most registers.
+    if (!whole_ || view.is_parallel())
         return;
 
     // The error of vertices that are walked, if that is exact enough.

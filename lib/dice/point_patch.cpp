@@ -38,7 +38,7 @@ std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_net& net,
         return std::nullopt;
     const l3d_depth_range& depth = net.w();
     if (depth.least <= view.near || depth.most >= view.far ||
-        depth.most - depth.least > view.depth_budget(depth.least))
+        depth.most - depth.least > view.depth_of_point(depth.least))
         return std::nullopt;
     const l3d_image_box& box = net.box();
     const double transformed =
@@ -69,7 +69,7 @@ void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         triangle[i].vertex = {place.x + corners[i][0],
                               place.y + corners[i][1],
-                              static_cast<float>(view.depth_scale / w),
+                              view.depth_at(w),
                               {lit[0], lit[1], lit[2]}};
         triangle[i].u = triangle[i].v = middle;
     }

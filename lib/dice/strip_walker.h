@@ -54,7 +54,7 @@ public:
     }
 
     /// Writes the current points, projected and snapped to sub-pixels.
-    /// Expects: x, y, inv_w have room for all columns; every point is drawable.
+    /// Expects: x, y, inv_w have room for all columns; every point is drawable; perspective.
     void emit(const l3d_dice_view& view, std::int32_t* x, std::int32_t* y, float* inv_w) const {
         const T* hx = registers_[0][0].data();
         const T* hy = registers_[1][0].data();

@@ -55,6 +55,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                " has none";
     if (const std::string why = fog_complaint(settings); !why.empty())
         return why;
+    if (camera.is_parallel() && !settings.method.draws_parallel())
+        return "parallel projection: " + settings.method.name() + " draws perspective alone";
     if (settings.shade == l3d_shade::own && !settings.own.colors)
         return "own: shade 'own' needs a function that gives colours";
     if (!l3d_sees_patches(settings.shade))

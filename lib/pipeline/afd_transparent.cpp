@@ -137,16 +137,19 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     if (!fog.is_on())
         return 0;
     constexpr double white = 255, rounding = 0.5 + 0.5 + 0.5 + 0.01;
-    const double far = double{fog.far}, most_off = report_.dice.depth_bound_px * far /
-                                                   camera_.focal_length(stages_->view.size);
+    const l3d_size size = stages_->view.size;
+    const double far = double{fog.far}, off = report_.dice.depth_bound_px;
+    const double most_off = camera_.is_parallel() ? off / camera_.scale_at_target(size)
+                                                  : off * far / camera_.focal_length(size);
     return white * most_off / (far - double{fog.near}) + rounding;
 }
 
 /// A pixel's shade stands for an exact point within the bound of places. A pixel is seen under the
-/// largest angle in the picture's middle.
+/// largest angle in the picture's middle. The rays of a parallel projection have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
-    return l3d_lit_shade_bound(shading, scene_.materials(), size,
-                               {.normal = report_.dice.normal_off + report_.surface.normal_error,
-                                .way = report_.dice.bound_px / camera_.focal_length(size)});
+    return l3d_lit_shade_bound(
+        shading, scene_.materials(), size,
+        {.normal = report_.dice.normal_off + report_.surface.normal_error,
+         .way = camera_.is_parallel() ? 0 : report_.dice.bound_px / camera_.focal_length(size)});
 }

@@ -6,6 +6,7 @@
 #include "scene/camera_shading.h"
 #include "pipeline/stopwatch_p.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -47,7 +48,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
     const bool inspects = l3d_sees_patches(shading.mode);
     if (inspects) {
-        inspected_.begin(frame.camera, view.size, shading);
+        inspected_.begin(frame.camera, view, shading);
         shading.inspected = &inspected_.patches();
     }
     begin_outlines(frame, view, times);
@@ -105,7 +106,9 @@ void l3d_method_afd<T>::begin_outlines(const l3d_method_frame& frame, const l3d_
     else if (!outlines_)
         outlines_ = std::make_unique<l3d_frame_outlines>();
     if (outlines_)
-        outlines_->begin(frame.scene, frame.to_image, view, frame.camera.focal_length(view.size));
+        outlines_->begin(frame.scene, frame.to_image, view, frame.camera.focal_length(view.size),
+                         std::abs(frame.shading.depth_step) /
+                             frame.camera.scale_at_target(view.size));
     times.outlines += beginning.milliseconds();
 }
 

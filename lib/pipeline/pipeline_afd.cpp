@@ -70,6 +70,8 @@ void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
     stages_->method = method.create(*rasterizers_, stages_->workers);
     settings_.method = method;
     report_.method = method.name();
+    if (!method.draws_parallel())
+        camera_.projection = l3d_projection::perspective;
     report_.outline_pixels = l3d_surface_counts::none_counted;
     touch();
     redraw();
@@ -82,6 +84,15 @@ const l3d_pixel_bits* l3d_pipeline_afd::outlines() const {
 
 const l3d_error_map* l3d_pipeline_afd::error_map() const {
     return stages_->doubts ? &stages_->doubts->map() : nullptr;
+}
+
+std::vector<float> l3d_pipeline_afd::distances() const {
+    std::vector<float> result;
+    for (int y = 0; y < depth_.size().height; ++y)
+        for (const float there : depth_.row(y))
+            result.push_back(there > 0 ? stages_->drawn.shading.distance(there)
+                                       : std::numeric_limits<float>::infinity());
+    return result;
 }
 
 void l3d_pipeline_afd::resize_event(l3d_size) {
@@ -127,8 +138,10 @@ void l3d_pipeline_afd::draw_event() {
     report_.simd = l3d_simd_target();
     report_.size = stages_->view.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.near = (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) /
-                   stages_->view.depth_scale;
+    report_.near = camera_.is_parallel()
+                       ? camera_.near
+                       : (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) /
+                             stages_->view.depth_scale;
     report_.patches = scene_.patch_count();
     stale_ = false;
 }
@@ -164,6 +177,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_frame_lights of_frame = lights();
     l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,
                                              of_frame.light, of_frame.lighting);
+    stages_->transform.set_depths(shading);
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
@@ -351,6 +365,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
                  .has_levels = has_levels,
                  .lighting = of_frame.lighting,
                  .fog = settings_.fog,
+                 .nearer = stages_->transform.nearer(),
                  .drawn = screen_->pixels(),
                  .background = settings_.background},
                 stages_->workers);

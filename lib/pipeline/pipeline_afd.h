@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 class l3d_error_map;
 struct l3d_frame_lights;
@@ -186,6 +187,7 @@ public:
 
     /// Fills surfaces with another method from the next frame on.
     /// Expects: no frame is being drawn.
+    /// The camera returns to perspective if the method draws nothing else.
     /// Errors:  exceptions of the factory; then the old method stays.
     void take_method(const l3d_method_factory& method);
 
@@ -194,6 +196,10 @@ public:
 
     /// The depth of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
+
+    /// The same as distances along the view axis, +infinity where nothing is.
+    /// Shape: row by row from the top, width values each.
+    std::vector<float> distances() const;
 
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
     /// the method does not find them, or if a part of the picture was drawn alone.

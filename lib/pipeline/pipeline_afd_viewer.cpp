@@ -38,6 +38,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
         {"l",
          "light with the eye, in the world",
          {{'l', [this] { controls_.switch_headlight(settings().headlight); }}}},
+        {"v", "perspective, parallel", {{'v', [this] { switch_projection(); }}}},
         {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}},
         {"e", "choose the next part", {{'e', [this] { tell_of_part(parts_.choose_next()); }}}},
         {"d", "hide or show that part", {{'d', [this] { tell_of_part(parts_.switch_chosen()); }}}}};
@@ -100,6 +101,13 @@ void l3d_pipeline_afd_viewer::switch_wireframe() {
 void l3d_pipeline_afd_viewer::switch_antialias() {
     settings().antialias = !settings().antialias;
     controls_.say(settings().antialias ? "smooth edges" : "sharp edges");
+}
+
+void l3d_pipeline_afd_viewer::switch_projection() {
+    if (settings().method.draws_parallel())
+        controls_.switch_projection();
+    else
+        controls_.say("no parallel projection of " + settings().method.name());
 }
 
 /// Shows a line about a part; the picture marks the part as long as the line stands.

@@ -96,6 +96,7 @@ private:
     void add_inspection(l3d_panel& panel);
     void switch_wireframe();
     void switch_antialias();
+    void switch_projection();
     void tell_of_part(std::string line);
     l3d_panel legend();
 

@@ -123,12 +123,18 @@ public:
 
     /// A factory of methods that `create` makes, called by this name in reports and messages. Only
     /// a method whose counts bound the error can draw mode `error`.
-    l3d_method_factory(std::string name, create_call create, bool has_bound = false);
+    /// Only one that `draws_parallel` is asked for a parallel projection, and uses the depths that
+    /// l3d_shading has there.
+    l3d_method_factory(std::string name, create_call create, bool has_bound = false,
+                       bool draws_parallel = false);
 
     /// The name that reports and messages give the method.
     const std::string& name() const { return name_; }
     /// Whether the method's counts bound the error of each frame.
     bool has_bound() const { return has_bound_; }
+
+    /// Whether the method draws parallel projections.
+    bool draws_parallel() const { return draws_parallel_; }
 
     /// Whether it makes the library's own method, whose steps the wireframe shows.
     bool is_default() const { return is_default_; }
@@ -142,7 +148,7 @@ public:
 private:
     std::string name_;
     create_call create_;
-    bool has_bound_, is_default_;
+    bool has_bound_, draws_parallel_, is_default_;
 };
 
 #endif

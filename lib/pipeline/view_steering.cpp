@@ -100,6 +100,12 @@ void l3d_view_steering::look_from(double right, double up, double front) {
     camera_.up = right == 0 && front == 0 ? stands.front * (up > 0 ? -1.0 : 1.0) : up_;
 }
 
+bool l3d_view_steering::switch_projection() {
+    camera_.projection =
+        camera_.is_parallel() ? l3d_projection::perspective : l3d_projection::parallel;
+    return camera_.is_parallel();
+}
+
 void l3d_view_steering::look_from_opposite() {
     const l3d_upright stands(up_);
     if (sees_along_up())
@@ -130,8 +136,7 @@ bool l3d_view_steering::turn_about(double x, double y) {
 }
 
 double l3d_view_steering::depth_of(const vector& place) const {
-    const bool parallel = viewed_.is_parallel && viewed_.is_parallel();
-    return camera_.depth_of(parallel ? camera_.target : place);
+    return camera_.depth_of(camera_.is_parallel() ? camera_.target : place);
 }
 
 vector l3d_view_steering::place_under(double x, double y) const {
@@ -142,7 +147,7 @@ vector l3d_view_steering::place_under(double x, double y) const {
 
 std::optional<l3d_point_2d> l3d_view_steering::position(const vector& place) const {
     const double depth = depth_of(place);
-    if (!(depth >= camera_.near))
+    if (!(depth >= camera_.near) && !camera_.is_parallel())
         return std::nullopt;
     const l3d_size size = screen_.pixels().size();
     const l3d_camera::frame axes = camera_.axes();

@@ -145,6 +145,10 @@ void l3d_viewer_controls::switch_headlight(bool& is_on) {
     say(is_on ? "light: goes with the eye" : "light: stays where it is in the world");
 }
 
+void l3d_viewer_controls::switch_projection() {
+    say(steering_.switch_projection() ? "parallel projection" : "perspective");
+}
+
 /// An arrow, or its digit on the number pad.
 void l3d_viewer_controls::arrow(int right, int down) {
     const double angle = key_turn * turn_speed_;

@@ -38,8 +38,6 @@ struct L3D_PUBLIC l3d_viewed {
     /// The nearest place at a position, in pixels from the picture's left upper corner; none if
     /// there is no surface.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
-    /// Whether the projection is parallel now.
-    std::function<bool()> is_parallel{};
 };
 
 /// Moves a viewer's camera: turns it about its target, moves and zooms by the place under the
@@ -82,6 +80,8 @@ public:
     /// Moves the eye to this direction from the target, at the same distance. The three numbers are
     /// steps along the axes of l3d_upright, such as (0, 0, 1) for the front. Expects: not all 0.
     void look_from(double right, double up, double front);
+    /// Takes the other projection. True if it is parallel.
+    bool switch_projection();
     /// Moves the eye to the opposite side.
     void look_from_opposite();
 
@@ -269,6 +269,9 @@ public:
 
     /// Performs the key l of a viewer of surfaces: takes the other value, and says so.
     void switch_headlight(bool& is_on);
+
+    /// Takes the camera's other projection, and says so.
+    void switch_projection();
 
     /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }

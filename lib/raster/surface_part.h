@@ -58,6 +58,9 @@ struct L3D_PUBLIC l3d_micro_grid {
     /// the right in the picture shows the other side: all its light has the other sign.
     bool shows_both = false;
 
+    /// Whether the projection is parallel: then w is the same everywhere, whatever inv_w.
+    bool is_parallel = false;
+
     /// Quads that are not drawn, since triangles stand for them: index() of their first corners, in
     /// rising order.
     std::vector<std::uint32_t> cut;
@@ -69,7 +72,7 @@ struct L3D_PUBLIC l3d_micro_grid {
 
     /// Makes room for so many vertices along u and v. Former contents of the arrays are lost.
     void resize(int new_columns, int new_rows) {
-        shows_both = false;
+        shows_both = is_parallel = false;
         cut.clear();
         columns = new_columns;
         rows = new_rows;

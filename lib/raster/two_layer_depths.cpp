@@ -37,9 +37,10 @@ bool l3d_sheet_patch::meets(const l3d_sheet_patch& other) const {
             std::binary_search(touching.begin(), touching.end(), other.patch));
 }
 
-void l3d_two_layer_depths::begin(l3d_size size, double focal) {
+void l3d_two_layer_depths::begin(l3d_size size, double focal, double depth_by_pixel) {
     size_ = size;
     focal_ = focal;
+    depth_by_pixel_ = depth_by_pixel;
     patches_.clear();
     pixels_.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
                    {});
@@ -138,12 +139,15 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, x and y from the picture's centre. In
 /// space that is f along_x X + f along_y Y + c Z = 1, so a pixel's distance along the normal
 /// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ.
+/// In a parallel projection, depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {
     constexpr float far = std::numeric_limits<float>::infinity();
     if (other.inv_w <= 0)
         return far;
     const auto per_pixel = [&](const fragment& of) {
+        if (depth_by_pixel_ > 0)
+            return std::hypot(of.along_x, of.along_y, depth_by_pixel_);
         const double c = of.inv_w - of.along_x * (x + 0.5 - size_.width / 2.0) -
                          of.along_y * (y + 0.5 - size_.height / 2.0);
         return std::hypot(of.along_x, of.along_y, c / focal_);

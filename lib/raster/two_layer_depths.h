@@ -37,8 +37,10 @@ struct l3d_sheet_patch {
 /// Cost:    36 bytes and some 20 ns a pixel and sheet.
 class l3d_two_layer_depths {
 public:
-    /// Nothing is anywhere. Units: focal in pixels.
-    void begin(l3d_size size, double focal);
+    /// Nothing is anywhere. In a parallel projection, depths are linear in the distance, and change
+    /// by depth_by_pixel where that changes by a pixel's width; in perspective it is 0.
+    /// Units: focal in pixels.
+    void begin(l3d_size size, double focal, double depth_by_pixel = 0);
 
     void add(const l3d_surface_part& part, const l3d_sheet_patch& of);
 
@@ -76,7 +78,7 @@ private:
     float gap_between(const fragment& front, const fragment& other, int x, int y) const;
 
     l3d_size size_;
-    double focal_ = 1;
+    double focal_ = 1, depth_by_pixel_ = 0;
     std::vector<pixel> pixels_;
     std::vector<l3d_sheet_patch> patches_;
     l3d_detail::scan_polygon scan_;

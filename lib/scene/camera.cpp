@@ -77,9 +77,13 @@ double l3d_camera::focal_length(l3d_size size) const {
     return size.height / 2.0 / std::tan(fov * std::numbers::pi / 360);
 }
 
+double l3d_camera::scale_at_target(l3d_size size) const {
+    return focal_length(size) / l3d_length(target - eye);
+}
+
 l3d_matrix<double> l3d_camera::image_matrix(l3d_size size) const {
     const frame f = axes();
-    const double focal = focal_length(size);
+    const double focal = is_parallel() ? scale_at_target(size) : focal_length(size);
     l3d_matrix<double> m;
     const auto set_row = [&](int row, const vector& direction, double scale) {
         for (int i = 0; i < 3; ++i)
@@ -89,7 +93,9 @@ l3d_matrix<double> l3d_camera::image_matrix(l3d_size size) const {
     set_row(0, f.right, focal);
     set_row(1, f.up, -focal);
     set_row(2, f.forward, 0);
-    set_row(3, f.forward, 1);
+    set_row(3, f.forward, is_parallel() ? 0 : 1);
+    if (is_parallel())
+        m(3, 3) = 1;
     return m;
 }
 
@@ -115,7 +121,7 @@ double l3d_camera::depth_of(const vector& place) const {
 
 vector l3d_camera::place_at(double x, double y, double depth, l3d_size size) const {
     const frame f = axes();
-    const double pixel = depth / focal_length(size);
+    const double pixel = is_parallel() ? 1 / scale_at_target(size) : depth / focal_length(size);
     return eye + f.forward * depth + f.right * ((x - size.width / 2.0) * pixel) -
            f.up * ((y - size.height / 2.0) * pixel);
 }

@@ -42,7 +42,13 @@ struct L3D_PUBLIC l3d_upright {
     }
 };
 
-/// A perspective camera in a right-handed world with y up, looking along target - eye. Unless a
+/// The kind of projection.
+enum class L3D_PUBLIC l3d_projection {
+    perspective, ///< things twice as far are half as large
+    parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
+};
+
+/// A camera in a right-handed world with y up, looking along target - eye. Unless a
 /// program places it, it looks at the origin from one unit in front.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
@@ -58,6 +64,8 @@ struct L3D_PUBLIC l3d_camera {
     /// Farthest distance along the view axis that is drawn, in world units. The default hides
     /// nothing: no point is farther from any eye than sqrt(3) 1.001e15.
     double far = 1e16;
+    /// Whether rays meet in the eye. In a parallel projection, near and far cut nothing.
+    l3d_projection projection = l3d_projection::perspective;
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
 
@@ -81,11 +89,18 @@ struct L3D_PUBLIC l3d_camera {
     /// Whether complaint() is empty.
     bool is_valid() const { return complaint().empty(); }
 
-    /// Pixels per world unit at distance 1.
+    /// Whether the projection is parallel: far things do not look smaller.
+    bool is_parallel() const { return projection == l3d_projection::parallel; }
+
+    /// Pixels per world unit at distance 1 in perspective.
     double focal_length(l3d_size size) const;
 
+    /// Pixels per world unit at the target. In a parallel projection it is so everywhere.
+    double scale_at_target(l3d_size size) const;
+
     /// World (x, y, z, 1) to homogeneous image (x, y, 0, w). The pixel is the picture's centre plus
-    /// (x / w, y / w), y down. w is the distance along the view axis.
+    /// (x / w, y / w), y down. w is the distance along the view axis, or 1 in a parallel
+    /// projection.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
     /// Turns eye and up about the target. Units: radians, about the up axis and the right axis.

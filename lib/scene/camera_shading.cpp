@@ -40,6 +40,16 @@ l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shad
     result.look_down = result.ray_down;
     result.eye = {camera.eye[0], camera.eye[1], camera.eye[2]};
     result.look_depth = static_cast<float>(camera.focal_length(size));
+    if (camera.is_parallel()) {
+        const double pixel = 1 / camera.scale_at_target(size);
+        const auto right = axes.right * pixel, down = axes.up * -pixel;
+        result.ray = result.look = to_floats(axes.forward);
+        result.ray_right = result.ray_down = result.look_right = result.look_down = {0, 0, 0};
+        result.aside = to_floats(right * (-size.width / 2.0) + down * (-size.height / 2.0));
+        result.aside_right = to_floats(right);
+        result.aside_down = to_floats(down);
+        result.look_depth = 1;
+    }
     return result;
 }
 

@@ -47,6 +47,11 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 /// much. Units: pixels.
 inline constexpr double l3d_widest_outline = 0.25;
 
+/// A parallel projection is drawn as one from an eye that is so far away: half of the scene's depth
+/// is this part of the distance. Places in the picture are off by as much of their distance from
+/// its middle, which errors of the transform count: 2^-9 pixels in a picture 4096 wide.
+inline constexpr double l3d_parallel_part = 0x1p-20;
+
 /// The picture and the accuracy asked for; constant for a frame.
 ///
 /// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
@@ -60,7 +65,12 @@ struct l3d_dice_view {
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
-    double error_xy = 0;        ///< error of a transformed control point
+
+    /// In a parallel projection, the w of the camera's target; else 0. There, all w lie within
+    /// l3d_parallel_part of it, and depths are linear in w.
+    double w_middle = 0;
+
+    double error_xy = 0; ///< error of a transformed control point
     double error_w = 0;
 
     /// Bound of the terms that the points' coordinates are summed up from, the eye's included:
@@ -83,6 +93,35 @@ struct l3d_dice_view {
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
 
     friend bool operator==(const l3d_dice_view&, const l3d_dice_view&) = default;
+
+    bool is_parallel() const { return w_middle > 0; }
+
+    /// In a parallel projection, the depth at w_middle, and its change with w: from 1.25 at the
+    /// nearest to 1 at the farthest place.
+    static constexpr double middle_depth = 1.125;
+    double depth_slope() const { return -0.125 / (l3d_parallel_part * w_middle); }
+
+    /// The depth of a drawn vertex: 1 / distance in perspective.
+    float depth_at(double w) const {
+        if (is_parallel())
+            return static_cast<float>(middle_depth + depth_slope() * (w - w_middle));
+        return static_cast<float>(1 / w) * static_cast<float>(depth_scale);
+    }
+
+    /// The w that a depth stands for.
+    double w_at(float depth) const {
+        if (is_parallel())
+            return w_middle + (double{depth} - middle_depth) / depth_slope();
+        return depth_scale / static_cast<double>(depth);
+    }
+
+    /// The error of a depth as a float, along the line of sight. It is made, scaled, interpolated
+    /// and rounded, some four times 2^-24 of it. Units: pixels at the place's own depth.
+    double depth_rounding() const {
+        constexpr double roundings = 4 * 0x1p-24;
+        return focal * roundings *
+               (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
+    }
 
     /// The factor by which budgets are smaller where outlines may be.
     double finer_outlines() const {
@@ -158,6 +197,12 @@ struct l3d_dice_view {
     /// The largest difference of a chord's w from the exact w: an eighth in front of the near plane
     /// (l3d_vertex_accuracy counts on it), else as drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
+
+    /// The largest depth of a net that is drawn as a point: an eighth of its distance, or in a
+    /// parallel projection of the scene's depth.
+    double depth_of_point(double least) const {
+        return is_parallel() ? l3d_parallel_part * w_middle / 4 : depth_budget(least);
+    }
 
     /// The box of the drawn points of a net whose exact points are in `hull`. Vertices of nets that
     /// are not small may lie beside it.

@@ -199,8 +199,10 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// As l3d_framed; none if no eye is near enough to a tiny model. Expects: the model is not empty.
-std::optional<l3d_camera> framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+/// As l3d_framed in perspective; none if no eye is near enough to a tiny model. Expects: the model
+/// is not empty.
+std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
+                                             const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
     const depths depth(axes.forward, reach);
     const wedges all(axes, camera, size, l3d_framed_share, reach);
@@ -213,7 +215,7 @@ std::optional<l3d_camera> framed(const l3d_camera& camera, l3d_size size, const 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-/// As l3d_framed_parallel; likewise.
+/// As l3d_framed in a parallel projection; likewise.
 std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
@@ -225,6 +227,11 @@ std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size siz
     const vector line = axes.right * ((left + right) / 2) + axes.up * ((bottom + top) / 2);
     const double eye = depth.middle() - (distance > 0 ? distance : depth.least_distance());
     return placed(camera, line, eye, depth.middle(), depth.nearest);
+}
+
+std::optional<l3d_camera> framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    return camera.is_parallel() ? framed_parallel(camera, size, reach)
+                                : framed_perspective(camera, size, reach);
 }
 
 bool is_empty(const l3d_camera& camera, const l3d_reach& reach) {
@@ -241,11 +248,9 @@ l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& 
     return is_empty(camera, reach) ? camera : framed(camera, size, reach).value_or(camera);
 }
 
-l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
-    return is_empty(camera, reach) ? camera : framed_parallel(camera, size, reach).value_or(camera);
-}
-
 bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    if (camera.is_parallel())
+        return false;
     const l3d_camera::frame axes = camera.axes();
     const double depth = l3d_dot(camera.eye, axes.forward);
     const wedges whole(axes, camera, size, 1, reach), part(axes, camera, size, least_share, reach);
@@ -286,8 +291,8 @@ side_of_picture seen_parallel(const vector& side, const vector& eye, double half
 
 } // namespace
 
-std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_reach& reach,
-                           bool is_parallel) {
+std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
+    const bool is_parallel = camera.is_parallel();
     const l3d_camera::frame axes = camera.axes();
     const depths depth(axes.forward, reach);
     const double eye = l3d_dot(camera.eye, axes.forward);
@@ -310,7 +315,5 @@ std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_re
         return "outside of the picture";
     if (!across.is_within_a_pixel || !along.is_within_a_pixel)
         return "";
-    const bool has_view = is_parallel ? framed_parallel(camera, size, reach).has_value()
-                                      : framed(camera, size, reach).has_value();
-    return has_view ? l3d_smaller_than_a_pixel : l3d_too_small;
+    return framed(camera, size, reach) ? l3d_smaller_than_a_pixel : l3d_too_small;
 }

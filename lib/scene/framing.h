@@ -29,17 +29,14 @@ inline constexpr double l3d_framed_share = 0.85;
 /// and no more of the other. The target is in the middle of the model's depth. `near` becomes
 /// smaller if the model is too small or near for it.
 ///
+/// In a parallel projection, the distance of the target decides on sizes.
 /// Expects: a valid camera.
 /// Errors:  none: the camera stays as it is if there is nothing to show, and an eye
 ///          that would be farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// The camera for parallel projection, where the distance of the target decides on sizes.
-L3D_PUBLIC l3d_camera l3d_framed_parallel(const l3d_camera& camera, l3d_size size,
-                                          const l3d_reach& reach);
-
 /// Whether a picture of that size shows all of a model well: at 60 % or more of its width or
-/// height, and not near one border with much room opposite.
+/// height, and not near one border with much room opposite. A parallel projection is never said to.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
@@ -47,7 +44,7 @@ L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3
 /// something. A model whose picture is less than one pixel wide and high is "smaller than a pixel".
 /// Expects: a valid camera. In parallel projection nothing is behind the eye.
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
-                                      const l3d_reach& reach, bool is_parallel = false);
+                                      const l3d_reach& reach);
 
 /// The answer of l3d_why_unseen for a model smaller than a pixel, which may still cover a pixel's
 /// middle.

@@ -22,39 +22,96 @@ double steady_bound(double value) {
     return std::ceil(value / unit) * unit;
 }
 
+/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a
+/// placement multiplied in it is good to 8 more; four products and three sums add at most 8. A
+/// patch cut in 50 halvings is rounded at its own size first, not at that of its pieces, at 3
+/// midpoints each.
+constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
+
+/// The axes to the right and down are turned by the rounding of the line of sight and of the
+/// product with `up`, 4 ulps, over the sine between them.
+constexpr double turning = 4 * 0x1p-53;
+
+/// Bound of the distance of any control point from a place: the sum of its parts along the axes.
+double farthest_from(const l3d_camera::vector& place, const l3d_patch_scene& scene) {
+    double result = 0;
+    for (int i = 0; i < 3; ++i)
+        result +=
+            std::max(std::abs(scene.least()[i] - place[i]), std::abs(scene.most()[i] - place[i]));
+    return steady_bound(result);
+}
+
 } // namespace
 
 l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size,
                                          const l3d_patch_scene& scene)
     : size_(size), near_(camera.near), far_(camera.far) {
+    for (int i = 0; i < 3; ++i)
+        eye_terms_ += std::abs(camera.eye[i]);
+    terms_ = steady_bound(scene.reach() + eye_terms_);
+    if (camera.is_parallel()) {
+        set_parallel(camera, scene);
+        return;
+    }
     const double focal = camera.focal_length(size);
     focal_ = focal;
-    double farthest = 0; // bound of the distance of any control point from the eye
-    for (int i = 0; i < 3; ++i) {
-        farthest += std::max(std::abs(scene.least()[i] - camera.eye[i]),
-                             std::abs(scene.most()[i] - camera.eye[i]));
-    }
-    farthest = steady_bound(farthest);
+    const double farthest = farthest_from(camera.eye, scene);
     depth_scale_ = power_below(std::min(0x1p8, 0x1p28 / focal) / std::max(farthest, 1e-30));
     matrix_ = camera.image_matrix(size);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             matrix_(row, column) *= depth_scale_;
 
-    // The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a
-    // placement multiplied in it is good to 8 more; four products and three sums add at most 8. A
-    // patch cut in 50 halvings is rounded at its own size first, not at that of its pieces, at 3
-    // midpoints each.
-    for (int i = 0; i < 3; ++i)
-        eye_terms_ += std::abs(camera.eye[i]);
-    terms_ = steady_bound(scene.reach() + eye_terms_);
-    constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
     error_w_ = roundings * terms_ * depth_scale_;
-    // The axes to the right and down are turned by the rounding of the line of sight and of the
-    // product with `up`, 4 ulps, over the sine between them. A point's distance from the eye is at
-    // most the sum of its terms and the eye's, so that all errors are in proportion to these.
-    constexpr double turning = 4 * 0x1p-53;
+    // A point's distance from the eye is at most the sum of its terms and the eye's, so that all
+    // errors are in proportion to these.
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
+}
+
+/// Sees the scene from an eye that is so far away that w is 1 / l3d_parallel_part times as large as
+/// half of the depth. x and y are those of a parallel projection, exactly.
+void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
+    const l3d_camera::frame axes = camera.axes();
+    const double scale = camera.scale_at_target(size_);
+    double depth = 0; // bound of the distance of any control point from the target's plane
+    for (int i = 0; i < 3; ++i)
+        depth += std::abs(axes.forward[i]) * std::max(std::abs(scene.least()[i] - camera.target[i]),
+                                                      std::abs(scene.most()[i] - camera.target[i]));
+    const double distance = 2 * power_below(std::max(depth, 1e-30)) / l3d_parallel_part;
+    const double farthest = std::max(farthest_from(camera.eye, scene), 1e-30);
+    w_middle_ = power_below(std::min(0x1p8, 0x1p28 / (scale * farthest)));
+    depth_scale_ = w_middle_ / distance;
+    focal_ = scale * distance;
+    const auto set_row = [&](int row, const l3d_camera::vector& direction, double by,
+                             const l3d_camera::vector& from, double more) {
+        for (int i = 0; i < 3; ++i)
+            matrix_(row, i) = direction[i] * by;
+        matrix_(row, 3) = more - l3d_dot(direction, from) * by;
+    };
+    set_row(0, axes.right, scale * w_middle_, camera.eye, 0);
+    set_row(1, axes.up, -scale * w_middle_, camera.eye, 0);
+    set_row(2, axes.forward, 0, camera.eye, 0);
+    set_row(3, axes.forward, depth_scale_, camera.target, w_middle_);
+    to_target_ = l3d_length(camera.target - camera.eye);
+    near_ = w_middle_ / 2 / depth_scale_; // nothing is cut
+    far_ = 2 * w_middle_ / depth_scale_;
+
+    // w adds up terms that are scaled, and w_middle.
+    for (int i = 0; i < 3; ++i)
+        terms_ = std::max(terms_, scene.reach() + eye_terms_ + 2 * std::abs(camera.target[i]));
+    error_w_ = roundings * (terms_ * depth_scale_ + w_middle_);
+    // A place is drawn at x / w instead of x / w_middle, in the window or a pixel beside it.
+    const double seen = std::hypot(size_.width / 2.0 + 2, size_.height / 2.0 + 2);
+    error_xy_ = w_middle_ * (scale * terms_ * (roundings + turning / camera.up_sine()) +
+                             seen * l3d_parallel_part);
+    terms_ = 0; // no patch has less than these errors
+}
+
+void l3d_image_transform::set_depths(l3d_shading& shading) const {
+    if (w_middle_ == 0)
+        return;
+    shading.depth_step = view(0).depth_slope() * depth_scale_;
+    shading.depth_base = l3d_dice_view::middle_depth - shading.depth_step * to_target_;
 }
 
 l3d_dice_view l3d_image_transform::view(double tolerance) const {
@@ -63,6 +120,7 @@ l3d_dice_view l3d_image_transform::view(double tolerance) const {
     view.far = far_ * depth_scale_;
     view.tolerance = tolerance;
     view.depth_scale = depth_scale_;
+    view.w_middle = w_middle_;
     view.focal = focal_;
     view.error_xy = error_xy_;
     view.error_w = error_w_;

@@ -28,12 +28,23 @@ public:
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 
+    /// The distance between the camera's eye and that of w, which is farther away in a parallel
+    /// projection.
+    double nearer() const { return w_middle_ / depth_scale_ - to_target_; }
+
+    /// Tells a rasterizer what depths stand for in a parallel projection.
+    void set_depths(l3d_shading& shading) const;
+
 private:
+    void set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene);
+
     l3d_matrix<double> matrix_;
     l3d_size size_;
     double near_ = 0, far_ = 0;
     double focal_ = 0;
     double depth_scale_ = 1;
+    double w_middle_ = 0;
+    double to_target_ = 0;
     double error_xy_ = 0;
     double error_w_ = 0;
     double terms_ = 0, eye_terms_ = 0;

@@ -53,11 +53,18 @@ double rounded_up(double number) {
 
 } // namespace
 
-void l3d_inspected_scene::begin(const l3d_camera& camera, l3d_size size,
+void l3d_inspected_scene::begin(const l3d_camera& camera, const l3d_dice_view& view,
                                 const l3d_shading& shading) {
+    const l3d_size size = view.size;
     const auto axes = axes_of(camera);
-    to_eye_ = to_axes(axes, camera.eye);
+    patches_.eye = camera.eye;
     patches_.focal = camera.focal_length(size);
+    if (camera.is_parallel()) { // the far eye that dicing has
+        const double distance = view.w_middle / view.depth_scale;
+        patches_.eye = camera.target - axes[2] * distance;
+        patches_.focal = view.focal;
+    }
+    to_eye_ = to_axes(axes, patches_.eye);
     patches_.centre_x = size.width / 2.0;
     patches_.centre_y = size.height / 2.0;
     const auto& light = shading.light;
@@ -66,7 +73,6 @@ void l3d_inspected_scene::begin(const l3d_camera& camera, l3d_size size,
     patches_.direction = along(axes, {direction[0], direction[1], direction[2]});
     patches_.nets.clear();
     patches_.materials.clear();
-    patches_.eye = camera.eye;
     patches_.axes = axes;
     with_materials_ = shading.mode == l3d_shade::own;
 }

@@ -17,7 +17,7 @@
 class l3d_inspected_scene {
 public:
     /// Starts a frame. Expects: a valid camera; an inspection whose direction is not 0.
-    void begin(const l3d_camera& camera, l3d_size size, const l3d_shading& shading);
+    void begin(const l3d_camera& camera, const l3d_dice_view& view, const l3d_shading& shading);
 
     /// Adds a batch: patch i becomes the next net but i.
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch);

@@ -53,6 +53,11 @@ struct seen_instance {
         for (int k = 0; k < 3; ++k)
             reach += half[k] * std::abs(ahead[0] * to_world(0, k) + ahead[1] * to_world(1, k) +
                                         ahead[2] * to_world(2, k));
+        if (view.camera.is_parallel()) {
+            least_w = most_w = 1;
+            focal = view.camera.scale_at_target(view.size);
+            return;
+        }
         least_w = at - reach;
         most_w = at + reach;
         focal = std::hypot(view.camera.focal_length(view.size), view.size.width / 2.0,

@@ -34,10 +34,19 @@ class eye_ray {
 public:
     eye_ray(const l3d_pick_view& view, double x, double y)
         : eye_(view.camera.eye), axes_(view.camera.axes()) {
-        const double focal = view.camera.focal_length(view.size);
-        right_ = (x - view.size.width / 2.0) / focal;
-        up_ = (view.size.height / 2.0 - y) / focal;
+        const double right = x - view.size.width / 2.0, up = view.size.height / 2.0 - y;
+        if (view.camera.is_parallel()) {
+            const double scale = view.camera.scale_at_target(view.size);
+            eye_ += axes_.right * (right / scale) + axes_.up * (up / scale);
+        } else {
+            const double focal = view.camera.focal_length(view.size);
+            right_ = right / focal;
+            up_ = up / focal;
+        }
     }
+
+    /// The place of this depth.
+    vector at(double depth) const { return eye_ + direction() * depth; }
 
     l3d_ray_net::point seen(const vector& world) const {
         const vector arm = world - eye_;
@@ -60,7 +69,7 @@ public:
 private:
     double slant() const { return 1 + std::abs(right_) + std::abs(up_); }
 
-    vector eye_;
+    vector eye_; ///< in a parallel projection, the ray's own
     l3d_camera::frame axes_;
     double right_ = 0, up_ = 0;
 };
@@ -138,9 +147,11 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
         const bool mirrored = l3d_determinant(instance.placement()) < 0;
         return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
     };
-    l3d_ray_search search(view.camera.near, view.camera.far, [&](const l3d_ray_hit& hit) {
-        return !view.one_sided || shows_front(hit);
-    });
+    const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
+    const double near = is_parallel ? -infinite : view.camera.near;
+    const double far = is_parallel ? infinite : view.camera.far;
+    l3d_ray_search search(
+        near, far, [&](const l3d_ray_hit& hit) { return !view.one_sided || shows_front(hit); });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const l3d_patch_instance& instance = scene.instances()[i];
         if (instance.opacity() == 0) // it is invisible
@@ -173,7 +184,7 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
                   .depth = hit->depth,
                   .is_proven = hit->is_proven};
     if (!hit->is_proven) {
-        pick.point = view.camera.eye + ray.direction() * hit->depth;
+        pick.point = ray.at(hit->depth);
         pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;
     }
     describe_surface(pick, jet, ray.direction());

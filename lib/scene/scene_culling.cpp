@@ -54,10 +54,12 @@ double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }
 
-/// Upper bound of 1 / distance at w >= `least`, given an error of w of `error` and 2^-12 of itself;
+/// Upper bound of the depth at w >= `least`, given an error of w of `error` and 2^-12 of itself;
 /// rounding included.
-float inv_w_above(double least, double error, double depth_scale) {
-    return static_cast<float>(depth_scale / ((least - error) * (1 - 0x1p-12)));
+float inv_w_above(double least, double error, const l3d_dice_view& view) {
+    if (view.is_parallel())
+        return view.depth_at(least - error) * (1 + 0x1p-12F);
+    return static_cast<float>(view.depth_scale / ((least - error) * (1 - 0x1p-12)));
 }
 
 /// Expects: the box lies within the margin.
@@ -94,7 +96,9 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
 /// The extent of box i, if it may be seen.
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
-    extent where{static_cast<float>(std::max(view_.near, boxes.least[i])),
+    // In a parallel projection all w are nearly alike, and a float holds what they differ by.
+    const double from = view_.is_parallel() ? view_.w_middle * (1 - 2 * l3d_parallel_part) : 0.0;
+    extent where{static_cast<float>(std::max(view_.near, boxes.least[i]) - from),
                  std::numeric_limits<float>::infinity(),
                  {}};
     const double error_w = view_.error_w * boxes.share[i];
@@ -106,7 +110,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     const l3d_image_box seen = drawn_box_of(boxes, i, view_).intersected(view_.margin());
     if (seen.empty()) // kept all the same
         return where;
-    where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_.depth_scale);
+    where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_);
     where.box = subpixels(seen, view_);
     return where;
 }

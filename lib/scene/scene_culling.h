@@ -26,8 +26,10 @@ struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
-    float nearest_w = 0;        ///< least w of its box, or near, in the view's units
-    std::int32_t middle = 0;    ///< row in the picture of its box; 0 if that is not known
+    /// Least w of its box, or near, in the view's units. In a parallel projection it is counted
+    /// from a w that nothing is nearer than.
+    float nearest_w = 0;
+    std::int32_t middle = 0; ///< row in the picture of its box; 0 if that is not known
 };
 
 /// Hands out the visible patches of a scene in batches, nearest first.

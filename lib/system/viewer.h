@@ -84,7 +84,7 @@ public:
     void finish() const {
         if constexpr (requires { this->depth(); })
             if (const std::string& file = asked_.depth_output(); !file.empty())
-                write(file, this->depth().size(), l3d_distances(this->depth()));
+                write(file, this->depth().size(), this->distances());
         if constexpr (requires { this->error_map(); })
             if (const std::string& file = asked_.error_output();
                 !file.empty() && this->error_map() != nullptr)

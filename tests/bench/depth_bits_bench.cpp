@@ -65,8 +65,7 @@ template <class Height> drawn_surface drawn(Height height, const l3d_material& m
     l3d_workers workers(1);
     const auto surface = l3d_rasterizer_factory_sw().create_surface(workers);
     l3d_polygon_frame frame;
-    const l3d_polygon_view view(camera(), half, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(camera(), half, l3d_identity<double>());
     frame.make(model, view, {.cull = false, .smooth = true}, workers);
     drawn_surface result;
     result.words.resize(static_cast<std::size_t>(half.width * half.height));

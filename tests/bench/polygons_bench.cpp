@@ -119,8 +119,7 @@ private:
 double sorted_only_ms(const l3d_polygon_model& model, bool cull, int frames, int threads) {
     l3d_workers workers(threads);
     l3d_polygon_frame frame;
-    const l3d_polygon_view view(camera(), size, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(camera(), size, l3d_identity<double>());
     frame.make(model, view, {.cull = cull, .smooth = true}, workers);
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order(workers);

@@ -106,6 +106,41 @@ TEST(method_picture, is_like_the_exact_one) {
     }
 }
 
+/// Those that draw parallel projections do so as exactly; the others are refused by name.
+TEST(method_picture, in_parallel_projection_is_like_the_exact_one_or_refused) {
+    reference::camera eye = reference::project_view("full").eye;
+    eye.parallel = true;
+    const scene s{reference::load_bpt_plain("data/teapot.bpt"), eye, size};
+    const reference::exact_image exact(s.patches, s.eye, s.picture());
+    const reference::exact_region region(s.patches, s.eye, s.picture());
+    int drawn = 0, refused = 0;
+    for (const expectation& expected : expectations) {
+        const l3d_afd_settings settings = settings_of(expected.method, 1);
+        const std::string why = l3d_afd_complaint(s.camera, size, settings);
+        if (!settings.method.draws_parallel()) {
+            EXPECT_NE(why.find(settings.method.name()), std::string::npos) << why;
+            ++refused;
+            continue;
+        }
+        ASSERT_EQ(why, "");
+        l3d_pipeline_afd pipeline(l3d_memory_canvas(size), s.model, s.camera, settings);
+        pipeline.draw_event();
+        const reference::error_map errors =
+            reference::map_errors(pipeline.distances(), exact, region, 60);
+        double outline = 0, depth = 0;
+        for (std::size_t i = 0; i < errors.depth.size(); ++i) {
+            outline = std::fmax(outline, static_cast<double>(errors.outline[i]));
+            depth = std::fmax(depth, static_cast<double>(errors.depth[i]));
+        }
+        std::printf("%-15s outline %.3f px, depth %.3f px\n", expected.method, outline, depth);
+        EXPECT_LE(outline, std::max(expected.outline, 0.3)) << expected.method;
+        EXPECT_LE(depth, std::max(expected.depth, 0.3)) << expected.method;
+        ++drawn;
+    }
+    EXPECT_GE(drawn, 6);
+    EXPECT_GE(refused, 5);
+}
+
 /// Methods that clip polygons clip as exactly as the bound says, where there is one.
 TEST(method_picture, a_tessellations_outline_is_within_its_bound) {
     int bounds = 0;

@@ -39,8 +39,8 @@ l3d_diced_piece drawn_triangles(const scene& s, std::size_t patch, const l3d_dic
     l3d_polygon_frame frame;
     l3d_camera camera = s.camera;
     camera.near = view.near / view.depth_scale;
-    frame.make(model, {camera, s.size, l3d_projection::perspective, l3d_identity<double>()},
-               {.cull = false, .smooth = true}, worker);
+    frame.make(model, {camera, s.size, l3d_identity<double>()}, {.cull = false, .smooth = true},
+               worker);
     for (const l3d_surface_part* part : frame.parts())
         for (std::size_t i = 0; i < part->triangles.count; ++i) {
             std::array<l3d_dice_vertex, 3> v;

@@ -51,7 +51,7 @@ void certificate::sample(const drawn_point& at) {
 }
 
 void certificate::draw(std::span<const l3d_diced_piece> pieces, double frame_bound) {
-    const drawn_points points(size_, every_);
+    const drawn_points points(size_, every_, frame_.parallel);
     const auto judge = [&](const drawn_point& at) { sample(at); };
     for (const l3d_diced_piece& piece : pieces) {
         largest_promise = std::max({largest_promise, piece.bound, frame_bound});

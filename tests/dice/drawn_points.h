@@ -28,7 +28,8 @@ struct drawn_point {
 class drawn_points {
 public:
     /// Looks only at every n-th quad or triangle of each batch. Expects: every >= 1.
-    explicit drawn_points(l3d_size size, std::size_t every = 1) : size_(size), every_(every) {}
+    explicit drawn_points(l3d_size size, std::size_t every = 1, bool parallel = false)
+        : size_(size), every_(every), parallel_(parallel) {}
 
     /// Calls visit(drawn_point) for points of the piece's grid.
     template <class Visit> void of_grid(const l3d_diced_piece& piece, Visit visit) const {
@@ -87,9 +88,10 @@ private:
                                                                        {0.25, 0.25, 0.5},
                                                                        {0.2, 0.5, 0.3}}};
 
-    static drawn_point point_of(const l3d_micro_vertex& vertex, double u, double v) {
+    /// In a parallel projection, w is the same everywhere.
+    drawn_point point_of(const l3d_micro_vertex& vertex, double u, double v) const {
         return {vertex.x / double{l3d_subpixel_one}, vertex.y / double{l3d_subpixel_one},
-                1 / static_cast<double>(vertex.inv_w), u, v};
+                parallel_ ? 1 : 1 / static_cast<double>(vertex.inv_w), u, v};
     }
 
     static double turn(const drawn_point& a, const drawn_point& b, const drawn_point& c) {
@@ -158,6 +160,7 @@ private:
 
     l3d_size size_;
     std::size_t every_;
+    bool parallel_;
 };
 
 } // namespace dice_tests

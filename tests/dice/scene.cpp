@@ -20,6 +20,8 @@ l3d_camera camera_of(const reference::camera& view) {
     result.up = vector_of(view.up);
     result.fov = view.fov_degrees;
     result.near = view.near;
+    if (view.parallel)
+        result.projection = l3d_projection::parallel;
     return result;
 }
 

@@ -76,6 +76,14 @@ surface_certificate::surface_certificate(const scene& s) : scene_(s), frame_(s.e
     };
     light_ = {along(frame_.right), -along(frame_.up), along(frame_.forward)};
     light_ = (1 / length(light_)) * light_;
+    l3d_patch_scene world;
+    world.add(s.model, s.placement);
+    l3d_image_transform(s.camera, s.size, world).set_depths(depths_);
+}
+
+/// The line of sight, of any length.
+long_vec surface_certificate::ray_to(const long_vec& place) const {
+    return frame_.parallel ? long_vec{0, 0, 1} : place;
 }
 
 void surface_certificate::next(std::size_t patch) {
@@ -95,13 +103,11 @@ void surface_certificate::next(std::size_t patch) {
 auto surface_certificate::corner_of(const l3d_micro_vertex& vertex, double u, double v) const
     -> corner {
     const double x = vertex.x / double{l3d_subpixel_one}, y = vertex.y / double{l3d_subpixel_one};
-    const real w = 1 / real{vertex.inv_w};
-    return {{(x - frame_.center_x) * w / frame_.focal, (y - frame_.center_y) * w / frame_.focal, w},
-            u,
-            v,
-            x,
-            y,
-            vertex};
+    const real w = frame_.parallel
+                       ? (real{vertex.inv_w} - real{depths_.depth_base}) / real{depths_.depth_step}
+                       : 1 / real{vertex.inv_w};
+    const real pixel = (frame_.parallel ? 1 : w) / frame_.focal;
+    return {{(x - frame_.center_x) * pixel, (y - frame_.center_y) * pixel, w}, u, v, x, y, vertex};
 }
 
 auto surface_certificate::exact_at(double u, double v) const -> exact {
@@ -149,10 +155,11 @@ bool surface_certificate::side_of(const std::array<corner, N>& corners, double& 
 }
 
 bool surface_certificate::is_seen(const long_vec& at) const {
-    if (!(at.z >= scene_.eye.near))
+    const real w = frame_.parallel ? 1 : at.z;
+    if (!(w >= scene_.eye.least_w()))
         return false;
-    const real x = frame_.center_x + frame_.focal * at.x / at.z;
-    const real y = frame_.center_y + frame_.focal * at.y / at.z;
+    const real x = frame_.center_x + frame_.focal * at.x / w;
+    const real y = frame_.center_y + frame_.focal * at.y / w;
     return x >= 0 && y >= 0 && x <= scene_.size.width && y <= scene_.size.height;
 }
 
@@ -162,11 +169,12 @@ void surface_certificate::compare(const long_vec& at, double u, double v,
     if (!is_seen(at))
         return;
     const exact here = exact_at(u, v);
-    if (!here.has_normal || !(here.place.z > 0))
+    const real w = frame_.parallel ? 1 : here.place.z;
+    if (!here.has_normal || !(w > 0))
         return;
     ++samples;
     const real off = std::abs(dot(here.normal, at - here.place));
-    depth.take({static_cast<double>(off * frame_.focal / here.place.z), patch_, u, v, in_slit});
+    depth.take({static_cast<double>(off * frame_.focal / w), patch_, u, v, in_slit});
     for (const double level : drawn) {
         ++levels;
         const double error = std::max(0.0, level) - std::max(0.0, side * here.level);
@@ -295,7 +303,7 @@ bool surface_certificate::row_shows_both(const l3d_diced_piece& piece,
             double side = 1;
             if (g.rows < 2) { // clipped: each vertex shows the side that is turned to the eye
                 const exact here = exact_at(u, v);
-                side = dot(here.normal, here.place) > 0 ? -1 : 1;
+                side = dot(here.normal, ray_to(here.place)) > 0 ? -1 : 1;
             } else {
                 const l3d_micro_vertex vertex = g.vertex(row, column);
                 if (std::abs(double{vertex.normal[0]}) < of_corner)

@@ -81,7 +81,10 @@ private:
                  double side, bool in_slit);
 
     const scene& scene_;
+    long_vec ray_to(const long_vec& place) const;
+
     reference::camera_frame frame_;
+    l3d_shading depths_; ///< what drawn depths stand for
     long_vec light_;
     std::array<long_vec, 16> net_;
     std::optional<l3d_surface_bends> bends_;

@@ -103,8 +103,9 @@ scene random_scene(random_numbers& random, scene_kind kind) {
             eye, size};
 }
 
-/// A scene with a light, a background and a tolerance at random.
-certified_sum judged(random_numbers& random, const scene& s) {
+/// A scene with a light, a background and a tolerance at random. The exact picture has a camera of
+/// its own.
+certified_sum judged(random_numbers& random, const scene& s, const reference::camera& eye) {
     const reference::vec3 light{random.between(-1, 1), random.between(-1, 1),
                                 random.between(0.1, 1)};
     const int ground = static_cast<int>(random.below(4)) * 85;
@@ -113,11 +114,15 @@ certified_sum judged(random_numbers& random, const scene& s) {
     settings.tolerance = random.of_any_size(0.02, 1);
     settings.light = {light.x, light.y, light.z};
     settings.background = l3d_background::color(static_cast<std::uint32_t>(ground) * 0x010101U);
-    const reference::box_image exact(s.patches, s.eye, s.picture(), light,
+    const reference::box_image exact(s.patches, eye, s.picture(), light,
                                      {.background = static_cast<double>(ground)});
     certified_sum result;
     result.add(certified(s, settings), exact);
     return result;
+}
+
+certified_sum judged(random_numbers& random, const scene& s) {
+    return judged(random, s, s.eye);
 }
 
 /// Scene number n of a kind: the same on every machine, and by itself. The exact renderer gives up
@@ -176,6 +181,42 @@ TEST(certified_scenes, that_fold_in_their_own_plane_are_within_their_bounds) {
     }
     all.print("folds in a plane");
     EXPECT_EQ(all.exceptions, 0) << all.where;
+}
+
+/// A camera that sees nearly the same as a parallel one: a millionth of a scene's depth moves a
+/// place by some 10^-5 of a pixel here.
+reference::camera far_twin(reference::camera eye) {
+    constexpr double times = 1e6, half = 3.14159265358979324 / 360;
+    const auto away = [](double from, double to) { return to + times * (from - to); };
+    const double arm =
+        std::hypot(eye.eye.x - eye.target.x, eye.eye.y - eye.target.y, eye.eye.z - eye.target.z);
+    eye.eye = {away(eye.eye.x, eye.target.x), away(eye.eye.y, eye.target.y),
+               away(eye.eye.z, eye.target.z)};
+    eye.fov_degrees = std::atan(std::tan(eye.fov_degrees * half) / times) / half;
+    eye.near = times * arm / 2;
+    eye.parallel = false;
+    return eye;
+}
+
+TEST(certified_scenes, in_parallel_projection_are_within_their_bounds) {
+    certified_sum all;
+    for (std::uint64_t seed = 0; seed < (sanitized ? 4 : 20); ++seed) {
+        random_numbers random(seed);
+        reference::camera eye = any_camera(random, 6);
+        eye.parallel = true;
+        const auto patches = [&]() -> std::vector<reference::patch> {
+            if (seed % 2 == 0)
+                return dice_tests::random_body(random,
+                                               static_cast<dice_tests::body_kind>(random.below(4)));
+            const double bend = random.of_any_size(0.001, 0.3);
+            return {sheet(random, eye, bend, 0.2), sheet(random, eye, bend, 0.2)};
+        }();
+        SCOPED_TRACE(seed);
+        all.add(judged(random, {patches, eye, size}, far_twin(eye)));
+    }
+    all.print("parallel projections");
+    EXPECT_EQ(all.exceptions, 0) << all.where;
+    EXPECT_GT(all.edges, all.pixels / 50);
 }
 
 /// Half an hour on one core.

@@ -55,7 +55,9 @@ using picture = std::vector<std::uint32_t>;
 /// is what it covers.
 void expect_each_pixel_faded(const picture& clear, const picture& faded, l3d_projection projection,
                              int least) {
-    const l3d_polygon_view view(before_the_plane(), size, projection, l3d_identity<double>());
+    l3d_camera camera = before_the_plane();
+    camera.projection = projection;
+    const l3d_polygon_view view(camera, size, l3d_identity<double>());
     int judged = 0, dim = 0, off = 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
@@ -116,12 +118,12 @@ template <class Pipeline> void expect_lines_of_polygons_faded() {
                 const auto drawn = [&](const l3d_fog& in) {
                     l3d_polygon_settings settings = hard_edged_polygons();
                     settings.style = style;
-                    settings.projection = projection;
+                    l3d_camera camera = before_the_plane();
+                    camera.projection = projection;
                     settings.antialias = smooth;
                     settings.background = {};
                     settings.fog = in;
-                    Pipeline pipeline(l3d_memory_canvas(size), squares(), before_the_plane(),
-                                      settings);
+                    Pipeline pipeline(l3d_memory_canvas(size), squares(), camera, settings);
                     pipeline.draw_event();
                     return words_of(pipeline.screen().pixels());
                 };

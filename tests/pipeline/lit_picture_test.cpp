@@ -102,9 +102,11 @@ TEST(lit_picture, that_changes_is_the_same_bits_as_drawn_whole) {
 }
 
 template <class Pipeline, class... More>
-std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings, const More&... more) {
+std::vector<std::uint32_t> polygons(const l3d_polygon_settings& settings, l3d_projection projection,
+                                    const More&... more) {
     l3d_camera camera;
     camera.eye = {3.1, 2.3, 4.2};
+    camera.projection = projection;
     Pipeline pipeline(l3d_memory_canvas({203, 151}), l3d_polygon_model(l3d_sphere_mesh(24, 12)),
                       camera, settings, more...);
     pipeline.draw_event();
@@ -124,16 +126,16 @@ TEST(lit_picture, of_polygons_is_the_same_by_every_pipeline) {
         for (const l3d_shade shade : {l3d_shade::flat, l3d_shade::lambert}) {
             l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
-            settings.projection = projection;
             settings.material = shining;
             settings.lighting = two_lights();
             const auto by_depth =
-                polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());
-            expect_near(polygons<l3d_pipeline_zsort>(settings), by_depth);
+                polygons<l3d_pipeline_zbuffer>(settings, projection, l3d_rasterizer_factory_sw());
+            expect_near(polygons<l3d_pipeline_zsort>(settings, projection), by_depth);
             EXPECT_GT(std::ranges::count_if(by_depth, [](auto w) { return channel(w, 8) > 180; }),
                       5);
             try {
-                expect_near(polygons<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_mesa()),
+                expect_near(polygons<l3d_pipeline_zbuffer>(settings, projection,
+                                                           l3d_rasterizer_factory_mesa()),
                             by_depth);
             } catch (const l3d_error&) { // no GL here
             }

@@ -178,12 +178,13 @@ TEST(pipeline_polygons, zsort_and_zbuffer_show_the_same) {
                  {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
                 l3d_polygon_settings settings = hard_edged_polygons();
                 settings.shade = shade;
-                settings.projection = projection;
+                l3d_camera from = camera();
+                from.projection = projection;
                 settings.cull = cull;
                 settings.rotation = {17, -23, 40};
                 l3d_polygon_report report;
-                const picture a = by_zsort(model, camera(), settings, &report);
-                const picture b = by_zbuffer(model, camera(), settings);
+                const picture a = by_zsort(model, from, settings, &report);
+                const picture b = by_zbuffer(model, from, settings);
                 // By lanes, lambert's grey may be a level off.
                 EXPECT_EQ(differing(a, b, shade == l3d_shade::lambert), 0)
                     << "cull " << cull << " shade " << static_cast<int>(shade);
@@ -202,15 +203,16 @@ TEST(pipeline_polygons, zsort_and_zbuffer_smooth_the_same_edges) {
                  {l3d_shade::flat, l3d_shade::gouraud, l3d_shade::lambert, l3d_shade::normals}) {
                 l3d_polygon_settings settings = hard_edged_polygons();
                 settings.shade = shade;
-                settings.projection = projection;
+                l3d_camera from = camera();
+                from.projection = projection;
                 settings.cull = cull;
                 settings.rotation = {17, -23, 40};
                 settings.background = l3d_background::gradient();
-                const picture stairs = by_zsort(model, camera(), settings);
+                const picture stairs = by_zsort(model, from, settings);
                 settings.antialias = true;
                 l3d_polygon_report report;
-                const picture a = by_zsort(model, camera(), settings, &report);
-                const picture b = by_zbuffer(model, camera(), settings);
+                const picture a = by_zsort(model, from, settings, &report);
+                const picture b = by_zbuffer(model, from, settings);
                 // A level by which lambert is off may decide whether two pixels jump.
                 EXPECT_EQ(differing(a, b, shade == l3d_shade::lambert ? 2 : 0), 0)
                     << "cull " << cull << " shade " << static_cast<int>(shade);
@@ -247,16 +249,17 @@ TEST(pipeline_polygons, closed_bodies_are_shown_without_their_backs) {
     const l3d_polygon_mesh torus = l3d_torus_mesh(24, 16, 1.7, 0.7);
     for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
         l3d_polygon_settings settings = hard_edged_polygons();
-        settings.projection = projection;
+        l3d_camera from = camera();
+        from.projection = projection;
         settings.rotation = {-31, 12, 5};
         l3d_polygon_report report, open_report;
-        const picture closed = by_zsort(l3d_polygon_model(torus), camera(), settings, &report);
+        const picture closed = by_zsort(l3d_polygon_model(torus), from, settings, &report);
         EXPECT_GT(report.polygons.back, 200);
         EXPECT_EQ(report.polygons.drawn + report.polygons.back + report.polygons.subpixel +
                       report.polygons.offscreen,
                   768);
         settings.cull = true;
-        EXPECT_EQ(closed, by_zsort(l3d_polygon_model(torus), camera(), settings));
+        EXPECT_EQ(closed, by_zsort(l3d_polygon_model(torus), from, settings));
         settings.cull = false;
 
         l3d_polygon_mesh with_dot = torus; // a triangle far below a pixel opens the model
@@ -265,7 +268,7 @@ TEST(pipeline_polygons, closed_bodies_are_shown_without_their_backs) {
             with_dot.vertices.push_back({1.7 + x, x * x * 1e9, 0.0});
         with_dot.corners.insert(with_dot.corners.end(), {first, first + 1, first + 2});
         with_dot.face_ends.push_back(static_cast<std::uint32_t>(with_dot.corners.size()));
-        const picture all = by_zsort(l3d_polygon_model(with_dot), camera(), settings, &open_report);
+        const picture all = by_zsort(l3d_polygon_model(with_dot), from, settings, &open_report);
         EXPECT_EQ(open_report.polygons.back, 0);
         // On an outline, where a face from behind and one from in front share an edge, depths tie.
         EXPECT_LE(differing(closed, all, 0), 20);
@@ -322,9 +325,8 @@ TEST(pipeline_polygons, backs_that_may_be_seen_are_drawn) {
     within = camera(0, -3, 0);
     within.near = 2.5; // it cuts the sphere open
     EXPECT_EQ(backs_left_out(sphere, within), 0);
-    l3d_polygon_settings parallel = hard_edged_polygons(); // without a near plane
-    parallel.projection = l3d_projection::parallel;
-    EXPECT_GT(backs_left_out(sphere, within, parallel), 0);
+    within.projection = l3d_projection::parallel; // without a near plane
+    EXPECT_GT(backs_left_out(sphere, within), 0);
 }
 
 /// Whatever way the corners of faces run, and whatever side a file's normals are on.
@@ -384,8 +386,7 @@ TEST(pipeline_polygons, smooth_hidden_lines_are_some_of_all_lines) {
 
 TEST(pipeline_polygons, a_side_of_two_faces_is_one_wire) {
     const l3d_polygon_model model(l3d_torus_mesh(12, 8, 1.7, 0.7));
-    const l3d_polygon_view view(camera(), window, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(camera(), window, l3d_identity<double>());
     std::size_t sides = 0;
     for (const l3d_model_triangle& triangle : model.triangles())
         sides += static_cast<std::size_t>(std::popcount(triangle.sides));
@@ -406,8 +407,7 @@ TEST(pipeline_polygons, wires_are_clipped) {
     const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));
     l3d_camera inside = camera(2.1, 0.1, 0.3);
     inside.target = {1.7, 1.4, -0.2};
-    const l3d_polygon_view view(inside, window, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(inside, window, l3d_identity<double>());
     l3d_polygon_wires wires;
     const auto lines = wires.make(model, view, false);
     EXPECT_GT(lines.size(), 500u);

@@ -97,13 +97,14 @@ template <class Pipeline> void expect_polygons_as_the_rule_says() {
         for (const bool antialias : {false, true}) {
             SCOPED_TRACE(testing::Message() << int(projection) << antialias);
             l3d_polygon_settings settings = hard_edged_polygons();
-            settings.projection = projection;
+            l3d_camera from = above();
+            from.projection = projection;
             settings.antialias = antialias;
             settings.lighting = two_points();
             settings.headlight = false;
             settings.material = clay;
             Pipeline pipeline(l3d_memory_canvas(size), l3d_polygon_model(l3d_sphere_mesh(12, 8)),
-                              above(), settings);
+                              from, settings);
             pipeline.draw_event();
             expect_as_the_rule_says(
                 words_of(pipeline.screen().pixels()),

@@ -26,9 +26,11 @@ constexpr l3d_fog fog{.near = 4.9F, .far = 6.5F, .color = 0x4060a0};
 
 /// Compares a fogged picture with the clear one of the same polygons, before a gradient.
 template <class Pipeline, class... More>
-void expect_each_pixel_faded(const l3d_polygon_settings& settings, const More&... more) {
+void expect_each_pixel_faded(const l3d_polygon_settings& settings, l3d_projection projection,
+                             const More&... more) {
     l3d_camera camera;
     camera.eye = {3.1, 2.3, 4.2};
+    camera.projection = projection;
     const l3d_polygon_model model(l3d_sphere_mesh(24, 12));
     l3d_polygon_settings foggy = settings;
     foggy.fog = fog;
@@ -71,11 +73,11 @@ TEST(polygon_fog, fades_each_pixel_by_its_exact_distance) {
               {0x000000U, l3d_projection::parallel}}) {
             l3d_polygon_settings settings = hard_edged_polygons();
             settings.shade = shade;
-            settings.projection = projection;
             settings.background = l3d_background::gradient();
             settings.material = l3d_material{.color = 0xc06020, .highlight = highlight};
-            expect_each_pixel_faded<l3d_pipeline_zbuffer>(settings, l3d_rasterizer_factory_sw());
-            expect_each_pixel_faded<l3d_pipeline_zsort>(settings);
+            expect_each_pixel_faded<l3d_pipeline_zbuffer>(settings, projection,
+                                                          l3d_rasterizer_factory_sw());
+            expect_each_pixel_faded<l3d_pipeline_zsort>(settings, projection);
         }
 }
 

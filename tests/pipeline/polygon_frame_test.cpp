@@ -235,7 +235,9 @@ void check_frames(double reach, double crease_angle) {
             const l3d_polygon_frame::way how{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
             const auto projection =
                 bits & 8 ? l3d_projection::parallel : l3d_projection::perspective;
-            const l3d_polygon_view view(camera(random), size, projection,
+            l3d_camera seen_by = camera(random);
+            seen_by.projection = projection;
+            const l3d_polygon_view view(seen_by, size,
                                         l3d_euler_rotation({17.0, 40.0 * seed, 5.0}, {0, 0, 0}));
             const plain_frame expected(model, view, how);
             SCOPED_TRACE(std::to_string(seed) + ", way " + std::to_string(bits));
@@ -272,7 +274,8 @@ TEST(polygon_frame, finds_the_sides_of_faces_that_face_alike_like_the_plain_twin
             if (seed % 4 == 0)
                 seen_by.eye = {random.between(-2.5, 2.5), random.between(-2.5, -0.1),
                                random.between(-0.5, 0.5)};
-            const l3d_polygon_view view(seen_by, size, projection,
+            seen_by.projection = projection;
+            const l3d_polygon_view view(seen_by, size,
                                         l3d_euler_rotation({17.0, 40.0 * seed, 5.0}, {0, 0, 0}));
             const plain_frame expected(model, view, how);
             SCOPED_TRACE(std::to_string(seed) + ", way " + std::to_string(bits));

@@ -106,7 +106,7 @@ TEST(polygon_pick, names_the_part_and_passes_by_what_is_hidden) {
     const l3d_polygon_model all(l3d_tessellated(l3d_patch_model::teapot(), 7).mesh);
     const l3d_camera camera{
         .eye = {0.3, 9.0, 0.2}, .target = {0.3, 0.0, 0.2}, .up = {0.0, 0.0, 1.0}};
-    const l3d_polygon_view view(camera, size, l3d_projection::perspective, l3d_identity<double>());
+    const l3d_polygon_view view(camera, size, l3d_identity<double>());
     const double x = size.width / 2.0, y = size.height / 2.0;
     const auto lid = l3d_polygon_pick_at(all, view, false, x, y);
     ASSERT_TRUE(lid);
@@ -120,10 +120,11 @@ TEST(polygon_pick, names_the_part_and_passes_by_what_is_hidden) {
 
 TEST(polygon_pick, finds_face_and_weights_within_its_errors) {
     const l3d_polygon_model model(l3d_tessellated(l3d_patch_model::teapot(), 7).mesh);
-    const l3d_camera camera = dice_tests::oblique_camera();
+    l3d_camera camera = dice_tests::oblique_camera();
     random_numbers random(5);
     for (const auto projection : {l3d_projection::perspective, l3d_projection::parallel}) {
-        const l3d_polygon_view view(camera, size, projection, l3d_identity<double>());
+        camera.projection = projection;
+        const l3d_polygon_view view(camera, size, l3d_identity<double>());
         int picks = 0, nothing = 0;
         for (int i = 0; i < 400; ++i) {
             const double x = random.between(0, 157), y = random.between(0, 118);
@@ -165,7 +166,7 @@ TEST(polygon_pick, finds_face_and_weights_within_its_errors) {
 TEST(polygon_pick, a_side_that_triangles_share_has_no_gap) {
     const l3d_polygon_model model(l3d_tessellated(l3d_patch_model::teapot(), 7).mesh);
     const l3d_camera camera = dice_tests::oblique_camera();
-    const l3d_polygon_view view(camera, size, l3d_projection::perspective, l3d_identity<double>());
+    const l3d_polygon_view view(camera, size, l3d_identity<double>());
     random_numbers random(9);
     int picks = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -190,8 +191,7 @@ TEST(polygon_pick, backs_are_not_met_unless_all_faces_are_drawn) {
     const l3d_polygon_model ball(l3d_sphere_mesh(40, 20));
     l3d_camera camera{.eye = {0.1, 0.2, 5.0}, .target = {0.0, 0.0, 0.0}};
     const auto depth = [&](bool culls) {
-        const l3d_polygon_view view(camera, size, l3d_projection::perspective,
-                                    l3d_identity<double>());
+        const l3d_polygon_view view(camera, size, l3d_identity<double>());
         const auto pick = l3d_polygon_pick_at(ball, view, culls, 80, 60);
         return pick ? pick->depth : 0;
     };
@@ -203,8 +203,7 @@ TEST(polygon_pick, backs_are_not_met_unless_all_faces_are_drawn) {
 
 TEST(polygon_pick, text_names_every_value_with_its_error) {
     const l3d_polygon_model model(l3d_tessellated(l3d_patch_model::teapot(), 4).mesh);
-    const l3d_polygon_view view(dice_tests::oblique_camera(), size, l3d_projection::perspective,
-                                l3d_identity<double>());
+    const l3d_polygon_view view(dice_tests::oblique_camera(), size, l3d_identity<double>());
     const auto pick = l3d_polygon_pick_at(model, view, true, 64, 40);
     ASSERT_TRUE(pick);
     const std::string text = pick->text();

@@ -132,9 +132,10 @@ TEST(textured_polygons, show_the_pixel_of_the_picture_that_a_pick_finds) {
          {l3d_projection::perspective, l3d_projection::parallel}) {
         const l3d_polygon_model model = textured_sphere();
         l3d_polygon_settings settings = plainly();
-        settings.projection = projection;
+        l3d_camera from = camera();
+        from.projection = projection;
         settings.rotation = {20, 30, 40};
-        l3d_pipeline_zbuffer pipeline(l3d_memory_canvas(window), model, camera(), settings);
+        l3d_pipeline_zbuffer pipeline(l3d_memory_canvas(window), model, from, settings);
         pipeline.draw_event();
         const auto words = words_of(pipeline.screen().pixels());
         int judged = 0, off = 0;

@@ -25,15 +25,13 @@ class ball_viewer : public l3d_pipeline {
 public:
     still_tests::sizable_screen screen{{400, 300}};
     l3d_camera camera{.eye = {2.0, 3.0, 6.0}, .target = {0.1, -0.2, 0.3}};
-    bool parallel = false;
     l3d_viewer_controls controls{*this,
                                  screen,
                                  camera,
                                  {},
                                  {},
                                  {.framed = [this](const l3d_camera& from) { return framed(from); },
-                                  .place_at = [this](double x, double y) { return place(x, y); },
-                                  .is_parallel = [this] { return parallel; }}};
+                                  .place_at = [this](double x, double y) { return place(x, y); }}};
 
     l3d_size size() { return screen.pixels().size(); }
 
@@ -41,8 +39,7 @@ public:
     std::array<double, 2> seen(const vector& at) {
         const auto h =
             camera.image_matrix(size()) * l3d_vector<double, 4>(at[0], at[1], at[2], 1.0);
-        const double w = parallel ? l3d_length(camera.target - camera.eye) : h[3];
-        return {size().width / 2.0 + h[0] / w, size().height / 2.0 + h[1] / w};
+        return {size().width / 2.0 + h[0] / h[3], size().height / 2.0 + h[1] / h[3]};
     }
 
     std::optional<l3d_pointed_place> place(double x, double y) {
@@ -115,7 +112,7 @@ TEST(view_steering, where_nothing_is_the_targets_plane_is_grabbed) {
 
 TEST(view_steering, parallel_pictures_move_with_the_pointer_as_well) {
     ball_viewer it;
-    it.parallel = true;
+    it.camera.projection = l3d_projection::parallel;
     const vector target = it.camera.target;
     EXPECT_TRUE(it.drag(2, {200, 150}, {230, 110}));
     expect_near(it.seen(target), {230, 110});
@@ -246,7 +243,7 @@ TEST(view_steering, ctrl_clicks_tell_places_and_measure_between_two) {
 TEST(view_steering, places_that_are_clicked_on_are_marked) {
     for (const bool parallel : {false, true}) {
         ball_viewer it;
-        it.parallel = parallel;
+        it.camera.projection = parallel ? l3d_projection::parallel : l3d_projection::perspective;
         const auto has_mark = [&](const std::array<double, 2>& at) {
             const l3d_pixels pixels = it.screen.pixels();
             const l3d_rasterizer_factory_sw factory;

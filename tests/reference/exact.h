@@ -36,6 +36,12 @@ struct camera {
     vec3 eye, target, up{0, 1, 0};
     double fov_degrees = 45;
     double near = 0.1;
+    /// In a parallel projection, pixels are as large everywhere as at the target, and nothing is
+    /// cut.
+    bool parallel = false;
+
+    /// The least homogeneous w that is drawn.
+    double least_w() const { return parallel ? 0.5 : near; }
 };
 
 struct picture_size {
@@ -43,7 +49,7 @@ struct picture_size {
 };
 
 /// A point before the division: the pixel position is (x / w, y / w), w the distance along the
-/// axis.
+/// axis, or 1 in a parallel projection.
 struct homogeneous_point {
     long double x = 0, y = 0, w = 0;
 };
@@ -59,9 +65,12 @@ struct surface_point {
 struct camera_frame {
     long double eye[3], right[3], up[3], forward[3];
     long double focal = 0, center_x = 0, center_y = 0;
+    bool parallel = false; ///< then `focal` is the number of pixels in a unit
 
     camera_frame(const camera& view, picture_size size);
     homogeneous_point project(const long double (&world)[3]) const;
+    /// The distance along the axis.
+    long double distance(const long double (&world)[3]) const;
     /// The world point that is seen at pixel position (x, y) at the distance w along the axis.
     vec3 unproject(double x, double y, double w) const;
 };
@@ -83,7 +92,8 @@ struct exact_sample {
     bool covered() const { return patch >= 0; }
 };
 
-/// The exact picture: at every pixel centre, the nearest of all surface points with w >= near.
+/// The exact picture: at every pixel centre, the nearest of all surface points with w >= near. In a
+/// parallel projection, w of a sample is the distance along the axis all the same.
 ///
 /// Every intersection is found. A patch is split until a piece either has no pixel centre in its
 /// hull or is proved to map one to one onto the picture. There the only root is iterated to 1e-11

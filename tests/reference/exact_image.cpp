@@ -19,13 +19,17 @@ exact_image::exact_image(std::span<const patch> patches, const camera& view, pic
     const sample_grid centers{0.5, 0.5, 1, size.width, size.height};
     for (std::size_t k = 0; k < patches.size(); ++k)
         find_hits(
-            make_net(patches[k], frame), view.near, centers,
+            make_net(patches[k], frame), view.least_w(), centers,
             [&](const hit& at) {
                 const std::size_t place = index(at.i, at.j);
                 ++layers_[place];
                 exact_sample& nearest = samples_[place];
-                if (at.w < nearest.w)
-                    nearest = {at.w, at.u, at.v, {}, static_cast<int>(k)};
+                const double w =
+                    view.parallel
+                        ? static_cast<double>(exact_point(patches[k], frame, at.u, at.v).w)
+                        : at.w;
+                if (w < nearest.w)
+                    nearest = {w, at.u, at.v, {}, static_cast<int>(k)};
             },
             stop);
     for (exact_sample& sample : samples_) {
@@ -48,8 +52,10 @@ std::vector<unsigned char> exact_image::lambert(vec3 light) const {
                 continue;
             const vec3 seen = frame.unproject(x + 0.5, y + 0.5, sample.w);
             const vec3& n = sample.normal;
-            const double away = n.x * (seen.x - view_.eye.x) + n.y * (seen.y - view_.eye.y) +
-                                n.z * (seen.z - view_.eye.z);
+            const vec3 before = frame.unproject(x + 0.5, y + 0.5, sample.w - 1);
+            const vec3& from = view_.parallel ? before : view_.eye;
+            const double away =
+                n.x * (seen.x - from.x) + n.y * (seen.y - from.y) + n.z * (seen.z - from.z);
             const double turn = away > 0 ? -1 : 1;
             const double cosine = turn * (n.x * light.x + n.y * light.y + n.z * light.z) / length;
             result[index(x, y)] =

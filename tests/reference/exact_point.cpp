@@ -104,22 +104,33 @@ camera_frame::camera_frame(const camera& view, picture_size size) {
     focal = real(size.height) / 2 / std::tan(half_angle);
     center_x = real(size.width) / 2;
     center_y = real(size.height) / 2;
+    parallel = view.parallel;
+    if (parallel)
+        focal /= length(difference(view.target, view.eye));
 }
 
 homogeneous_point camera_frame::project(const long double (&world)[3]) const {
-    real along_right = 0, along_up = 0, w = 0;
+    real along_right = 0, along_up = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const real d = world[k] - eye[k];
         along_right += d * right[k];
         along_up += d * up[k];
-        w += d * forward[k];
     }
+    const real w = parallel ? 1 : distance(world);
     return {center_x * w + focal * along_right, center_y * w - focal * along_up, w};
 }
 
+long double camera_frame::distance(const long double (&world)[3]) const {
+    real w = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        w += (world[k] - eye[k]) * forward[k];
+    return w;
+}
+
 vec3 camera_frame::unproject(double x, double y, double w) const {
-    const real along_right = (x - center_x) / focal * w;
-    const real along_up = (center_y - y) / focal * w;
+    const real unit = parallel ? 1 : w;
+    const real along_right = (x - center_x) / focal * unit;
+    const real along_up = (center_y - y) / focal * unit;
     double result[3];
     for (std::size_t k = 0; k < 3; ++k)
         result[k] = static_cast<double>(eye[k] + along_right * right[k] + along_up * up[k] +
@@ -138,7 +149,8 @@ surface_point exact_point(const patch& surface, const camera_frame& frame, real 
     const homogeneous_point h = frame.project({at[0], at[1], at[2]});
     const vec3 world{static_cast<double>(at[0]), static_cast<double>(at[1]),
                      static_cast<double>(at[2])};
-    return {h.x / h.w, h.y / h.w, h.w, world, normal_at(surface, u, v)};
+    return {h.x / h.w, h.y / h.w, frame.distance({at[0], at[1], at[2]}), world,
+            normal_at(surface, u, v)};
 }
 
 surface_point exact_point(const patch& surface, const camera& view, picture_size size, real u,

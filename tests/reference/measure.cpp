@@ -31,6 +31,8 @@ struct slant {
 };
 slant slant_of(const vec3& n, const camera_frame& frame, int x, int y) {
     const double along_x = dot(frame.right, n), along_y = dot(frame.up, n);
+    if (frame.parallel)
+        return {dot(frame.forward, n), along_x, along_y};
     const double focal = static_cast<double>(frame.focal);
     return {dot(frame.forward, n) +
                 (x + 0.5 - static_cast<double>(frame.center_x)) / focal * along_x +
@@ -119,6 +121,13 @@ private:
 /// (n.d_q), this is 0, however slanted the plane.
 double tangent_distance_px(const exact_sample& plane, int x, int y, const camera_frame& frame,
                            const exact_sample& other, int i, int j) {
+    if (frame.parallel) {
+        const slant s = slant_of(plane.normal, frame, i, j);
+        const double off = (other.w - plane.w) * s.toward * static_cast<double>(frame.focal) +
+                           (i - x) * s.along_x - (j - y) * s.along_y;
+        return dot(plane.normal, plane.normal) > 0 ? std::abs(off)
+                                                   : std::numeric_limits<double>::infinity();
+    }
     const double off = other.w * slant_of(plane.normal, frame, i, j).toward -
                        plane.w * slant_of(plane.normal, frame, x, y).toward;
     const bool has_normal = dot(plane.normal, plane.normal) > 0;
@@ -131,7 +140,8 @@ double tangent_distance_px(const exact_sample& plane, int x, int y, const camera
 double depth_error_px(const exact_sample& exact, const camera_frame& frame, int x, int y,
                       double w) {
     const slant s = slant_of(exact.normal, frame, x, y);
-    return std::abs((w - exact.w) / exact.w * static_cast<double>(frame.focal) * s.toward) /
+    const double distance = frame.parallel ? 1 : exact.w; // at which `focal` pixels make a unit
+    return std::abs((w - exact.w) / distance * static_cast<double>(frame.focal) * s.toward) /
            std::sqrt(s.toward * s.toward + s.along_x * s.along_x + s.along_y * s.along_y);
 }
 

@@ -162,7 +162,7 @@ private:
 
 exact_region::exact_region(std::span<const patch> patches, const camera& view, picture_size size,
                            std::stop_token stop)
-    : near_(view.near), stop_(std::move(stop)) {
+    : near_(view.least_w()), stop_(std::move(stop)) {
     const camera_frame frame(view, size);
     const rect window{-margin_px, -margin_px, size.width + margin_px, size.height + margin_px};
     for (const patch& surface : patches)

@@ -141,10 +141,12 @@ TEST(framing, reaches_are_those_of_many_points) {
 }
 
 TEST(framing, by_parallel_projection_goes_by_the_targets_distance) {
+    l3d_camera seen_from = oblique_camera();
+    seen_from.projection = l3d_projection::parallel;
     for (const auto& [name, scene] : scenes())
         for (const l3d_size size : sizes) {
             const l3d_reach reach = l3d_reach_of(scene);
-            const l3d_camera camera = l3d_framed_parallel(oblique_camera(), size, reach);
+            const l3d_camera camera = l3d_framed(seen_from, size, reach);
             ASSERT_TRUE(camera.is_valid()) << name;
             const double pixels =
                 camera.focal_length(size) / l3d_length(camera.target - camera.eye);
@@ -236,8 +238,10 @@ TEST(framing, why_nothing_is_seen_is_told_in_words) {
     const l3d_patch_scene scene(teapot_model());
     const l3d_reach reach = l3d_reach_of(scene);
     const l3d_camera usual{.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}};
-    const auto why = [&](const l3d_camera& camera, bool parallel = false) {
-        return l3d_why_unseen(camera, {64, 48}, reach, parallel);
+    const auto why = [&](l3d_camera camera, bool parallel = false) {
+        if (parallel)
+            camera.projection = l3d_projection::parallel;
+        return l3d_why_unseen(camera, {64, 48}, reach);
     };
     EXPECT_EQ(why(usual), "");
     const l3d_patch_scene nothing;

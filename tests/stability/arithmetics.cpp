@@ -83,8 +83,9 @@ private:
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
         l3d_dice_view view = to_image.view(c.dice_tolerance);
-        rest_of_shading_ = l3d_lit_while_diced(
-            view, l3d_camera_shading(c.camera, c.size, l3d_shade::lambert, light), true);
+        l3d_shading shading = l3d_camera_shading(c.camera, c.size, l3d_shade::lambert, light);
+        to_image.set_depths(shading);
+        rest_of_shading_ = l3d_lit_while_diced(view, shading, true);
         depth_scale_ = view.depth_scale;
         culling_.begin(scene_, to_image.matrix(), view);
         dicer_.begin(view);
@@ -119,9 +120,13 @@ std::optional<library_case> library_case::of(const test_case& c, std::string& wh
         return l3d_camera::vector{v.x, v.y, v.z};
     };
     library_case result;
-    result.camera = {vector_of(c.eye.eye), vector_of(c.eye.target),
-                     vector_of(c.eye.up),  c.eye.fov_degrees,
-                     c.eye.near,           c.far};
+    result.camera = {vector_of(c.eye.eye),
+                     vector_of(c.eye.target),
+                     vector_of(c.eye.up),
+                     c.eye.fov_degrees,
+                     c.eye.near,
+                     c.far,
+                     c.eye.parallel ? l3d_projection::parallel : l3d_projection::perspective};
     result.size = {c.size.width, c.size.height};
     result.tolerance = result.dice_tolerance = c.tolerance;
     why = l3d_afd_complaint(result.camera, result.size, settings_of(result.tolerance));
@@ -171,7 +176,7 @@ frame draw_by_pipeline(const library_case& c) {
         const auto row = pipeline.screen().pixels().row(y);
         result.words.insert(result.words.end(), row.begin(), row.end());
     }
-    result.distances = l3d_distances(pipeline.depth());
+    result.distances = pipeline.distances();
     return result;
 }
 

@@ -50,6 +50,9 @@ const char* random_kind(std::size_t kind);
 /// turn; the same seed gives the same case everywhere.
 test_case random_case(std::uint64_t seed);
 
+/// The same kinds of patches, seen in parallel projection.
+test_case parallel_case(std::uint64_t seed);
+
 /// Gently curved patches of a few to some hundred pixels, as most are.
 test_case ordinary_case(std::uint64_t seed);
 

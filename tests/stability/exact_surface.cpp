@@ -57,13 +57,20 @@ exact_camera::exact_camera(const reference::camera& view, reference::picture_siz
     axes_ = {right, cross(forward, right), forward};
     const digits half_angle = digits(view.fov_degrees) * boost::math::constants::pi<digits>() / 360;
     focal_ = centre_y_ / tan(half_angle);
+    is_parallel_ = view.parallel;
+    if (is_parallel_) { // a unit has as many pixels everywhere as at the target
+        point arm = point_of(view.target);
+        for (std::size_t k = 0; k < 3; ++k)
+            arm[k] -= eye_[k];
+        focal_ /= sqrt(dot(arm, arm));
+    }
 }
 
 exact_camera::point exact_camera::project(const reference::vec3& world) const {
     point from_eye = point_of(world);
     for (std::size_t k = 0; k < 3; ++k)
         from_eye[k] -= eye_[k];
-    const digits w = dot(axes_[2], from_eye);
+    const digits w = is_parallel_ ? digits(1) : dot(axes_[2], from_eye);
     return {focal_ * dot(axes_[0], from_eye) + centre_x_ * w,
             focal_ * dot(axes_[1], from_eye) + centre_y_ * w, w};
 }

@@ -32,6 +32,7 @@ private:
     std::array<point, 3> axes_; ///< right, down, forward
     point eye_;
     digits focal_, centre_x_, centre_y_;
+    bool is_parallel_ = false;
 };
 
 /// A patch as the camera sees it.

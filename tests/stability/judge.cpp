@@ -71,7 +71,8 @@ public:
             polygons += quads_of(piece) + piece.part.triangles.count;
         // The parts of a surface share what one patch may have.
         const std::size_t parts = of_.parts_.size() / of_.surfaces_.size();
-        const dice_tests::drawn_points some(size_, 1 + polygons * parts / of_.how_.most_polygons);
+        const dice_tests::drawn_points some(size_, 1 + polygons * parts / of_.how_.most_polygons,
+                                            of_.case_.eye.parallel);
         for (const l3d_diced_piece& piece : pieces) {
             some.of_grid(piece, [&](const auto& at) { look(at, piece.bound + curved); });
             some.of_triangles(piece, [&](const auto& at) { look(at, frame_bound + curved); });

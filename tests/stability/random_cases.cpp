@@ -159,17 +159,32 @@ const char* random_kind(std::size_t kind) {
     return kind < kinds.size() ? kinds[kind] : "";
 }
 
-test_case random_case(std::uint64_t seed) {
+namespace {
+
+test_case case_of(std::uint64_t seed, bool parallel) {
     numbers random(seed);
     const std::size_t kind = static_cast<std::size_t>(seed % kinds.size());
     test_case result;
     result.group = kinds[kind];
     result.name = "seed " + std::to_string(seed);
     studio in = random_studio(random);
+    in.eye.parallel = parallel;
     result.patches.push_back(patch_of_kind(kind, random, in));
     result.eye = in.eye;
     result.size = in.size;
     result.tolerance = random.of_any_size(0.02, 2);
+    return result;
+}
+
+} // namespace
+
+test_case random_case(std::uint64_t seed) {
+    return case_of(seed, false);
+}
+
+test_case parallel_case(std::uint64_t seed) {
+    test_case result = case_of(seed, true);
+    result.group = "parallel " + result.group;
     return result;
 }
 

@@ -17,14 +17,14 @@ namespace {
 using namespace stability;
 
 /// A part of everything for each `make test`: seconds, the sanitizers' as well.
-const extent sample{14, 300, 6, 2, 50, 1, "", ""};
-const extent everything{1, 300'000, 2000, 2000, 2000, 1, "", ""};
+const extent sample{14, 300, 6, 2, 24, 50, 1, "", ""};
+const extent everything{1, 300'000, 2000, 2000, 10'000, 2000, 1, "", ""};
 
 [[noreturn]] void refuse(const std::string& what) {
     std::fprintf(
         stderr,
         "stability: %s\n"
-        "usage: stability [--sample] [--random N] [--curved N] [--ordinary N] [--threads N] "
+        "usage: stability [--sample] [--random N] [--curved N] [--parallel N] [--ordinary N] [--threads N] "
         "[--folder FOLDER] [--only TEXT]\n",
         what.c_str());
     std::exit(2);
@@ -58,6 +58,8 @@ int main(int argc, char** argv) try {
             how_much.random = count_of(option, value);
         else if (option == "--curved")
             how_much.curved = count_of(option, value);
+        else if (option == "--parallel")
+            how_much.parallel = count_of(option, value);
         else if (option == "--ordinary")
             how_much.ordinary = count_of(option, value);
         else if (option == "--threads")

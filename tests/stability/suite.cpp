@@ -192,6 +192,14 @@ void run_seeded(suite_result& result, const extent& how_much, const seeded& case
     }
 }
 
+void run_parallel(suite_result& result, const extent& how_much, collector& collected) {
+    on_threads(how_much.threads, how_much.parallel, "parallel projections", collected,
+               [&](std::uint64_t i, const arithmetics& ways) {
+                   const test_case c = parallel_case(i + 1);
+                   collected.add(result.parallel_tally, c, judged(c, random_effort, true, ways));
+               });
+}
+
 void run_ordinary(suite_result& result, const extent& how_much, collector& collected) {
     std::array<std::vector<double>, arithmetic_count> looseness;
     for (auto& of : looseness)
@@ -281,6 +289,7 @@ suite_result run_suite(const extent& how_much) {
     run_seeded(result, how_much,
                {"curved", how_much.curved, 0, curved_case, curved_effort, result.curved_tally},
                collected);
+    run_parallel(result, how_much, collected);
     run_ordinary(result, how_much, collected);
     if (how_much.only.empty()) {
         result.walks = all_walks();

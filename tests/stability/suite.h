@@ -22,6 +22,7 @@ struct extent {
     std::uint64_t random = 0;    ///< random cases, whose points are judged
     std::uint64_t frames = 0;    ///< of those, the first ones have their pictures judged, too
     std::uint64_t curved = 0;    ///< curved ones, whose points are judged
+    std::uint64_t parallel = 0;  ///< random cases in parallel projection, with their pictures
     std::uint64_t ordinary = 0;  ///< ordinary patches, for how tight the bound is
     int threads = 1;
     std::string only;   ///< if not empty, only named cases whose "group: name" has this
@@ -65,7 +66,8 @@ struct named_result {
 struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
-    std::array<tally, arithmetic_count> named_tally, random_tally, curved_tally;
+    std::array<tally, arithmetic_count> named_tally, random_tally, curved_tally,
+        parallel_tally;
     tally polygon_tally; ///< of the named cases as polygons
     std::vector<curve_result> curves;
     std::vector<worst_case> worst;       ///< five, the worst first

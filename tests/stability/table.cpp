@@ -184,6 +184,7 @@ void write_lines(std::FILE* to, const suite_result& r) {
         std::fprintf(to, "ok stability, named, %lld\n", sum(r.named_tally));
         std::fprintf(to, "ok stability, random, %lld\n", sum(r.random_tally));
         std::fprintf(to, "ok stability, curved, %lld\n", sum(r.curved_tally));
+        std::fprintf(to, "ok stability, parallel projections, %lld\n", sum(r.parallel_tally));
         std::fprintf(to, "ok stability, polygons, %lld\n",
                      static_cast<long long>(r.polygon_tally.cases()));
         std::fprintf(to, "ok stability, walks, %zu\n", r.walks.size());

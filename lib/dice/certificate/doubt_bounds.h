@@ -27,7 +27,8 @@ struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
-    double depth_scale = 1; ///< w / distance along the view axis
+    double depth_scale = 1; ///< w / distance along the view axis, from the eye of w
+    double nearer = 0;      ///< the camera's eye is so much nearer than that of w
 };
 
 /// A patch that stands in the picture.

@@ -83,6 +83,11 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
     const double near = view.camera_near > 0 ? view.camera_near : view.near;
     const l3d_image_box window =
         view.window().grown(1 + (std::isfinite(view_.bound_px) ? view_.bound_px : 0.0));
+    // The rays of a parallel projection turn by less than half of the window in the far eye.
+    const double off_of_normals =
+        normal_rounding + (view.is_parallel() ? std::hypot(window.width(), window.height()) /
+                                                    std::max(view.focal, 1.0)
+                                              : 0);
     std::uint32_t index = 0;
     for (const l3d_patch_instance& instance : frame.scene.instances()) {
         const l3d_patch_model& model = instance.model();
@@ -97,7 +102,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .error_xy = frame.view.error_xy * share,
                     .error_w = frame.view.error_w * share,
                     .near = frame.view.near_of(share),
-                    .normal_off = normal_rounding * longest_normal(instance),
+                    .normal_off = off_of_normals * longest_normal(instance),
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};
@@ -218,7 +223,8 @@ void l3d_frame_doubts::find(const l3d_doubted_frame& frame, l3d_workers& workers
     view_.lighting = {.ambient = frame.lighting.ambient,
                       .lamps = lamps_of(frame, view_.light),
                       .fog = frame.fog,
-                      .depth_scale = frame.view.depth_scale};
+                      .depth_scale = frame.view.depth_scale,
+                      .nearer = frame.nearer};
     is_searched_ = frame.bound_px + frame.depth_bound_px <= most_searched;
     view_.bound_px = is_searched_ ? frame.bound_px : infinite;
     view_.depth_bound_px = frame.depth_bound_px;

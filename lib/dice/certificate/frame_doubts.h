@@ -31,6 +31,7 @@ struct l3d_doubted_frame {
     bool has_levels = true;
     l3d_lighting lighting{}; ///< beside the direction of the first light
     l3d_fog fog{};
+    double nearer = 0;           ///< as l3d_doubt_lighting has it
     l3d_pixels drawn;            ///< greys in all three channels, or any colours
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };

@@ -52,7 +52,7 @@ l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i, const l3d_dice_vie
     if (strips_[0].blocks > 0) {
         // The segment is drawn as it is; only one at a corner that rounding put out of range is
         // clipped.
-        const double w = view.depth_scale / static_cast<double>(inv_w_[i]);
+        const double w = view.w_at(inv_w_[i]);
         result.h = {(x_[i] - view.centre_x()) * w / l3d_subpixel_one,
                     (y_[i] - view.centre_y()) * w / l3d_subpixel_one, w};
         result.drawable = true;

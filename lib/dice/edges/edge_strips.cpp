@@ -73,8 +73,9 @@ class point_writer {
 public:
     point_writer(const l3d_dice_view& view, const edge_strips& out)
         : centre_x_(view.centre_x()), centre_y_(view.centre_y()),
-          depth_scale_(static_cast<float>(view.depth_scale)), t_(out.t), x_(out.x), y_(out.y),
-          inv_w_(out.inv_w) {}
+          depth_scale_(static_cast<float>(view.depth_scale)), is_parallel_(view.is_parallel()),
+          w_middle_(view.w_middle), depth_slope_(is_parallel_ ? view.depth_slope() : 0), t_(out.t),
+          x_(out.x), y_(out.y), inv_w_(out.inv_w) {}
 
     /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
     /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the
@@ -94,13 +95,17 @@ public:
             const auto i = hn::Add(first, hn::Mul(rising, direction));
             const auto t = hn::Div(i, steps);
             const auto moved = hn::IfThenElseZero(hn::Gt(i, hn::Zero(d)), hn::Set(d, balance));
-            const auto w = hn::Div(one, value(d, powers[2], lane, t, moved));
+            const auto distance = value(d, powers[2], lane, t, moved);
+            const auto w = hn::Div(one, distance);
             const auto x = hn::Mul(value(d, powers[0], lane, t, moved), w);
             const auto y = hn::Mul(value(d, powers[1], lane, t, moved), w);
             hn::StoreU(hn::Add(hn::Set(d, t_first), hn::Mul(i, hn::Set(d, t_step))), d, t_ + at);
             hn::StoreU(hn::Add(snapped(d, di, x), hn::Set(di, centre_x_)), di, x_ + at);
             hn::StoreU(hn::Add(snapped(d, di, y), hn::Set(di, centre_y_)), di, y_ + at);
-            hn::StoreU(hn::Mul(hn::DemoteTo(df, w), hn::Set(df, depth_scale_)), df, inv_w_ + at);
+            const auto depth = is_parallel_
+                                   ? hn::DemoteTo(df, depth_of(d, distance))
+                                   : hn::Mul(hn::DemoteTo(df, w), hn::Set(df, depth_scale_));
+            hn::StoreU(depth, df, inv_w_ + at);
         }
         advance(n);
     }
@@ -134,6 +139,12 @@ private:
         return hn::DemoteTo(di, hn::Add(scaled, half));
     }
 
+    /// l3d_dice_view::depth_at in a parallel projection.
+    template <class D> hn::Vec<D> depth_of(D d, hn::Vec<D> w) const {
+        return hn::Add(hn::Set(d, l3d_dice_view::middle_depth),
+                       hn::Mul(hn::Set(d, depth_slope_), hn::Sub(w, hn::Set(d, w_middle_))));
+    }
+
     void advance(int by) {
         t_ += by;
         x_ += by;
@@ -143,6 +154,8 @@ private:
 
     std::int32_t centre_x_, centre_y_;
     float depth_scale_;
+    bool is_parallel_;
+    double w_middle_, depth_slope_;
     double* t_;
     std::int32_t *x_, *y_;
     float* inv_w_;

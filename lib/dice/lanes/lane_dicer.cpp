@@ -40,6 +40,15 @@ l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& 
 
 } // namespace
 
+/// The largest number that stands for w in registers.
+template <class T> double l3d_lane_dicer<T>::walked_w(const l3d_dice_view& view) const {
+    if (!view.is_parallel())
+        return bounds_.most_w;
+    // Numbers below this are nothing but rounding.
+    const double least = 0x1p-52 * view.w_middle;
+    return std::max({least, bounds_.most_w - view.w_middle, view.w_middle - bounds_.least_w});
+}
+
 /// The error that rounding adds, if registers err by walk_xy and walk_w at the end.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
@@ -54,7 +63,9 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     };
     l3d_vertex_accuracy accuracy;
     accuracy.error_xy = walk_xy + start_rounding * net.largest_xy;
-    accuracy.error_w = walk_w + start_rounding * bounds_.most_w;
+    if (view.is_parallel()) // what walks is not divided by its own w
+        accuracy.error_xy += 2 * l3d_parallel_part * view.w_middle * hull.reach();
+    accuracy.error_w = walk_w + start_rounding * walked_w(view);
     accuracy.w_low = bounds_.least_w - view.error_w;
     accuracy.seen_reach = around_centre(seen);
     accuracy.reach = around_centre(view.drawn_box(hull));
@@ -70,8 +81,9 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
 template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
-    const double most_w = l3d_balanced_reach * bounds_.most_w;
-    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy, most_w / l3d_subpixel_one);
+    const double most_w = l3d_balanced_reach * walked_w(view);
+    const double most_xy = std::max(l3d_balanced_reach * net.largest_xy,
+                                    l3d_balanced_reach * bounds_.most_w / l3d_subpixel_one);
     const double reach = bounds_.hull.reach() + std::max(std::abs(net.x), std::abs(net.y));
     // The error of a vertex if walking added nothing. The centre of a folded quad is rounded to
     // sub-pixels once more.
@@ -124,7 +136,7 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_patch_part& piece, const 
         return nullptr;
     row_error_ = std::max(vertex_error_ - l3d_vertex_accuracy::of_centre(), edge_vertex);
     vertex_error_ = std::max(vertex_error_, edge_vertex);
-    const double error_w = walk_w_ + start_rounding * bounds_.most_w + view.error_w;
+    const double error_w = walk_w_ + start_rounding * walked_w(view) + view.error_w;
     const double of_depth = l3d_depth_vertex_error(view, error_w, bounds_.least_w);
     depth_error_ = vertex_error_ + of_depth;
     row_depth_error_ = row_error_ + of_depth;
@@ -156,6 +168,7 @@ template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_s
     part.block_columns = starts_of(plan_, plan_.nu);
     part.block_rows = starts_of(plan_, plan_.nv);
     part.grid.resize(static_cast<int>(u_.count), static_cast<int>(v_.count));
+    part.grid.is_parallel = view.is_parallel();
 
     const l3d_detail::centred_net& net = bounds_.net;
     const l3d_detail::lane_walk how{.net = net,
@@ -167,7 +180,9 @@ template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_s
                                     .origin_y = view.centre_y() + net.y * l3d_subpixel_one,
                                     .register_xy = register_xy_,
                                     .register_w = register_w_,
-                                    .depth_scale = static_cast<float>(view.depth_scale)};
+                                    .depth_scale = static_cast<float>(view.depth_scale),
+                                    .w_middle = view.w_middle,
+                                    .depth_slope = view.is_parallel() ? view.depth_slope() : 0};
     l3d_detail::walk_in_lanes(how, register_, part.grid);
 }
 

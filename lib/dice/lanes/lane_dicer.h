@@ -63,6 +63,7 @@ public:
 private:
     void walk(const l3d_dice_view& view, l3d_surface_part& part);
     bool choose_registers(const l3d_dice_view& view);
+    double walked_w(const l3d_dice_view& view) const;
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
 

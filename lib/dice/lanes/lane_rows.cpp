@@ -79,13 +79,14 @@ struct power_form {
     double at[3][4][4];
 };
 
-HWY_ATTR power_form powers_of(const centred_net& net) {
+/// The powers of a net, whose w is counted from w_middle.
+HWY_ATTR power_form powers_of(const centred_net& net, double w_middle) {
     power_form result;
     for (std::size_t k = 0; k < 3; ++k) {
         auto& p = result.at[k];
         for (std::size_t r = 0; r < 4; ++r)
             for (std::size_t c = 0; c < 4; ++c)
-                p[r][c] = net.points[k][4 * r + c];
+                p[r][c] = net.points[k][4 * r + c] - (k == 2 ? w_middle : 0);
         for (std::size_t c = 0; c < 4; ++c)
             l3d_to_powers(p[0][c], p[1][c], p[2][c], p[3][c]);
         for (std::size_t r = 0; r < 4; ++r)
@@ -163,7 +164,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
 }
 
 /// Walks lanes from i on of the columns that begin with `column`.
-template <class Number>
+template <class Number, bool Parallel>
 HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Number>& starts,
                                    std::size_t column, std::size_t i, l3d_micro_grid& grid) {
     // Types and factors.
@@ -172,26 +173,40 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     using real = hn::TFromD<float_tag<decltype(d)>>;
     const hn::Rebind<std::int32_t, decltype(df)> di;
     const hn::Rebind<float, decltype(df)> ds;
+    const double divisor = Parallel ? walk.w_middle : 1 / walk.register_w;
     const auto to_pixels =
-        hn::Set(df, static_cast<real>(l3d_subpixel_one * walk.register_w / walk.register_xy));
+        hn::Set(df, static_cast<real>(l3d_subpixel_one / divisor / walk.register_xy));
     // Two factors, since their product may not fit a float where its product with 1 / w does.
-    const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
-    const auto to_depth = hn::Set(ds, walk.depth_scale);
+    [[maybe_unused]] const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
+    [[maybe_unused]] const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
-    const auto one = hn::Set(df, real(1));
+    [[maybe_unused]] const auto one = hn::Set(df, real(1));
+    [[maybe_unused]] const auto slope =
+        hn::Set(ds, static_cast<float>(walk.depth_slope / walk.register_w));
+    [[maybe_unused]] const auto middle_depth =
+        hn::Set(ds, static_cast<float>(l3d_dice_view::middle_depth));
 
     // A row of vertices is projected, snapped and stored.
     std::size_t to = column + i;
     using number_vec = hn::Vec<decltype(d)>;
-    const auto emit = [&](number_vec x, number_vec y, number_vec w) HWY_ATTR {
-        const auto inverse = hn::Div(one, as_float(d, w));
-        const auto scaled = hn::Mul(inverse, to_pixels);
+    using float_vec = hn::Vec<decltype(df)>;
+    const auto put_places = [&](number_vec x, number_vec y, float_vec scaled) HWY_ATTR {
         const auto px = snapped(df, hn::Mul(as_float(d, x), scaled));
         const auto py = snapped(df, hn::Mul(as_float(d, y), scaled));
         hn::StoreU(hn::Add(px, origin_x), di, grid.x.data() + to);
         hn::StoreU(hn::Add(py, origin_y), di, grid.y.data() + to);
-        const auto inv_w = hn::Mul(as_single(df, inverse), to_units);
-        hn::StoreU(hn::Mul(inv_w, to_depth), ds, grid.inv_w.data() + to);
+    };
+    const auto emit = [&](number_vec x, number_vec y, number_vec w) HWY_ATTR {
+        if constexpr (Parallel) {
+            put_places(x, y, to_pixels);
+            const auto change = hn::Mul(as_single(df, as_float(d, w)), slope);
+            hn::StoreU(hn::Add(change, middle_depth), ds, grid.inv_w.data() + to);
+        } else {
+            const auto inverse = hn::Div(one, as_float(d, w));
+            put_places(x, y, hn::Mul(inverse, to_pixels));
+            const auto inv_w = hn::Mul(as_single(df, inverse), to_units);
+            hn::StoreU(hn::Mul(inv_w, to_depth), ds, grid.inv_w.data() + to);
+        }
         to += static_cast<std::size_t>(grid.pitch);
     };
     const auto emit_point = [&](int b) HWY_ATTR {
@@ -226,8 +241,9 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     emit_point(walk.strips);
 }
 
-template <class Number> HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
-    const power_form powers = powers_of(walk.net);
+template <class Number, bool Parallel>
+HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
+    const power_form powers = powers_of(walk.net, walk.w_middle);
     const auto weights_of = [&](int b) {
         const int n = walk.rows[static_cast<std::size_t>(b)];
         const double h = 1.0 / (walk.strips * n);
@@ -242,21 +258,28 @@ template <class Number> HWY_ATTR void walk_columns(const lane_walk& walk, l3d_mi
             start(powers, walk, weights, column, i, starts);
         constexpr hn::CappedTag<Number, lane_columns> d;
         for (std::size_t i = 0; i < lane_columns; i += hn::Lanes(d))
-            walk_down(walk, starts, column, i, grid);
+            walk_down<Number, Parallel>(walk, starts, column, i, grid);
     }
 }
 
+template <class Number> HWY_ATTR void walk_in(const lane_walk& walk, l3d_micro_grid& grid) {
+    if (walk.w_middle > 0)
+        walk_columns<Number, true>(walk, grid);
+    else
+        walk_columns<Number, false>(walk, grid);
+}
+
 HWY_ATTR void walk_float_32(const lane_walk& walk, l3d_micro_grid& grid) {
-    walk_columns<float>(walk, grid);
+    walk_in<float>(walk, grid);
 }
 HWY_ATTR void walk_float_64(const lane_walk& walk, l3d_micro_grid& grid) {
-    walk_columns<double>(walk, grid);
+    walk_in<double>(walk, grid);
 }
 HWY_ATTR void walk_fixed_32(const lane_walk& walk, l3d_micro_grid& grid) {
-    walk_columns<std::int32_t>(walk, grid);
+    walk_in<std::int32_t>(walk, grid);
 }
 HWY_ATTR void walk_fixed_64(const lane_walk& walk, l3d_micro_grid& grid) {
-    walk_columns<std::int64_t>(walk, grid);
+    walk_in<std::int64_t>(walk, grid);
 }
 
 } // namespace

@@ -49,6 +49,8 @@ struct lane_walk {
     std::int32_t origin_x, origin_y; ///< x' / w' = 0 in the picture, in sub-pixels from its corner
     double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
     float depth_scale = 1;
+    /// In a parallel projection, the w that is left out of registers, and depth by w; else 0.
+    double w_middle = 0, depth_slope = 0;
 };
 
 /// Walks all columns by forward differences, each started exactly in double at each strip, and

@@ -11,13 +11,14 @@
 #include <cmath>
 
 void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
-                               const l3d_dice_view& view, double focal) {
+                               const l3d_dice_view& view, double focal, double depth_by_pixel) {
     scene_ = &scene;
     to_image_ = to_image;
     view_ = view;
     focal_ = focal;
+    depth_by_pixel_ = depth_by_pixel;
     sides_.clear(); // another model may have come to a gone one's address
-    depths_.begin(view.size, focal);
+    depths_.begin(view.size, focal, depth_by_pixel);
 }
 
 const l3d_patch_neighbours& l3d_frame_outlines::sides_of(const l3d_patch_model& model) {
@@ -43,7 +44,8 @@ void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double n
                 mask_.set(x, y);
     if (!std::isfinite(bound))
         return;
-    l3d_outline_search search(view_, focal_, bound_px, depth_bound, near, depths_, mask_);
+    l3d_outline_search search(view_, focal_, depth_by_pixel_, bound_px, depth_bound, near, depths_,
+                              mask_);
     for (const l3d_patch_instance& instance : scene_->instances()) {
         const l3d_matrix<double> to_image = to_image_ * instance.placement();
         const l3d_patch_model& model = instance.model();

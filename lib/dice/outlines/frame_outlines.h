@@ -21,9 +21,12 @@
 ///        of the scene, also of those that cover no pixel.
 class l3d_frame_outlines {
 public:
-    /// Shape: to_image takes the world to the view's units. Units: focal in pixels.
+    /// Shape: to_image takes the world to the view's units. In a parallel projection, depths change
+    /// by
+    ///        depth_by_pixel where the distance changes by a pixel's width; in perspective it is 0.
+    /// Units: focal in pixels.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
-               const l3d_dice_view& view, double focal);
+               const l3d_dice_view& view, double focal, double depth_by_pixel);
 
     /// Adds the result of a patch of the frame. Patches of which nothing is drawn may be left out.
     void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
@@ -40,7 +43,7 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
-    double focal_ = 1;
+    double focal_ = 1, depth_by_pixel_ = 0;
     std::map<const void*, l3d_patch_neighbours> sides_; ///< by the identity of the frame's models
     l3d_two_layer_depths depths_;
     l3d_pixel_bits mask_;

@@ -69,12 +69,13 @@ struct pixel_range {
 
 } // namespace
 
-l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal, double bound,
-                                       double depth_bound, double farthest_near,
-                                       const l3d_two_layer_depths& depths, l3d_pixel_bits& mask)
-    : whole_(view), view_(view), focal_(focal), bound_(bound), depth_bound_(depth_bound),
-      farthest_near_(farthest_near), allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths),
-      mask_(mask) {}
+l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal,
+                                       double depth_by_pixel, double bound, double depth_bound,
+                                       double farthest_near, const l3d_two_layer_depths& depths,
+                                       l3d_pixel_bits& mask)
+    : whole_(view), view_(view), focal_(focal), depth_by_pixel_(depth_by_pixel), bound_(bound),
+      depth_bound_(depth_bound), farthest_near_(farthest_near),
+      allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths), mask_(mask) {}
 
 /// Takes a patch's share of errors: its near planes are no farther than these errors push them.
 void l3d_outline_search::take_share(double share) {
@@ -214,8 +215,13 @@ void l3d_outline_search::split(const piece& p) {
 /// Whether everything drawn in and around a box hides the surface. It must be nearer than the
 /// surface's nearest point by as much as the surface bends, since that goes on beside the piece.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
-    const double nearest = view_.depth_scale / w.least, farthest = view_.depth_scale / w.most;
-    const double limit = (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
+    const bool is_parallel = view_.is_parallel();
+    const auto depth = [&](double of_w) {
+        return is_parallel ? double{view_.depth_at(of_w)} : view_.depth_scale / of_w;
+    };
+    const double nearest = depth(w.least), farthest = depth(w.most);
+    const double limit = is_parallel ? 2 * nearest - farthest + 4 * bound_ * depth_by_pixel_
+                                     : (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
     const double margin = fold_radius_ + 1.5;
     const auto pixel = [](double at, int count) {
         return static_cast<int>(std::clamp(std::floor(at), 0.0, double(count)));

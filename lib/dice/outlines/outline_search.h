@@ -34,8 +34,8 @@ public:
     /// may err.
     /// Units:   pixels; `farthest_near` in the view's w: the farthest near plane in use.
     /// Lives:   borrows depths and mask.
-    l3d_outline_search(const l3d_dice_view& view, double focal, double bound, double depth_bound,
-                       double farthest_near, const l3d_two_layer_depths& depths,
+    l3d_outline_search(const l3d_dice_view& view, double focal, double depth_by_pixel, double bound,
+                       double depth_bound, double farthest_near, const l3d_two_layer_depths& depths,
                        l3d_pixel_bits& mask);
 
     /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_neighbours
@@ -76,7 +76,7 @@ private:
 
     const l3d_dice_view& whole_;
     l3d_dice_view view_; ///< view with the patch's share of errors, as all down to window_
-    double focal_, bound_, depth_bound_, farthest_near_;
+    double focal_, depth_by_pixel_, bound_, depth_bound_, farthest_near_;
     double radius_ = 0, fold_radius_ = 0; ///< widths that a side, or a fold, reaches
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};

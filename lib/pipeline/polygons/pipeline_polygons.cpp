@@ -169,11 +169,6 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
         settings_.antialias = !settings_.antialias;
         controls_.say(settings_.antialias ? "smooth edges" : "sharp edges");
     };
-    const auto project = [this] {
-        const bool parallel = settings_.projection == l3d_projection::parallel;
-        settings_.projection = parallel ? l3d_projection::perspective : l3d_projection::parallel;
-        controls_.say(parallel ? "perspective" : "parallel projection");
-    };
     return {std::move(turn),
             {"c", "shading", {{'c', shade}}},
             {"w", "solid, wires, hidden lines", {{'w', style}}},
@@ -182,13 +177,12 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
              "light with the eye, in the world",
              {{'l', [this] { controls_.switch_headlight(settings_.headlight); }}}},
             {"b", "faces seen from behind", {{'b', cull}}},
-            {"v", "perspective, parallel", {{'v', project}}}};
+            {"v", "perspective, parallel", {{'v', [this] { controls_.switch_projection(); }}}}};
 }
 
-/// Resets the turn and the projection of the model, which belong to the view, but no colours.
+/// Resets the turn of the model, which belongs to the view, but no colours.
 void l3d_pipeline_polygons::reset_view() {
     settings_.rotation = first_settings_.rotation;
-    settings_.projection = first_settings_.projection;
 }
 
 void l3d_pipeline_polygons::key_event(int key) {

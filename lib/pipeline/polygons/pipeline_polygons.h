@@ -43,9 +43,6 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The way in which surfaces get their colours.
     l3d_shade shade = l3d_shade::lambert;
 
-    /// Whether far things look smaller.
-    l3d_projection projection = l3d_projection::perspective;
-
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
 
@@ -117,7 +114,7 @@ public:
     void redraw() { stale_ = true; }
 
     /// Moves the camera along the line of sight, and beside it, so that the whole model is seen:
-    /// l3d_framed, for the projection of the settings.
+    /// l3d_framed.
     void frame_all();
 
     /// That camera, or the one given if it shows the model well: l3d_shows_well.

@@ -48,21 +48,13 @@ l3d_matrix<double> l3d_euler_rotation(const l3d_vector<double, 3>& degrees,
 }
 
 l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
-                                   l3d_projection projection, const l3d_matrix<double>& placement,
-                                   const l3d_picture_fit& fit)
-    : camera_(camera), size_(size), projection_(projection), fit_(fit), placement_(placement) {
+                                   const l3d_matrix<double>& placement, const l3d_picture_fit& fit)
+    : camera_(camera), size_(size), fit_(fit), placement_(placement) {
     l3d_matrix<double> image = camera.image_matrix(size);
-    const l3d_vector<double, 4> distance = image.row(3);
-    const double to_target = l3d_length(camera.target - camera.eye);
-    for (int i = 0; i < 4; ++i)
-        image(2, i) = distance[i];
-    if (is_parallel()) {
-        for (int i = 0; i < 4; ++i) {
-            image(0, i) /= to_target;
-            image(1, i) /= to_target;
-            image(3, i) = i == 3 ? 1 : 0;
-        }
-    }
+    const vector forward = camera.axes().forward;
+    for (int i = 0; i < 3; ++i)
+        image(2, i) = forward[i];
+    image(2, 3) = -l3d_dot(forward, camera.eye);
     for (int i = 0; i < 4; ++i) {
         image(0, i) = image(0, i) * fit.stretch + image(3, i) * fit.shift;
         image(1, i) += image(3, i) * fit.shift;
@@ -99,31 +91,15 @@ l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
                                       const l3d_lighting& lighting) const {
     l3d_shading result = l3d_camera_shading(camera_, size_, mode, light, lighting);
     result.ray = result.ray_right = result.ray_down = {0, 0, 0};
-    if (is_parallel()) {
-        const vector forward = camera_.axes().forward;
-        for (std::size_t i = 0; i < 3; ++i)
-            result.look[i] = static_cast<float>(forward[static_cast<int>(i)]);
-        result.look_right = result.look_down = {0, 0, 0};
-    }
-    if (is_parallel()) {
-        const l3d_camera::frame axes = camera_.axes();
-        const double unit = l3d_length(camera_.target - camera_.eye) / camera_.focal_length(size_);
-        for (int i = 0; i < 3; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const double right = axes.right[i] * unit / fit_.stretch, down = -axes.up[i] * unit;
-            result.aside[k] = static_cast<float>(-right * (size_.width / 2.0 + fit_.shift) -
-                                                 down * (size_.height / 2.0 + fit_.shift));
-            result.aside_right[k] = static_cast<float>(right);
-            result.aside_down[k] = static_cast<float>(down);
-        }
-        result.look_depth = 1;
-    }
     // A column is 1 / stretch as wide, and the picture's middle lies `shift` to the right and down.
     const double left = size_.width / 2.0 * (1 - 1 / fit_.stretch) - fit_.shift / fit_.stretch;
     for (std::size_t i = 0; i < 3; ++i) {
         result.look[i] +=
             static_cast<float>(left * result.look_right[i] - fit_.shift * result.look_down[i]);
         result.look_right[i] = static_cast<float>(result.look_right[i] / fit_.stretch);
+        result.aside[i] +=
+            static_cast<float>(left * result.aside_right[i] - fit_.shift * result.aside_down[i]);
+        result.aside_right[i] = static_cast<float>(result.aside_right[i] / fit_.stretch);
     }
     return result;
 }

@@ -17,12 +17,6 @@
 #include <optional>
 #include <string>
 
-/// The kind of projection.
-enum class L3D_PUBLIC l3d_projection {
-    perspective, ///< things twice as far are half as large
-    parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
-};
-
 /// The axes that a model is turned about, the first one first. All are the world's.
 enum class L3D_PUBLIC l3d_rotation_order { xyz, xzy, yxz, yzx, zxy, zyx };
 
@@ -65,8 +59,8 @@ public:
     using vector = l3d_vector<double, 3>;
 
     /// The view of a model that stands at `placement`, in a picture of that size.
-    l3d_polygon_view(const l3d_camera& camera, l3d_size size, l3d_projection projection,
-                     const l3d_matrix<double>& placement, const l3d_picture_fit& fit = {});
+    l3d_polygon_view(const l3d_camera& camera, l3d_size size, const l3d_matrix<double>& placement,
+                     const l3d_picture_fit& fit = {});
 
     /// From the model to the picture: (x, y, d, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
@@ -77,7 +71,7 @@ public:
     /// The picture's width and height, in pixels.
     l3d_size size() const { return size_; }
     /// Whether the projection is parallel: far things do not look smaller.
-    bool is_parallel() const { return projection_ == l3d_projection::parallel; }
+    bool is_parallel() const { return camera_.is_parallel(); }
 
     /// Positive if a plane's front, where its normal points to, is seen: the sign of
     /// N . (eye - p). All in model space.
@@ -105,7 +99,6 @@ public:
 private:
     l3d_camera camera_;
     l3d_size size_;
-    l3d_projection projection_;
     l3d_picture_fit fit_;
     l3d_matrix<double> placement_, matrix_;
     vector eye_, forward_; ///< in model space

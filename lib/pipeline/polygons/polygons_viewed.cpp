@@ -41,22 +41,19 @@ bool is_without_area(const l3d_polygon_model& model) {
 
 l3d_polygon_view l3d_pipeline_polygons::view() const {
     return l3d_polygon_view(
-        camera_, screen_->pixels().size(), settings_.projection,
+        camera_, screen_->pixels().size(),
         l3d_euler_rotation(settings_.rotation, model_.centre(), settings_.rotation_order));
 }
 
 l3d_camera l3d_pipeline_polygons::framed(const l3d_camera& camera) const {
     const l3d_polygon_view now = view();
     const l3d_reach reach = reach_of(model_, now.placement());
-    return now.is_parallel() ? l3d_framed_parallel(camera, now.size(), reach)
-                             : l3d_framed(camera, now.size(), reach);
+    return l3d_framed(camera, now.size(), reach);
 }
 
 l3d_camera l3d_pipeline_polygons::framed_unless_well(const l3d_camera& usual) const {
     const l3d_polygon_view now = view();
-    const bool is_well =
-        !now.is_parallel() && l3d_shows_well(usual, now.size(), reach_of(model_, now.placement()));
-    return is_well ? usual : framed(usual);
+    return l3d_framed_unless_well(usual, now.size(), reach_of(model_, now.placement()));
 }
 
 void l3d_pipeline_polygons::frame_all() {
@@ -71,8 +68,7 @@ std::string l3d_pipeline_polygons::why_empty() const {
     };
     if (is_without_area(model_) && is_empty()) // its lines may be seen
         return l3d_without_area;
-    std::string why =
-        l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()), now.is_parallel());
+    std::string why = l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()));
     const l3d_polygon_counts& polygons = report_.polygons;
     const bool left_all_out =
         polygons.drawn == 0 && // lines are not counted
@@ -96,6 +92,5 @@ l3d_viewed l3d_pipeline_polygons::viewed() {
         return l3d_pointed_place{found->point, found->point_error, found->line()};
     };
     return {.framed = [this](const l3d_camera& camera) { return framed(camera); },
-            .place_at = place_at,
-            .is_parallel = [this] { return settings_.projection == l3d_projection::parallel; }};
+            .place_at = place_at};
 }

@@ -114,8 +114,7 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
         lighting.lights[i].direction[2] = -lighting.lights[i].direction[2];
     for (std::size_t i = 0; i < lighting.point_count; ++i)
         lighting.points[i].position[2] = -lighting.points[i].position[2];
-    const l3d_polygon_view view(ours, size, l3d_projection::perspective, l3d_identity<double>(),
-                                fit);
+    const l3d_polygon_view view(ours, size, l3d_identity<double>(), fit);
     in.shading = view.shading(settings.shade, mirrored(settings.light), lighting);
     in.shading.background = settings.background;
     in.shading.fog = settings.fog;
@@ -183,7 +182,7 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
     const double radius = to.model().radius() * (1 + 1e-6) + 1e-9 * l3d_length(in.camera.eye);
     if (!in.may_show(vector(centre[0], centre[1], centre[2]), radius))
         return false;
-    to.view.emplace(in.camera, in.size, l3d_projection::perspective, ours, in.fit);
+    to.view.emplace(in.camera, in.size, ours, in.fit);
     return true;
 }
 

@@ -91,9 +91,9 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
     };
     const quad_corners corners = corners_of(grid, p00);
     if (levels)
-        cut_folded_levels(corners, turns, add_piece);
+        cut_folded_levels(corners, grid.is_parallel, turns, add_piece);
     else
-        cut_folded(corners, turns, add_piece);
+        cut_folded(corners, grid.is_parallel, turns, add_piece);
 }
 
 void band_fragments::add_triangles(const l3d_surface_part& part, std::size_t first,

@@ -27,7 +27,8 @@ int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
         return turns.area2() > 0 ? 1 : -1;
     const auto side = static_cast<std::size_t>(edge.side);
     const scan_point from = position(v[side]);
-    return cross(position(v[(side + 1) % 4]) - from, position(projective_centre(v)) - from) > 0
+    return cross(position(v[(side + 1) % 4]) - from,
+                 position(projective_centre(v, grid.is_parallel)) - from) > 0
                ? 1
                : -1;
 }

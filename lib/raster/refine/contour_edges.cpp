@@ -152,7 +152,7 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
         if (!has(is_here ? folded : folded_above, column))
             return has(is_here ? right : right_above, column);
         const quad_corners v = corners_of(grid, grid.index(of_row, column));
-        return piece_turns_right(v, projective_centre(v), side);
+        return piece_turns_right(v, projective_centre(v, grid.is_parallel), side);
     };
     for (int word = cells.column_begin / word_bits; word * word_bits < cells.column_end; ++word) {
         const auto w = static_cast<std::size_t>(word);
@@ -203,7 +203,7 @@ void contour_edges::add_between(const l3d_micro_vertex& from, const l3d_micro_ve
 /// side's first corner.
 void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
     const quad_corners v = corners_of(grid, grid.index(row, column));
-    const l3d_micro_vertex centre = projective_centre(v);
+    const l3d_micro_vertex centre = projective_centre(v, grid.is_parallel);
     for (std::size_t i = 0; i < v.size(); ++i)
         add_between(centre, v[i], piece_turns_right(v, centre, i),
                     piece_turns_right(v, centre, (i + 3) % v.size()));

@@ -30,7 +30,7 @@ void fill_cell(surface_fill<Shader>& fill, const fill_band& band, const l3d_micr
         misses(grid.y[p00], grid.y[p10], grid.y[p11], grid.y[p01], band.top, band.bottom))
         return;
     fill.quad({grid.vertex(p00), grid.vertex(p10), grid.vertex(p11), grid.vertex(p01)},
-              grid.shows_both);
+              grid.shows_both, grid.is_parallel);
 }
 
 template <class Shader>

@@ -80,9 +80,9 @@ void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
         pieces.add(piece);
     };
     if (to.shading.mode == l3d_shade::levels)
-        cut_folded_levels(corners, turns, add);
+        cut_folded_levels(corners, grid->is_parallel, turns, add);
     else
-        cut_quad(corners, turns, add);
+        cut_quad(corners, grid->is_parallel, turns, add);
 }
 
 } // namespace l3d_detail

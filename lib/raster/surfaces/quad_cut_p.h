@@ -89,13 +89,15 @@ private:
 };
 
 /// The point round which a folded quad is filled: the mean of the corners, taken before projection.
-/// Its w is the mean w, its place in the picture and its normal are means weighted by w.
-inline l3d_micro_vertex projective_centre(const quad_corners& corners) {
-    double sum = 0, x = 0, y = 0;
+/// Its w is the mean w, its place in the picture and its normal are means weighted by w. In a
+/// parallel projection weights are alike, and its depth is the mean depth.
+inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool parallel) {
+    double sum = 0, x = 0, y = 0, depth = 0;
     std::array<double, 3> normal{};
     for (const l3d_micro_vertex& corner : corners) {
-        const double w = 1 / double(corner.inv_w);
+        const double w = parallel ? 1 : 1 / double(corner.inv_w);
         sum += w;
+        depth += double(corner.inv_w);
         x += w * corner.x;
         y += w * corner.y;
         for (std::size_t axis = 0; axis < normal.size(); ++axis)
@@ -104,7 +106,7 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners) {
     const auto mean = [sum](double total) { return static_cast<float>(total / sum); };
     return {static_cast<std::int32_t>(std::lrint(x / sum)),
             static_cast<std::int32_t>(std::lrint(y / sum)),
-            static_cast<float>(4 / sum),
+            static_cast<float>(parallel ? depth / 4 : 4 / sum),
             {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
 }
 
@@ -146,8 +148,8 @@ private:
 /// Calls add(triangle, area2) for those round the centre of a folded quad; area2 turns as the sides
 /// do that they show.
 template <class Add>
-void cut_folded(const quad_corners& v, const quad_turns& turns, const Add& add) {
-    const l3d_micro_vertex centre = projective_centre(v);
+void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
+    const l3d_micro_vertex centre = projective_centre(v, parallel);
     const folded_sides sides(v, turns, position(centre));
     for (std::size_t i = 0; i < v.size(); ++i)
         add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
@@ -172,13 +174,14 @@ struct quad_bends {
 
 /// cut_folded in mode l3d_shade::levels. Half a diagonal bends by a quarter of what the whole does.
 template <class Add>
-void cut_folded_levels(const quad_corners& v, const quad_turns& turns, const Add& add) {
+void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
+                       const Add& add) {
     const quad_bends bends(v);
     const std::array<float, 4> sides{bends.ab, bends.bc, bends.dc, bends.ad};
     const std::array<float, 4> to_centre{0.25f * bends.ac, 0.25f * bends.bd, 0.25f * bends.ac,
                                          0.25f * bends.bd};
     std::size_t side = 0;
-    cut_folded(v, turns, [&](std::array<l3d_micro_vertex, 3> piece, std::int64_t area2) {
+    cut_folded(v, parallel, turns, [&](std::array<l3d_micro_vertex, 3> piece, std::int64_t area2) {
         auto& [from, to, centre] = piece;
         from.normal[1] = sides[side];
         from.normal[2] = to_centre[side];
@@ -192,9 +195,10 @@ void cut_folded_levels(const quad_corners& v, const quad_turns& turns, const Add
 }
 
 /// Calls add(triangle, area2) for those of a quad that is folded or skew, as cut_folded does.
-template <class Add> void cut_quad(const quad_corners& v, const quad_turns& turns, const Add& add) {
+template <class Add>
+void cut_quad(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     if (turns.folded())
-        return cut_folded(v, turns, add);
+        return cut_folded(v, parallel, turns, add);
     const std::size_t first = turns.diagonal();
     add(std::array{v[first], v[first + 1], v[first + 2]}, turns.area2());
     add(std::array{v[first], v[first + 2], v[(first + 3) % 4]}, turns.area2());

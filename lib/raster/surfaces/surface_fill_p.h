@@ -70,8 +70,8 @@ public:
             shader_.use_material(index);
     }
 
-    /// One of a grid that shows_both, or of another.
-    void quad(quad_corners v, bool shows_both) {
+    /// One of a grid that shows_both, or of another, in a parallel projection or not.
+    void quad(quad_corners v, bool shows_both, bool parallel) {
         const quad_turns turns(v);
         if (turns.level())
             return;
@@ -86,12 +86,12 @@ public:
         };
         if constexpr (has_bends<Shader>) {
             if (turns.folded())
-                return cut_folded_levels(v, turns, fill_triangle);
+                return cut_folded_levels(v, parallel, turns, fill_triangle);
             shader_.begin_quad(v);
-            cut_quad(v, turns, fill_triangle);
+            cut_quad(v, parallel, turns, fill_triangle);
             shader_.end_quad();
         } else {
-            cut_quad(v, turns, fill_triangle);
+            cut_quad(v, parallel, turns, fill_triangle);
         }
     }
 

@@ -137,7 +137,7 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     const grid_cells cells = all_cells(grid);
     for (int row = 0; row < cells.row_end; ++row)
         for (int column = 0; column < cells.column_end; ++column)
-            add_quad(corners_of(grid, grid.index(row, column)), grid.shows_both);
+            add_quad(corners_of(grid, grid.index(row, column)), grid.shows_both, grid.is_parallel);
     for (std::size_t i = 0; i < part.triangles.count; ++i) {
         set_material(part.material_of(i));
         add(std::array{part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
@@ -154,11 +154,11 @@ void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
         color_[i] = static_cast<std::uint8_t>(word >> (16 - 8 * i));
 }
 
-void l3d_surface_rasterizer_mesa::add_quad(std::array<l3d_micro_vertex, 4> corners,
-                                           bool shows_both) {
+void l3d_surface_rasterizer_mesa::add_quad(std::array<l3d_micro_vertex, 4> corners, bool shows_both,
+                                           bool parallel) {
     const quad_turns turns(corners);
     if (turns.folded())
-        return cut_folded(corners, turns, [&](auto piece, std::int64_t area2) {
+        return cut_folded(corners, parallel, turns, [&](auto piece, std::int64_t area2) {
             if (shows_both)
                 show_side(piece, area2);
             add(piece);

@@ -42,7 +42,7 @@ private:
 
     void add_part(const l3d_surface_part& part);
     void set_material(std::uint32_t material);
-    void add_quad(std::array<l3d_micro_vertex, 4> corners, bool shows_both);
+    void add_quad(std::array<l3d_micro_vertex, 4> corners, bool shows_both, bool parallel);
     void add(std::span<const l3d_micro_vertex> convex);
     void flush();
     std::int64_t draw();

@@ -119,6 +119,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "nearest distance that is drawn; without it, less for small models",
                 l3d_least_distance, largest);
     options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
+    options.add("--parallel", parallel_,
+                "parallel projection: far things look as large as those at the target");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
                 360.0);
     options.add("--turn-speed", turn_speed_,
@@ -283,6 +285,8 @@ l3d_camera l3d_afd_options::asked_camera() const {
             2 / degree * std::atan(std::tan(file.fov * degree / 2) * size.height / size.width);
     }
     result.fov = fov_.value_or(result.fov);
+    if (parallel_)
+        result.projection = l3d_projection::parallel;
     return result;
 }
 
@@ -336,7 +340,7 @@ std::string l3d_afd_options::view_options(const l3d_camera& camera) {
     add("--fov", camera.fov, usual.fov);
     add("--near", camera.near, usual.near);
     add("--far", camera.far, usual.far);
-    return text;
+    return camera.is_parallel() ? text + " --parallel" : text;
 }
 
 void l3d_afd_options::check_pick(l3d_size size) const {

@@ -118,6 +118,7 @@ private:
     l3d_camera camera_ = teapot_view();
     std::optional<l3d_camera::vector> eye_, target_;
     std::optional<double> near_, fov_;
+    bool parallel_ = false;
     std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
     double turntable_ = 0, turn_speed_ = 1;

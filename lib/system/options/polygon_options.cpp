@@ -41,7 +41,6 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
          {"zsort", l3d_pipeline_kind::zsort},
          {"zbuffer", l3d_pipeline_kind::zbuffer},
          {"mesa", l3d_pipeline_kind::mesa}});
-    options.add("--parallel", parallel_, "parallel projection of polygons");
     options.add("--hidden-lines", hidden_lines_, "lines of polygons, without what faces hide");
     options.add("--rotate", rotation_,
                 "degrees that polygons are turned about x, y and z, round their middle");
@@ -68,8 +67,6 @@ std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settin
     for (const auto& [word, order] : rotation_orders)
         if (settings.rotation_order == order && order != usual.rotation_order)
             text += std::string(" --rotate-order ") + word;
-    if (settings.projection == l3d_projection::parallel)
-        text += " --parallel";
     return text;
 }
 
@@ -100,8 +97,7 @@ l3d_polygon_model l3d_polygon_options::model() const {
 void l3d_polygon_options::refuse_for_patches() const {
     const l3d_polygon_settings usual;
     const std::string why = "only polygons have it, and --pipeline afd draws patches";
-    l3d_detail::refuse({{"--parallel", parallel_, why},
-                        {"--hidden-lines", hidden_lines_, why},
+    l3d_detail::refuse({{"--hidden-lines", hidden_lines_, why},
                         {"--rotate", rotation_ != usual.rotation, why},
                         {"--rotate-order", rotation_order_ != usual.rotation_order, why},
                         {"--to-origin", to_origin_, why},
@@ -135,7 +131,6 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
                      : shared.wireframe ? l3d_polygon_style::wireframe
                                         : l3d_polygon_style::solid;
     settings.shade = shared.shade;
-    settings.projection = parallel_ ? l3d_projection::parallel : l3d_projection::perspective;
     settings.light = shared.light;
     settings.lighting = shared.lighting;
     settings.headlight = shared.headlight;

@@ -53,7 +53,7 @@ public:
 private:
     const l3d_afd_options& shared_;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::zbuffer;
-    bool parallel_ = false, hidden_lines_ = false, to_origin_ = false;
+    bool hidden_lines_ = false, to_origin_ = false;
     l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
     l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;
     double crease_angle_ = l3d_usual_crease_angle;

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Whole frames of patches in parallel projection, against the exact picture and picks.
+#include "hard_edged.h"
+#include "../dice/scene.h"
+#include "scene/bodies.h"
+#include "still_studio.h"
+
+#include "base/error.h"
+#include "pipeline/pipeline_afd.h"
+#include "pipeline/surface_method.h"
+#include "raster/outline_mask.h"
+#include "reference/measure.h"
+#include "reference/random_numbers.h"
+#include "reference/region.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+using dice_tests::scene;
+using still_tests::tester;
+using picture = std::vector<std::uint32_t>;
+
+constexpr l3d_size size{203, 149};
+
+scene parallel_teapot(const char* view) {
+    reference::camera eye = reference::project_view(view).eye;
+    eye.parallel = true;
+    return {reference::load_bpt_plain("data/teapot.bpt"), eye, size};
+}
+
+l3d_afd_settings with_depth() {
+    l3d_afd_settings settings = hard_edged();
+    settings.depth = true;
+    return settings;
+}
+
+int differing(const picture& a, const picture& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += a[i] != b[i];
+    return count;
+}
+
+TEST(parallel_picture, is_within_its_bounds_of_the_exact_one) {
+    constexpr double judges = 0.004; // what the exact renderer may be off
+    for (const char* view : {"full", "closeup", "top"}) {
+        SCOPED_TRACE(view);
+        const scene s = parallel_teapot(view);
+        const reference::exact_image exact(s.patches, s.eye, s.picture());
+        const reference::exact_region region(s.patches, s.eye, s.picture());
+        tester program(s.model, s.camera, with_depth());
+        program.draw_event();
+        const l3d_frame_report report = program.report();
+        EXPECT_LE(report.dice.bound_px, 0.25);
+        const reference::error_map errors =
+            reference::map_errors(program.distances(), exact, region, 60);
+        double outline = 0, depth = 0;
+        for (std::size_t i = 0; i < errors.depth.size(); ++i) {
+            outline = std::fmax(outline, static_cast<double>(errors.outline[i]));
+            depth = std::fmax(depth, static_cast<double>(errors.depth[i]));
+        }
+        std::printf("%-8s outline %.3f px of %.3f, depth %.3f px of %.3f\n", view, outline,
+                    report.dice.bound_px, depth, report.dice.depth_bound_px);
+        EXPECT_LE(outline, report.dice.bound_px + judges);
+        EXPECT_LE(depth, report.dice.bound_px + report.dice.depth_bound_px + judges);
+        EXPECT_GT(errors.depth_share(), 0.8);
+        EXPECT_EQ(std::count(errors.holes.begin(), errors.holes.end(), true), 0);
+    }
+}
+
+TEST(parallel_picture, picks_find_what_the_exact_picture_shows) {
+    const scene s = parallel_teapot("full");
+    const reference::exact_image exact(s.patches, s.eye, s.picture());
+    tester program(s.model, s.camera, with_depth());
+    int found = 0;
+    for (int y = 3; y < size.height; y += 7)
+        for (int x = 3; x < size.width; x += 7) {
+            const auto pick = program.pick(x + 0.5, y + 0.5);
+            ASSERT_EQ(pick.has_value(), exact.covered(x, y)) << x << ", " << y;
+            if (!pick || !pick->is_proven)
+                continue;
+            ++found;
+            EXPECT_EQ(static_cast<int>(pick->patch), exact.at(x, y).patch);
+            EXPECT_NEAR(pick->depth, exact.at(x, y).w, 1e-6);
+            EXPECT_NEAR(s.camera.depth_of(pick->point), pick->depth, 1e-6);
+        }
+    EXPECT_GT(found, 100);
+}
+
+/// Only the distance of the target decides on sizes, and nothing is behind the eye.
+TEST(parallel_picture, is_the_same_from_anywhere_along_the_line_of_sight) {
+    const scene s = parallel_teapot("full");
+    tester usual(s.model, s.camera, with_depth());
+    usual.draw_event();
+    l3d_camera inside = s.camera;
+    inside.move(s.camera.axes().forward * 7.0);
+    tester moved(s.model, inside, with_depth());
+    moved.draw_event();
+    EXPECT_LE(differing(usual.words(), moved.words()), size.width * size.height / 500);
+    EXPECT_GT(l3d_covered(moved.depth()), 5000);
+}
+
+TEST(parallel_picture, is_the_same_by_any_threads_and_with_all_that_is_left_out) {
+    reference::random_numbers random(3);
+    reference::camera eye{{2.5, 3.1, 6.3}, {0.1, 0, 0}, {0.1, 1, 0.05}, 30, 0.2};
+    eye.parallel = true;
+    const scene s{dice_tests::random_body(random, dice_tests::body_kind::bent), eye, size};
+    l3d_afd_settings settings = hard_edged();
+    tester one(s.model, s.camera, settings);
+    one.draw_event();
+    settings.threads = 3;
+    tester three(s.model, s.camera, settings);
+    three.draw_event();
+    EXPECT_EQ(one.words(), three.words());
+    settings.keep.backs = settings.keep.hidden = settings.keep.centreless = true;
+    tester all(s.model, s.camera, settings);
+    all.draw_event();
+    EXPECT_EQ(one.words(), all.words()) << "what is left out is not seen";
+    EXPECT_GT(one.report().dice.backfacing + one.report().dice.back_blocks, 0);
+}
+
+TEST(parallel_picture, fades_into_fog_by_the_distance) {
+    const scene s = parallel_teapot("full");
+    l3d_afd_settings settings = with_depth();
+    tester clear(s.model, s.camera, settings);
+    clear.draw_event();
+    settings.fog = {.near = 6.5F, .far = 10, .color = 0x4060a0};
+    tester fogged(s.model, s.camera, settings);
+    fogged.draw_event();
+    const std::vector<float> distances = fogged.distances();
+    const picture before = clear.words(), after = fogged.words();
+    int faded = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (std::isinf(distances[i]))
+            continue;
+        const double amount = std::clamp((double{distances[i]} - 6.5) / (10 - 6.5), 0.0, 1.0);
+        for (const int shift : {0, 8, 16}) {
+            const double was = before[i] >> shift & 255, fog = 0x4060a0U >> shift & 255;
+            ASSERT_NEAR(after[i] >> shift & 255, was + amount * (fog - was), 1.51) << i;
+        }
+        faded += amount > 0.1;
+    }
+    EXPECT_GT(faded, 1000);
+}
+
+/// The colour of a pixel is that of the curvature which a pick finds there.
+TEST(parallel_picture, inspections_find_the_exact_place_of_each_pixel) {
+    const scene s = parallel_teapot("full");
+    l3d_afd_settings settings = hard_edged();
+    settings.shade = l3d_shade::gaussian;
+    settings.inspection.scale = 2;
+    tester program(s.model, s.camera, settings);
+    program.draw_event();
+    const picture words = program.words();
+    int same = 0, judged = 0;
+    for (int y = 3; y < size.height; y += 7)
+        for (int x = 3; x < size.width; x += 7) {
+            const auto pick = program.pick(x + 0.5, y + 0.5);
+            const std::uint32_t word = words[static_cast<std::size_t>(y * size.width + x)];
+            if (!pick || !pick->is_proven || word == 0)
+                continue;
+            ++judged;
+            const std::uint32_t exact =
+                l3d_inspection_color(settings.shade, pick->gaussian, settings.inspection.scale);
+            bool near = true;
+            for (const int shift : {0, 8, 16})
+                near = near && std::abs(static_cast<int>(word >> shift & 255) -
+                                        static_cast<int>(exact >> shift & 255)) <= 2;
+            same += near;
+        }
+    EXPECT_GT(judged, 100);
+    EXPECT_GE(same, judged - judged / 50);
+}
+
+TEST(parallel_picture, outlines_are_where_covered_and_uncovered_pixels_meet) {
+    const scene s = parallel_teapot("full");
+    l3d_afd_settings settings = with_depth();
+    settings.outlines = true;
+    tester program(s.model, s.camera, settings);
+    program.draw_event();
+    const reference::exact_image exact(s.patches, s.eye, s.picture());
+    const std::vector<float> distances = program.distances();
+    int missed = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const bool is = std::isfinite(distances[static_cast<std::size_t>(y * size.width + x)]);
+            missed += is != exact.covered(x, y) && !program.outlines()->at(x, y);
+        }
+    EXPECT_EQ(missed, 0);
+    EXPECT_LT(program.report().outline_pixels, size.width * size.height / 5);
+}
+
+/// Methods that use what is left of 1 / w cannot do it, and are refused by name.
+TEST(parallel_picture, of_a_method_that_draws_perspective_alone_is_refused) {
+    const scene s = parallel_teapot("full");
+    l3d_afd_settings settings = hard_edged();
+    settings.method = {"plain", [](const l3d_rasterizer_factory&, l3d_workers&) {
+                           return std::unique_ptr<l3d_surface_method>();
+                       }};
+    EXPECT_EQ(l3d_afd_complaint(s.camera, size, settings),
+              "parallel projection: plain draws perspective alone");
+}
+
+} // namespace
