@@ -86,9 +86,8 @@ std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field) 
                     patch.points.push_back(
                         {place(x, field.columns), along_columns[x][z], place(z, rows)});
                 }
-            if (std::ranges::none_of(patch.points, [](const std::array<double, 3>& p) {
-                    return std::isnan(p[1]);
-                }))
+            if (std::ranges::none_of(
+                    patch.points, [](const std::array<double, 3>& p) { return std::isnan(p[1]); }))
                 result.push_back(std::move(patch));
         }
     return result;

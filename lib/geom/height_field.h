@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// The most heights that are read from a file: 1024 x 1024. Each becomes a patch, and the patches of
-/// so many take 0.4 GB.
+/// The most heights that are read from a file: 1024 x 1024. Each becomes a patch, and the patches
+/// of so many take 0.4 GB.
 inline constexpr std::int64_t l3d_most_heights = std::int64_t{1} << 20;
 
 /// Heights over a rectangle, `columns` to a row.

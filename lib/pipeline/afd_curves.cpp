@@ -16,8 +16,8 @@ void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
                                                  .error = 2 * settings_.tolerance,
                                                  .focal = camera_.focal_length(target.size()),
                                                  .smooth = settings_.antialias};
-        for (const l3d_detail::depth_chord& chord : l3d_detail::flat_space_curve(
-                 curve, camera_, target.size(), settings_.tolerance))
+        for (const l3d_detail::depth_chord& chord :
+             l3d_detail::flat_space_curve(curve, camera_, target.size(), settings_.tolerance))
             stages_->lines.add(line, chord[0], chord[1]);
         stages_->lines.paint(target, curve.color(), shading);
     }

@@ -116,8 +116,8 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
-/// A picture as hills: a height for each pixel, one unit apart. White is a quarter of the longer side
-/// above black, so that the hills of most pictures look neither flat nor like needles.
+/// A picture as hills: a height for each pixel, one unit apart. White is a quarter of the longer
+/// side above black, so that the hills of most pictures look neither flat nor like needles.
 l3d_model_file heights_of(l3d_image picture, const std::string& name) {
     const l3d_pixels pixels = picture.pixels();
     l3d_height_field field{static_cast<std::size_t>(pixels.width), {}, 1};

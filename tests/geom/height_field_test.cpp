@@ -109,14 +109,15 @@ TEST(height_field, of_a_bad_grid_says_where_and_what_is_wrong) {
                                            "hill.asc"),
                   what);
     };
-    says("ncols 3", "ncols 1", "hill.asc:1: ncols 1 is not in 2 .. 524288");
+    says("ncols 3", "ncols 1", "hill.asc:1: '1', the number of columns, is not in 2 to 524288");
     says("nrows 2\n", "", "hill.asc:6: nrows is missing");
     says("cellsize 10", "cellsize 0", "hill.asc:5: cellsize is '0', not positive");
-    says("cellsize", "dx", "hill.asc:5: 'dx' is none of ncols, nrows, xllcorner, yllcorner, "
-                           "xllcenter, yllcenter, cellsize and nodata_value");
-    says("4.5", "x", "hill.asc:8: 'x' is no number");
-    says("6\n", "6 7\n", "hill.asc:8: '7' follows the last of 6 heights");
-    says("-1\n0 1 2", "0\n0 0 0", "hill.asc:8: no four neighbours have heights");
+    says("cellsize", "dx",
+         "hill.asc:5: 'dx' is none of ncols, nrows, xllcorner, yllcorner, "
+         "xllcenter, yllcenter, cellsize and nodata_value");
+    says("4.5", "x", "hill.asc:8: 'x', y of height 5 of 6, is not a number");
+    says("5 6\n", "5 6 7\n", "hill.asc:8: '7' follows the last of 6 heights");
+    says("-1\n0 1 2", "0\n0 0 0", "hill.asc:9: no four neighbours have heights");
     says("ncols 3\nnrows 2", "ncols 2000\nnrows 2000",
          "hill.asc:7: 2000 x 2000 heights are more than 1048576");
 }

@@ -48,8 +48,7 @@ public:
 
     /// Where a place is in the picture, and how far along the view axis.
     vector seen(const vector& p) {
-        const auto q =
-            camera().image_matrix(size) * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
+        const auto q = camera().image_matrix(size) * l3d_vector<double, 4>(p[0], p[1], p[2], 1.0);
         return {size.width / 2.0 + q[0] / q[3], size.height / 2.0 + q[1] / q[3], q[3]};
     }
 };
@@ -72,7 +71,8 @@ l3d_nurbs_curve helix() {
 }
 
 TEST(space_curve, is_seen_before_surfaces_and_hidden_behind_them) {
-    drawing pipeline(l3d_patch_model::teapot(), {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}});
+    drawing pipeline(l3d_patch_model::teapot(),
+                     {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}});
     const l3d_nurbs_curve curve = helix();
     pipeline.curves().emplace_back(curve, red, 3);
     const std::vector<bool> is_line = pipeline.line_pixels();
@@ -110,9 +110,8 @@ TEST(space_curve, is_seen_before_surfaces_and_hidden_behind_them) {
             continue;
         // The line may be on the surface up to 2 pixels away; beside outlines that is far.
         const double here = depth(0, 0);
-        const double rise =
-            std::min(std::abs(depth(-1, 0) - here), std::abs(depth(1, 0) - here)) +
-            std::min(std::abs(depth(0, -1) - here), std::abs(depth(0, 1) - here));
+        const double rise = std::min(std::abs(depth(-1, 0) - here), std::abs(depth(1, 0) - here)) +
+                            std::min(std::abs(depth(0, -1) - here), std::abs(depth(0, 1) - here));
         EXPECT_LT(nearest[i], here + 2.5 * rise + sure) << x << ' ' << y;
     }
 }
@@ -127,8 +126,8 @@ TEST(space_curve, of_a_circle_covers_the_pixels_of_its_width) {
     std::size_t index = 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            const double from_circle =
-                std::abs(std::hypot(x + 0.5 - size.width / 2.0, y + 0.5 - size.height / 2.0) - seen);
+            const double from_circle = std::abs(
+                std::hypot(x + 0.5 - size.width / 2.0, y + 0.5 - size.height / 2.0) - seen);
             const bool is_here = is_line[index++];
             if (std::abs(from_circle - width / 2) > tolerance) {
                 EXPECT_EQ(is_here, from_circle < width / 2) << x << ' ' << y;
@@ -176,9 +175,10 @@ TEST(space_curve, is_cut_off_at_the_near_plane) {
     EXPECT_EQ(before_it, behind_it);
     EXPECT_GT(std::ranges::count(behind_it, true), 100);
     // A curve of degree 2 along the same line.
-    pipeline.curves() = {l3d_space_curve({l3d_bspline_direction::clamped(2, 3),
-                                          {{0.0, -1.0, -20.0}, {0.0, -1.0, 5.0}, {0.0, -1.0, 30.0}}},
-                                         red, 3)};
+    pipeline.curves() = {
+        l3d_space_curve({l3d_bspline_direction::clamped(2, 3),
+                         {{0.0, -1.0, -20.0}, {0.0, -1.0, 5.0}, {0.0, -1.0, 30.0}}},
+                        red, 3)};
     pipeline.redraw();
     EXPECT_EQ(pipeline.line_pixels(), behind_it);
 }
@@ -186,8 +186,8 @@ TEST(space_curve, is_cut_off_at_the_near_plane) {
 TEST(space_curve, fades_into_fog_and_is_smooth_if_edges_are) {
     l3d_afd_settings settings = hard_edged();
     settings.fog = {.near = 5, .far = 15, .color = 0x000000ff};
-    const l3d_space_curve line(
-        l3d_nurbs_curve::polyline({{-1.0, 0.02, 0.0}, {1.0, 0.02, 0.0}}), red, 4);
+    const l3d_space_curve line(l3d_nurbs_curve::polyline({{-1.0, 0.02, 0.0}, {1.0, 0.02, 0.0}}),
+                               red, 4);
     const std::size_t middle = (size.height / 2) * std::size_t{size.width} + size.width / 2;
     drawing foggy(l3d_patch_scene(), before, settings);
     foggy.curves().push_back(line);

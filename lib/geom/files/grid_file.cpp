@@ -27,9 +27,9 @@ std::string lower_case(std::string_view word) {
 bool read_statement(text_cursor& text, const std::string& word, grid_header& header) {
     double place = 0;
     if (word == "ncols")
-        return text.integer_in(header.columns, "ncols", 2, l3d_most_heights / 2);
+        return text.integer_in(header.columns, "the number of columns", 2, l3d_most_heights / 2);
     if (word == "nrows")
-        return text.integer_in(header.rows, "nrows", 2, l3d_most_heights / 2);
+        return text.integer_in(header.rows, "the number of rows", 2, l3d_most_heights / 2);
     if (word == "cellsize")
         return text.coordinate(header.spacing) &&
                (header.spacing > 0 ||
@@ -70,9 +70,9 @@ bool read_grid(text_cursor& text, l3d_model_file& model) {
         text.set_place(" of height", static_cast<std::size_t>(i) + 1,
                        static_cast<std::size_t>(count));
         double height = 0;
-        if (i == 0 ? !(has_token ? text.any_number_in(text.token(), height, "a height")
+        if (i == 0 ? !(has_token ? text.any_number_in(text.token(), height, "y")
                                  : text.fail("no heights follow"))
-                   : !text.any_number(height, "a height"))
+                   : !text.any_number(height, "y"))
             return false;
         if (height == header.missing || std::isnan(height))
             height = std::numeric_limits<double>::quiet_NaN();

@@ -73,8 +73,8 @@ void l3d_detail::depth_lines::add(const line& of, const depth_point& from, const
             const double ax = x + 0.5 - from.x, ay = y + 0.5 - from.y;
             const double t = square > 0 ? std::clamp((ax * dx + ay * dy) / square, 0.0, 1.0) : 0.0;
             const double away = std::hypot(ax - t * dx, ay - t * dy);
-            const double cover = of.smooth ? std::min({reach - away, of.width, 1.0})
-                                           : (away <= reach ? 1.0 : 0.0);
+            const double cover =
+                of.smooth ? std::min({reach - away, of.width, 1.0}) : (away <= reach ? 1.0 : 0.0);
             cell& here = cells_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
             if (!(cover > double{here.cover}))
                 continue;
