@@ -183,6 +183,23 @@ TEST(space_curve, is_cut_off_at_the_near_plane) {
     EXPECT_EQ(pipeline.line_pixels(), behind_it);
 }
 
+TEST(space_curve, ends_in_the_picture_where_the_near_or_far_plane_cuts_it) {
+    const auto drawn = [](double from, double to, double near, double far) {
+        l3d_camera camera = before;
+        camera.near = near;
+        camera.far = far;
+        drawing pipeline(l3d_patch_scene(), camera);
+        pipeline.curves().emplace_back(
+            l3d_nurbs_curve::polyline({{0.0, -1.0, from}, {0.0, -1.0, to}}), red, 3);
+        return pipeline.line_pixels();
+    };
+    const auto short_line = drawn(-10, 4, 0.1, 1000);
+    EXPECT_GT(std::ranges::count(short_line, true), 30);
+    EXPECT_EQ(drawn(-50, 8, 6, 20), short_line);
+    EXPECT_NE(drawn(-50, 8, 0.1, 20), short_line);
+    EXPECT_NE(drawn(-50, 8, 6, 1000), short_line);
+}
+
 TEST(space_curve, fades_into_fog_and_is_smooth_if_edges_are) {
     l3d_afd_settings settings = hard_edged();
     settings.fog = {.near = 5, .far = 15, .color = 0x000000ff};
