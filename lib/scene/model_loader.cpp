@@ -5,7 +5,7 @@
 #include "base/printable_p.h"
 #include "base/error.h"
 #include "geom/height_field.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 #include "tool_2d/text_file.h"
 
 #include <algorithm>

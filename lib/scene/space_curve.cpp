@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/formatted_p.h"
-#include "geom/bspline_surface.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "base/public.h"
 #include "geom/matrix.h"
-#include "geom/nurbs_curve.h"
+#include "geom/nurbs_surface.h"
 #include "geom/vector.h"
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include "../system/temporary_folder.h"
 #include "scene/patch_scene.h"
 #include "base/error.h"
-#include "tool_2d/image_file.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
 
