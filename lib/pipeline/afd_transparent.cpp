@@ -110,7 +110,7 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
     }
 
     // The depth is that of the nearest surface, as if it were opaque.
-    if (settings_.depth)
+    if (wants_depth())
         draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
 }
 

@@ -126,7 +126,7 @@ void l3d_pipeline_afd::draw_event() {
 
     const stopwatch overlaying;
     if (stale_ || !changed_.empty())
-        draw_on_top();
+        draw_on_top(now.shading);
     times.overlay = overlaying.milliseconds();
     stages_->drawn = now;
     scene_.forget_changes();
@@ -193,7 +193,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .shading = shading,
             .wireframe = settings_.wireframe,
             .net = settings_.net,
-            .depth = settings_.depth,
+            .depth = wants_depth(),
             .outlines = settings_.outlines,
             .error_map = settings_.error_map};
 }
@@ -212,7 +212,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
         return whole;
     if (!scene_.is_changed())
         return {};
-    if (settings_.depth || scene_.transparent_count() > 0 || !stages_->method->draws_parts() ||
+    if (wants_depth() || scene_.transparent_count() > 0 || !stages_->method->draws_parts() ||
         report_.dice.unfinished > 0)
         return whole;
     return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
@@ -260,7 +260,7 @@ void l3d_pipeline_afd::keep_picture() {
 
 void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& parts,
                                      l3d_stage_times& times) {
-    if (settings_.depth)
+    if (wants_depth())
         depth_.resize(stages_->view.size);
     report_.pixels_kept = l3d_whole(stages_->view.size).area() - parts.area();
     const l3d_dice_counts kept = report_.pixels_kept > 0 ? report_.dice : l3d_dice_counts();
@@ -270,7 +270,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         draw_transparent(now, times);
     else
         for (const l3d_pixel_box& part : parts.boxes())
-            draw_surfaces(now, {scene_, now.target, part, settings_.depth}, times);
+            draw_surfaces(now, {scene_, now.target, part, wants_depth()}, times);
     const l3d_pixel_bits* const outlines =
         scene_.transparent_count() > 0 ? nullptr : stages_->method->outlines();
     report_.outline_pixels = outlines ? outlines->count() : l3d_surface_counts::none_counted;
@@ -374,8 +374,10 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     times.error_map += finding.milliseconds();
 }
 
-void l3d_pipeline_afd::draw_on_top() {
+void l3d_pipeline_afd::draw_on_top(const l3d_shading& shading) {
     paint_surfaces();
+    if (!changed_.empty())
+        draw_curves(shading);
     if (settings_.net && !changed_.empty())
         draw_nets();
     draw_overlay();
@@ -389,7 +391,7 @@ void l3d_pipeline_afd::draw_on_top() {
 void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
-    if (settings_.depth) {
+    if (wants_depth()) {
         depth_.resize(stages_->view.size);
         depth_.clear();
     }

@@ -13,6 +13,7 @@
 #include "scene/camera.h"
 #include "scene/counts.h"
 #include "scene/patch_scene.h"
+#include "scene/space_curve.h"
 
 #include <cstdint>
 #include <memory>
@@ -158,6 +159,15 @@ public:
     /// camera and settings say then. A program with a dispatcher calls redraw() after a change of
     /// camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
+    /// Lines in space, drawn on the finished surfaces; a reference to change them. After a change,
+    /// call redraw().
+    ///
+    /// A surface hides what lies behind it, pixel by pixel, also if it is transparent. Lines that
+    /// lie on a surface are seen whole, since the test allows for the slope of the surface and for
+    /// twice the tolerance. Curves are drawn within the tolerance, with the fog, and smooth if
+    /// edges are. Later lines lie on earlier ones, and nothing hides any in a wireframe.
+    /// Cost: each frame with lines is drawn whole and keeps its depth.
+    std::vector<l3d_space_curve>& curves() { return curves_; }
     /// The eye that the next frame is drawn for; a reference to change it.
     l3d_camera& camera() { return camera_; }
     /// How the next frame is to be drawn; a reference to change it.
@@ -285,10 +295,12 @@ private:
     double shade_bound_of_lights(const l3d_shading& shading) const;
     void keep_bounds(const l3d_dice_counts& kept);
     void find_doubts(bool has_levels, l3d_stage_times& times);
-    void draw_on_top();
+    void draw_on_top(const l3d_shading& shading);
     l3d_patch_scene what_is_there() const;
     void draw_wireframe(const l3d_shading& shading);
     void draw_nets();
+    void draw_curves(const l3d_shading& shading);
+    bool wants_depth() const { return settings_.depth || !curves_.empty(); }
 
     std::unique_ptr<l3d_screen> screen_;
     l3d_font font_;
@@ -298,6 +310,7 @@ private:
     l3d_depth_buffer depth_;
 
     l3d_patch_scene scene_;
+    std::vector<l3d_space_curve> curves_;
     l3d_camera camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;

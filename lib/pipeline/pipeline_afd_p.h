@@ -10,6 +10,7 @@
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"
 #include "raster/color/light_mix_p.h"
+#include "raster/lines/depth_lines_p.h"
 #include "scene/dice_view.h"
 #include "scene/image_transform.h"
 #include "scene/level_choice.h"
@@ -52,8 +53,9 @@ struct l3d_pipeline_afd::stages {
     l3d_box_lanes moved_to; ///< kept for its memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
-    l3d_detail::light_mix mix; ///< mixes pictures with and without transparent things
-    l3d_image mixed;           ///< one of those pictures
+    l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent things
+    l3d_image mixed;               ///< one of those pictures
+    l3d_detail::depth_lines lines; ///< kept for its memory
     std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
 };
 

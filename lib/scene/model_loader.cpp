@@ -4,6 +4,8 @@
 
 #include "base/printable_p.h"
 #include "base/error.h"
+#include "geom/height_field.h"
+#include "tool_2d/image.h"
 #include "tool_2d/text_file.h"
 
 #include <algorithm>
@@ -114,11 +116,32 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
+/// A picture as hills: a height for each pixel, one unit apart. White is a quarter of the longer
+/// side above black, so that the hills of most pictures look neither flat nor like needles.
+l3d_model_file heights_of(l3d_image picture, const std::string& name) {
+    const l3d_pixels pixels = picture.pixels();
+    l3d_height_field field{static_cast<std::size_t>(pixels.width), {}, 1};
+    const double white = std::max(pixels.width, pixels.height) / 4.0;
+    for (int y = 0; y < pixels.height; ++y)
+        for (const std::uint32_t word : pixels.row(y)) {
+            const std::uint32_t sum = (word >> 16 & 255) + (word >> 8 & 255) + (word & 255);
+            field.heights.push_back(white * sum / (3 * 255));
+        }
+    const std::string why = field.complaint();
+    if (!why.empty())
+        throw l3d_error(l3d_exit::bad_input, l3d_detail::printable(name) + ": " + why);
+    l3d_model_file model;
+    model.patches = l3d_height_patches(field);
+    return model;
+}
+
 } // namespace
 
 l3d_model_file l3d_load_model(const std::string& path, const std::string& name) {
     std::string why;
     const std::string text = l3d_read_text_file(path);
+    if (text.starts_with("\x89PNG"))
+        return heights_of(l3d_decoded_image(text, name, l3d_most_heights), name);
     const auto read_beside = [&](const std::string& named,
                                  std::string& reason) -> std::optional<std::string> {
         reason.clear();

@@ -56,9 +56,8 @@ TEST(model_file, knows_formats_by_their_first_word) {
          {"", "\n", "# v 1 2 3", "plywood", "3DG2", "2.5", "-", "\x7f"})
         EXPECT_FALSE(l3d_model_format_of(text)) << text;
     EXPECT_EQ(complaint("\n# nothing\n"), "name:3: the text is empty");
-    EXPECT_EQ(
-        complaint("\n\nsolids x"),
-        "name:3: 'solids' begins none of asc, obj, off, ply, 3DG1, bpt, BBP, BEZ, stl and glTF");
+    EXPECT_EQ(complaint("\n\nsolids x"), "name:3: 'solids' begins none of asc, obj, off, ply, "
+                                         "3DG1, bpt, BBP, BEZ, stl, glTF and ncols");
 }
 
 TEST(model_file, every_sample_is_read_by_content_and_survives_the_writers) {

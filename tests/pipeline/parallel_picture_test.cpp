@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/surface_method.h"
-#include "raster/outline_mask.h"
+#include "raster/pixel_bits.h"
 #include "reference/measure.h"
 #include "reference/random_numbers.h"
 #include "reference/region.h"

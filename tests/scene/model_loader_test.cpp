@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// l3d_load_model: materials are looked up beside the model, and none is worth an error.
+// l3d_load_model: materials are looked up beside the model, and none is worth an error; pictures
+// become hills.
 #include "scene/model_loader.h"
 
 #include "../system/temporary_folder.h"
 #include "scene/patch_scene.h"
 #include "base/error.h"
+#include "tool_2d/image.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -186,6 +189,28 @@ TEST(patch_scene, lists_the_materials_of_its_instances) {
     scene.place(3, both, l3d_identity<double>());
     EXPECT_TRUE(scene.is_changed()) << "the same patches, painted otherwise";
     EXPECT_EQ(seen(3, 1), blue);
+}
+
+TEST(model_loader, makes_hills_of_a_picture) {
+    const temporary_folder folder;
+    const std::string path = folder.file("hill.png");
+    std::vector<std::uint32_t> words(8 * 3, 0x00000000);
+    words[8 + 2] = 0x00ffffff;
+    words[8 + 3] = 0x00333333;
+    l3d_write_png(path, {words.data(), 8, 3, 8});
+    const std::vector<l3d_patch_points> patches = l3d_load_model(path, path).patches;
+    ASSERT_EQ(patches.size(), 14U);
+    EXPECT_EQ(patches[2].points[3][1], 2);             // white: a quarter of 8
+    EXPECT_NEAR(patches[2].points[15][1], 0.4, 1e-15); // a fifth of that
+    EXPECT_NEAR(patches[2].points[0][0], -1.5, 1e-15);
+    l3d_write_png(path, {words.data(), 8, 1, 8});
+    try {
+        l3d_load_model(path, "hill.png");
+        FAIL() << "one row is no field";
+    } catch (const l3d_error& error) {
+        EXPECT_STREQ(error.what(), "hill.png: height field: 8 heights make no two or more whole "
+                                   "rows of 8 columns");
+    }
 }
 
 } // namespace

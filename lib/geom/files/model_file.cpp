@@ -47,6 +47,8 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
         return l3d_model_format::stl;
     if (word.starts_with('{') || word.starts_with("glTF"))
         return l3d_model_format::gltf;
+    if (word == "ncols" || word == "NCOLS")
+        return l3d_model_format::grid;
     if (word == "3DG1")
         return l3d_model_format::videoscape;
     if (word.ends_with("OFF"))
@@ -76,7 +78,7 @@ std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
         text_cursor cursor(text, name, '#');
         cursor.fail(cursor.next() ? l3d_detail::quoted(cursor.token()) +
                                         " begins none of asc, obj, off, ply, 3DG1, bpt, BBP, BEZ, "
-                                        "stl and glTF"
+                                        "stl, glTF and ncols"
                                   : "the text is empty");
         why = cursor.why();
         return std::nullopt;
@@ -98,6 +100,8 @@ std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
         return l3d_read_bez(text, name, why);
     case l3d_model_format::stl:
         return l3d_read_stl(text, name, why);
+    case l3d_model_format::grid:
+        return l3d_read_grid(text, name, why);
     case l3d_model_format::gltf:
         return l3d_read_gltf(text, name, why, files);
     }

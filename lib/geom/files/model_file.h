@@ -27,6 +27,7 @@ enum class L3D_PUBLIC l3d_model_format {
     bez,        ///< geomview's patches, BEZ and BBP, text or binary
     stl,        ///< triangles, text or binary
     gltf,       ///< glTF 2.0: JSON or its container, .glb
+    grid,       ///< a grid of heights
 };
 
 /// A file of materials that a model file names.
@@ -117,7 +118,8 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_ply,                         ///< Stanford's polygons
     l3d_read_videoscape,                  ///< 3DG1
     l3d_read_bez,                         ///< geomview's patches
-    l3d_read_stl;                         ///< triangles
+    l3d_read_stl,                         ///< triangles
+    l3d_read_grid;                        ///< a grid of heights, as patches
 
 /// The reader of glTF 2.0.
 /// Errors:  as those of l3d_read_model; the place is one in the document, such as

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// flat_space_curve: cuts Bezier curves until their control points are near chords.
+#include "scene/flat_space_curve_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace {
+
+using l3d_detail::depth_chord;
+using l3d_detail::depth_point;
+
+/// A control point: x w, y w, the distance times w, and w. The pixel is the picture's centre plus
+/// the quotients of the first two by the third.
+using point = l3d_vector<double, 4>;
+using bezier = std::vector<point>;
+
+class flattener {
+public:
+    flattener(const l3d_camera& camera, l3d_size size, double width, double tolerance)
+        : near_(camera.near), far_(camera.far), focal_(camera.focal_length(size)),
+          centre_x_(size.width / 2.0), centre_y_(size.height / 2.0),
+          margin_(width / 2 + 1), // beyond the reach of smooth edges, width / 2 + 1 / 2
+          tolerance_(tolerance) {}
+
+    void add(const bezier& of, int halvings) {
+        for (int plane = 0; plane < planes; ++plane)
+            if (std::ranges::all_of(of, [&](const point& p) { return inside(plane, p) < 0; }))
+                return;
+        constexpr int most_halvings = 16;
+        if (of.size() == 2 || halvings == most_halvings || is_flat(of)) {
+            add_chord(of.front(), of.back());
+            return;
+        }
+        // De Casteljau's scheme at 1/2: the sides of the triangle are the halves.
+        bezier low{of.front()}, high = of;
+        for (std::size_t left = of.size() - 1; left > 0; --left) {
+            for (std::size_t i = 0; i < left; ++i)
+                high[i] = (high[i] + high[i + 1]) * 0.5;
+            low.push_back(high.front());
+        }
+        add(low, halvings + 1);
+        add(high, halvings + 1);
+    }
+
+    std::vector<depth_chord> take() { return std::move(chords_); }
+
+private:
+    static constexpr int planes = 6;
+
+    /// Not negative inside of the near and far plane and of the picture with its margin; linear.
+    double inside(int plane, const point& p) const {
+        switch (plane) {
+        case 0:
+            return p[2] - near_ * p[3];
+        case 1:
+            return far_ * p[3] - p[2];
+        case 2:
+            return (centre_x_ + margin_) * p[2] + p[0];
+        case 3:
+            return (centre_x_ + margin_) * p[2] - p[0];
+        case 4:
+            return (centre_y_ + margin_) * p[2] + p[1];
+        default:
+            return (centre_y_ + margin_) * p[2] - p[1];
+        }
+    }
+
+    depth_point projected(const point& p) const {
+        return {centre_x_ + p[0] / p[2], centre_y_ + p[1] / p[2], p[3] / p[2]};
+    }
+
+    bool is_flat(const bezier& of) const {
+        if (std::ranges::any_of(of, [&](const point& p) { return inside(0, p) <= 0; }))
+            return false;
+        const depth_point a = projected(of.front()), b = projected(of.back());
+        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+        return std::ranges::all_of(of, [&](const point& p) {
+            const depth_point c = projected(p);
+            const double along = (c.x - a.x) * dx + (c.y - a.y) * dy;
+            const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+            const double inv_w = a.inv_w + t * (b.inv_w - a.inv_w);
+            // A difference d of 1 / w is d w^2 in the world, and a pixel is w / focal there.
+            return std::hypot(c.x - a.x - t * dx, c.y - a.y - t * dy) <= tolerance_ &&
+                   std::abs(c.inv_w - inv_w) * focal_ <= tolerance_ * inv_w;
+        });
+    }
+
+    void add_chord(const point& from, const point& to) {
+        double first = 0, last = 1;
+        for (int plane = 0; plane < planes; ++plane) {
+            const double a = inside(plane, from), b = inside(plane, to);
+            if (a < 0 && b < 0)
+                return;
+            if (a < 0)
+                first = std::max(first, a / (a - b));
+            else if (b < 0)
+                last = std::min(last, a / (a - b));
+        }
+        if (first < last)
+            chords_.push_back(
+                {projected(from + (to - from) * first), projected(from + (to - from) * last)});
+    }
+
+    double near_, far_, focal_, centre_x_, centre_y_, margin_, tolerance_;
+    std::vector<depth_chord> chords_;
+};
+
+} // namespace
+
+std::vector<depth_chord> l3d_detail::flat_space_curve(const l3d_space_curve& curve,
+                                                      const l3d_camera& camera, l3d_size size,
+                                                      double tolerance) {
+    const l3d_matrix<double> to_image = camera.image_matrix(size) * curve.placement();
+    flattener result(camera, size, curve.width(), tolerance);
+    for (const l3d_space_curve::bezier& span : curve.spans()) {
+        bezier seen;
+        for (const l3d_vector<double, 4>& p : span) {
+            const l3d_vector<double, 4> q = to_image * p;
+            seen.push_back({q[0], q[1], q[3], p[3]});
+        }
+        result.add(seen, 0);
+    }
+    return result.take();
+}
