@@ -3,7 +3,6 @@
 // of 256 samples, and pictures of one colour beside materials.
 #include "pipeline/pipeline_afd.h"
 
-#include "geom/nurbs_shapes.h"
 #include "geom/nurbs_surface.h"
 #include "hard_edged.h"
 #include "pipeline/polygons/polygon_model.h"

@@ -118,9 +118,9 @@ int gltf_materials::picture_of_image(const gltf_value& texture) {
         if (bytes.empty())
             image.fail("is empty");
         found->second = static_cast<int>(model_.mesh.pictures.size());
-        model_.mesh.pictures.push_back(
-            {name_ + ": " + image.place(), std::move(bytes), wrap_u != clamp, wrap_v != clamp,
-             wrap_u == mirror, wrap_v == mirror});
+        model_.mesh.pictures.push_back({name_ + ": " + image.place(), std::move(bytes),
+                                        wrap_u != clamp, wrap_v != clamp, wrap_u == mirror,
+                                        wrap_v == mirror});
     }
     return found->second;
 }

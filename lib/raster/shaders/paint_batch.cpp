@@ -15,7 +15,8 @@ const painted_part& paint_batch::part_of(std::uint32_t name) {
     return *part_;
 }
 
-/// Each name has one slot, by its hash. What waits is coloured before another one takes its slot.
+/// Each name has one slot, by its hash. Waiting pixels are coloured before another name takes their
+/// slot.
 std::size_t paint_batch::slot_of(std::uint32_t name) {
     constexpr std::uint32_t golden = 0x9e3779b1; // spreads neighbours, by Knuth's golden ratio
     const std::size_t slot = name * golden >> (32 - 6);

@@ -56,8 +56,8 @@ private:
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
     const painted_part* part_ = nullptr;    ///< the last one
-    const l3d_texture* texture_ = nullptr;  ///< of all that waits
-    std::array<std::uint32_t, kept> names_; ///< of the quads that are kept
+    const l3d_texture* texture_ = nullptr;  ///< the texture of all that waits
+    std::array<std::uint32_t, kept> names_; ///< names of the quads that are kept
     std::array<const l3d_texture*, kept> textures_;
     std::uint64_t awaited_ = 0; ///< a bit for each quad that a waiting pixel sees
     std::array<std::uint32_t*, painted_pixels::room> targets_;

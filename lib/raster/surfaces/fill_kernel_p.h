@@ -123,7 +123,7 @@ struct fill_words {
         return has_materials ? material << 8 : 0;
     }
 
-    /// What the parts of two materials differ by that follow each other.
+    /// The step of that part from a material to the next.
     std::uint32_t next_material() const { return of_material(1); }
 
     /// A level of 1 in a word.

@@ -53,7 +53,8 @@ struct painted_part {
     std::uint32_t material = 0; ///< place among the frame's materials
     const l3d_surface_part* part = nullptr;
     std::span<const double> u, v; ///< parameters of the grid's columns and rows
-    std::array<std::span<const l3d_patch_parameters>, 3> triangles; ///< parameters of triangles, by corner
+    std::array<std::span<const l3d_patch_parameters>, 3>
+        triangles; ///< parameters of triangles, by corner
     const l3d_texture* texture = nullptr;
     picture_map map;
 
