@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
         settings = afd.settings();
         scene = make_scene(
             afd.model_file().empty() ? colored_teapot() : in_teapots_place(afd.model()), glossy);
+        afd.lay_picture(scene);
         return true;
     });
     return program.run(argc, argv, [&] {                     // step 1: choose factories

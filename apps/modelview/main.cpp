@@ -46,9 +46,9 @@ private:
         if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
             polygons_.refuse_for_patches();
             const l3d_afd_settings settings = afd_.settings();
-            return [=, this, scene = parts_.scene(afd_.model())] {
-                return show<l3d_pipeline_afd_viewer>(scene, camera, settings);
-            };
+            l3d_patch_scene scene = parts_.scene(afd_.model());
+            afd_.lay_picture(scene);
+            return [=, this] { return show<l3d_pipeline_afd_viewer>(scene, camera, settings); };
         }
         const l3d_polygon_settings settings = polygons_.settings();
         return [=, this, model = parts_.applied(polygons_.model())] {

@@ -70,6 +70,10 @@ int main(int argc, char** argv) {
                           follow = "not with kept, whose frames depend on those before them";
         l3d_detail::refuse({{"--depth-output", compares && keeps_depth, two},
                             {"--error-output", compares && bounds, two},
+                            {"--texture",
+                             afd.gives_texture() && (compares || measures ||
+                                                     method.choice()->method != l3d_method::afd),
+                             "only --method afd has it, and not beside another method"},
                             {"--output", measures && !common.output.empty(), none},
                             {"--report", measures && !afd.report().empty(), none},
                             {"--depth-output", measures && keeps_depth, none},
@@ -87,6 +91,7 @@ int main(int argc, char** argv) {
                             {"--quick", quick && !measures, "goes with --error-report"}});
         if (folder.empty()) {
             scene = parts.scene(afd.model());
+            afd.lay_picture(scene);
             if (other && scene.transparent_count() > 0)
                 throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
             return true;

@@ -4,6 +4,7 @@
 #define L3D_DICE_DICED_PIECE_H
 
 #include "raster/surface_part.h"
+#include "raster/textures/painted_part_p.h"
 
 #include <algorithm>
 #include <array>
@@ -30,9 +31,7 @@ struct l3d_gap_spans {
 ///
 /// Lives: kept from frame to frame for its memory.
 struct l3d_diced_piece {
-    struct parameters {
-        double u, v;
-    };
+    using parameters = l3d_patch_parameters;
 
     l3d_surface_part part;
     std::vector<double> u, v;

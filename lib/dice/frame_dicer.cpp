@@ -123,6 +123,32 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     return parts_;
 }
 
+template <class T>
+void l3d_frame_dicer<T>::name_polygons(std::size_t i, const l3d_detail::painted_part& like,
+                                       std::size_t& next, l3d_detail::painted_parts& to) {
+    for (l3d_diced_piece& piece : slot(i).used()) {
+        l3d_surface_part& part = piece.part;
+        l3d_micro_triangles& triangles = part.triangles;
+        const std::size_t quads = l3d_detail::painted_part::quads(part);
+        if (quads + triangles.count > l3d_surface_rasterizer::most_materials - next)
+            continue;
+        const auto first = static_cast<std::uint32_t>(next);
+        next += quads + triangles.count;
+        l3d_detail::painted_part& painted = to.all.emplace_back(like);
+        painted.first = first;
+        painted.part = &part;
+        painted.u = piece.u;
+        painted.v = piece.v;
+        for (std::size_t k = 0; k < painted.triangles.size(); ++k)
+            painted.triangles[k] = piece.triangle_uv[k];
+        part.material = first;
+        part.names_quads = true;
+        triangles.materials.resize(triangles.count);
+        std::iota(triangles.materials.begin(), triangles.materials.end(),
+                  first + static_cast<std::uint32_t>(quads));
+    }
+}
+
 /// Dices the slots that are wanted.
 template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int64_t share) {
     by_height_.clear();
@@ -161,7 +187,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     l3d_dice_budget budget{share, false};
     slot(i).clear();
     const bool inspects = l3d_sees_patches(view_.shading.mode);
-    slot(i).keep_parameters(keep_parameters_ || inspects);
+    slot(i).keep_parameters(keep_parameters_ || inspects || view_.shading.paints);
     space.counts = {};
     dice_placed(i, of, budget, space);
     const std::uint32_t material =
@@ -169,6 +195,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
                  : of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
     for (l3d_diced_piece& piece : slot(i).used()) {
         piece.part.material = material;
+        piece.part.names_quads = false;
         if (inspects)
             put_parameters(piece);
     }

@@ -37,9 +37,10 @@ enum class l3d_dice_way {
 /// are diced again as long as that at least doubles their shares. So no frame costs twice its
 /// budget.
 /// For a shade that inspects surfaces, vertices have their parameters in place of normals, and a
-/// part's material is the index of its patch in all batches of the frame.
-/// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches says.
-/// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
+/// part's material is the index of its patch in all batches of the frame. In a frame with paints
+/// the parameters of vertices are kept, too. Lives: borrows the workers. Parts live until the next
+/// batch, or as long as keep_batches says. Cost:  no allocation in a frame of patches and batches
+/// that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any that the frame's other workers had. A slot
 ///        (the i-th place of a batch) allocates for a patch larger than any it held.
 template <class T> class l3d_frame_dicer {
@@ -65,6 +66,12 @@ public:
     std::span<const l3d_diced_piece> pieces(std::size_t i) const {
         return slots_[first_slot_ + i].used();
     }
+
+    /// Gives each quad and triangle of patch i of the last batch a name of its own, in place of a
+    /// material, and notes them. Without names enough it does nothing.
+    /// Expects: a shading with paints; `like` has material, texture and map, `next` the next name.
+    void name_polygons(std::size_t i, const l3d_detail::painted_part& like, std::size_t& next,
+                       l3d_detail::painted_parts& to);
 
     /// The counts of all batches of the frame.
     const l3d_dice_counts& counts() const { return counts_; }

@@ -19,10 +19,12 @@
 
 /// A picture that a material names, to be laid on faces.
 struct L3D_PUBLIC l3d_mesh_picture {
-    std::string name;      ///< the file's path; of a picture in the model's file, its place there
-    std::string bytes{};   ///< contents of a picture that lies in the model's file
-    bool repeats_u = true; ///< beyond 0 to 1 in u it comes again; else its border goes on
-    bool repeats_v = true; ///< the same in v
+    std::string name;       ///< the file's path; of a picture in the model's file, its place there
+    std::string bytes{};    ///< contents of a picture that lies in the model's file
+    bool repeats_u = true;  ///< beyond 0 to 1 in u it comes again; else its border goes on
+    bool repeats_v = true;  ///< the same in v
+    bool mirrors_u = false; ///< where it comes again in u, each other time it is turned over
+    bool mirrors_v = false; ///< the same in v
 
     friend bool operator==(const l3d_mesh_picture&, const l3d_mesh_picture&) = default;
 };

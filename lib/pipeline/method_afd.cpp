@@ -46,6 +46,9 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     used_ = &surface;
     const bool with_levels = surface.takes_levels() && !frame.shading.is_lit(frame.materials);
     l3d_shading shading = l3d_lit_while_diced(view, frame.shading, with_levels);
+    if (l3d_is_light(shading.mode))
+        view.shading.paints = shading.paints =
+            pictures_.begin(frame.scene, frame.filter, frame.materials.size());
     const bool inspects = l3d_sees_patches(shading.mode);
     if (inspects) {
         inspected_.begin(frame.camera, view, shading);
@@ -55,7 +58,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     const stopwatch placing;
     culling_.begin(frame.scene, frame.to_image, view,
                    frame.part.grown(shading.reach()).intersected(l3d_whole(view.size)));
-    dicer_.keep_batches(shading.antialias);
+    dicer_.keep_batches(shading.antialias || shading.paints);
     dicer_.begin(view);
     std::span<const l3d_placed_patch> batch = next_batch(surface);
     const bool keep_depth = frame.wants_depth || !culling_.is_done();
@@ -78,6 +81,8 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         const stopwatch filling;
         if (inspects)
             inspected_.add(frame.scene, batch);
+        if (shading.paints)
+            pictures_.add(frame.scene, batch, dicer_);
         surface.draw(parts);
         times.raster += filling.milliseconds();
 

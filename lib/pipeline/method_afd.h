@@ -8,6 +8,7 @@
 #include "scene/inspected_scene.h"
 #include "scene/scene_culling.h"
 #include "pipeline/surface_method.h"
+#include "pipeline/laid_pictures_p.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/parallel/workers.h"
 
@@ -46,6 +47,7 @@ private:
     std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< inspects, if `surface_` cannot
     const l3d_surface_rasterizer* used_;                ///< in the last frame
     l3d_inspected_scene inspected_;
+    l3d_detail::laid_pictures pictures_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;

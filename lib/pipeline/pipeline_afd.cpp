@@ -191,6 +191,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .to_image = stages_->transform.matrix(),
             .view = stages_->view,
             .shading = shading,
+            .filter = settings_.texture_filter,
             .wireframe = settings_.wireframe,
             .net = settings_.net,
             .depth = wants_depth(),
@@ -278,7 +279,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
     if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0 &&
-        now.shading.lighting.point_count == 0) {
+        now.shading.lighting.point_count == 0 && !scene_.has_pictures()) {
         if (now.shading.is_lit(scene_.materials()))
             report_.dice.shade_bound = shade_bound_of_lights(now.shading);
         else
@@ -317,6 +318,7 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
                                  .counts_pixels = settings_.count_pixels,
                                  .part = of.part,
                                  .outlines = settings_.outlines,
+                                 .filter = settings_.texture_filter,
                                  .curved_px = stages_->curved.places_px};
     stages_->method->draw(frame, times);
     report_.renderer = stages_->method->renderer();
@@ -348,7 +350,8 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     report_.coverage_bound = report_.color_bound = unknown;
     const l3d_frame_lights of_frame = lights();
     const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
-                           !settings_.background.is_none() && of_frame.lighting.point_count == 0;
+                           !settings_.background.is_none() && of_frame.lighting.point_count == 0 &&
+                           !scene_.has_pictures();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

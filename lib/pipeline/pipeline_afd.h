@@ -81,6 +81,10 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// depth (NUMERICS, section 23).
     l3d_fog fog{};
 
+    /// The way to look up pictures that lie on patches (l3d_patch_scene::lay). Only the library's
+    /// own method has them. Their colours have no certificate: the bound of shades is infinite.
+    l3d_texture_filter texture_filter = l3d_texture_filter::anisotropic;
+
     /// The picture's colours where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 

@@ -43,7 +43,9 @@ struct L3D_PUBLIC l3d_method_frame {
     l3d_pixel_box part;
 
     bool outlines = false; ///< somebody wants to know the pixels that outlines reach
-    double curved_px = 0;  ///< how far the scene's patches are off the surfaces that they stand for
+    /// How the pictures that lie on patches are looked up.
+    l3d_texture_filter filter = l3d_texture_filter::anisotropic;
+    double curved_px = 0; ///< how far the scene's patches are off the surfaces that they stand for
 
     /// Whether less than the whole picture is drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }

@@ -264,6 +264,14 @@ struct L3D_PUBLIC l3d_surface_part {
     std::uint32_t error_color = 0;
     /// Index of l3d_surface_rasterizer::use_materials, of all but triangles that have their own.
     std::uint32_t material = 0;
+    /// Whether each quad of the grid has a material of its own: `material` and the index of its
+    /// first corner.
+    bool names_quads = false;
+
+    /// The index of a quad's material. Expects: the index of its first corner.
+    std::uint32_t material_of_quad(std::size_t p00) const {
+        return names_quads ? material + static_cast<std::uint32_t>(p00) : material;
+    }
 
     /// The index of a triangle's material.
     std::uint32_t material_of(std::size_t triangle) const {

@@ -19,16 +19,28 @@ namespace {
 using patch = l3d_curved_pieces::patch;
 
 /// Calls `visit` with each of 2^m by 2^n parts.
-template <class Visit>
-void for_each_part(const l3d_rational_piece& piece, int m, int n, const Visit& visit) {
+template <class Piece, class Visit>
+void for_each_part(const Piece& piece, int m, int n, const Visit& visit) {
     if (m == 0 && n == 0)
         return visit(piece);
     // The direction with more cuts to come goes first, so that parts stay compact.
     const bool along_u = m >= n;
     const auto halves = piece.halves(along_u);
-    for (const l3d_rational_piece* half : {&halves.first, &halves.second})
+    for (const Piece* half : {&halves.first, &halves.second})
         for_each_part(*half, along_u ? m - 1 : m, along_u ? n : n - 1, visit);
 }
+
+/// A part of a piece, and where it is in the piece.
+struct ranged_part {
+    l3d_rational_piece part;
+    l3d_parameter_range range{};
+
+    std::pair<ranged_part, ranged_part> halves(bool along_u) const {
+        auto [first, second] = part.halves(along_u);
+        return {{std::move(first), range.half(along_u, false)},
+                {std::move(second), range.half(along_u, true)}};
+    }
+};
 
 /// The part of a piece that is off the most.
 struct worst_part {
@@ -200,10 +212,11 @@ l3d_curved_pieces::cells l3d_curved_pieces::at_level(int places, int normals) co
                                                    most_halvings_for_normals(normals));
     cells result;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        for_each_part(l3d_rational_piece(pieces_[i]), cuts[i].u, cuts[i].v,
-                      [&](const l3d_rational_piece& part) {
-                          const l3d_bicubic_approximation by(part);
+        for_each_part(ranged_part{l3d_rational_piece(pieces_[i])}, cuts[i].u, cuts[i].v,
+                      [&](const ranged_part& of) {
+                          const l3d_bicubic_approximation by(of.part);
                           result.patches.push_back(by.patch);
+                          result.ranges.push_back(of.range);
                           result.pieces.push_back(static_cast<std::uint32_t>(i));
                           result.error = std::max(result.error, by.error);
                           result.normal_error = std::max(result.normal_error, by.normal_error);

@@ -5,6 +5,7 @@
 
 #include "geom/bezier_patch.h"
 #include "geom/files/patch_file.h"
+#include "scene/laid_picture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,8 +49,9 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<std::uint32_t> pieces; ///< the piece of each patch, which is a cell of it
-        double error = 0;                  ///< how far places are off, in the pieces' unit
+        std::vector<l3d_parameter_range> ranges; ///< the part of its piece that each patch is
+        std::vector<std::uint32_t> pieces;       ///< the piece of each patch, which is a cell of it
+        double error = 0;                        ///< how far places are off, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
     /// Expects: 0 <= places, normals <= most_level.

@@ -2,6 +2,8 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
+#include "scene/laid_picture.h"
+
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "geom/bicubic_approximation.h"
@@ -97,7 +99,8 @@ struct l3d_patch_model::contents {
     l3d_box_lanes boxes;
 
     // The following are for a curved model.
-    std::vector<std::uint32_t> pieces; ///< the piece that each patch stands for
+    std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
+    std::vector<l3d_parameter_range> ranges; ///< the part of it
     double surface_error = 0, normal_error = 0;
 };
 
@@ -122,6 +125,7 @@ l3d_patch_model::source::at_level(int places, int normals) const {
         l3d_curved_pieces::cells cells = pieces.at_level(places, normals);
         const auto made = std::make_shared<contents>(std::move(cells.patches));
         made->pieces = std::move(cells.pieces);
+        made->ranges = std::move(cells.ranges);
         made->surface_error = cells.error;
         made->normal_error = cells.normal_error;
         kept = made;
@@ -171,6 +175,10 @@ std::size_t l3d_patch_model::pieces() const {
 
 std::size_t l3d_patch_model::piece_of(std::size_t index) const {
     return source_ ? contents_->pieces[index] : index;
+}
+
+l3d_parameter_range l3d_patch_model::range_in_piece(std::size_t index) const {
+    return source_ ? contents_->ranges[index] : l3d_parameter_range();
 }
 
 l3d_patch_model l3d_patch_model::at_level(int places, int normals) const {

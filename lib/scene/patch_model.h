@@ -25,6 +25,7 @@ class l3d_normal_net;
 class l3d_nurbs_surface;
 class l3d_surface_bends;
 struct l3d_model_file;
+struct l3d_parameter_range;
 struct l3d_patch_points;
 
 /// The largest magnitudes of coordinates of a patch's control points, and of those of its edges.
@@ -108,6 +109,8 @@ public:
     std::size_t pieces() const;
     /// The piece that a patch stands for, or is. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
+    /// The part of that piece: all, unless the model is curved. Expects: as piece_of.
+    l3d_parameter_range range_in_piece(std::size_t index) const;
 
     /// Whether its patches stand for pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }

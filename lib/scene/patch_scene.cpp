@@ -230,6 +230,21 @@ void l3d_patch_scene::paint(std::size_t index, const std::optional<l3d_material>
     knows_materials_ = false;
 }
 
+void l3d_patch_scene::lay(std::size_t index, const l3d_laid_picture& picture) {
+    l3d_patch_instance& instance = instances_[index];
+    assert(picture.pieces.empty() || picture.pieces.size() == instance.model().pieces());
+    if (instance.picture() == picture)
+        return;
+    note_change(index);
+    instance.lay(picture);
+    knows_materials_ = false;
+}
+
+bool l3d_patch_scene::has_pictures() const {
+    return std::ranges::any_of(
+        instances_, [](const l3d_patch_instance& i) { return i.picture().texture != nullptr; });
+}
+
 void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
     l3d_patch_instance& instance = instances_[index];
     if (!(opacity >= 0 && opacity <= 1))
@@ -302,7 +317,7 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     const auto is_plain = [](const l3d_patch_instance& i) {
         return i.material() ? i.material()->is_plain() : i.model().materials().empty();
     };
-    if (std::ranges::all_of(instances_, is_plain))
+    if (std::ranges::all_of(instances_, is_plain) && !has_pictures())
         return materials_;
     materials_.emplace_back(); // the material of all that is plain
     std::map<const void*, std::uint32_t> firsts;

@@ -9,6 +9,7 @@
 #include "geom/matrix.h"
 #include "geom/vector.h"
 #include "scene/camera.h"
+#include "scene/laid_picture.h"
 #include "scene/patch_model.h"
 #include "tool_2d/pixels.h"
 
@@ -114,6 +115,11 @@ public:
     /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
 
+    /// Lays a picture on all of it; the picture's light is multiplied by that of the material.
+    void lay(const l3d_laid_picture& picture) { picture_ = picture; }
+    /// The picture that lies on it.
+    const l3d_laid_picture& picture() const { return picture_; }
+
     /// The part of the light behind the instance that it holds back: 1 if nothing is seen through
     /// it.
     double opacity() const { return opacity_; }
@@ -155,6 +161,7 @@ public:
 private:
     l3d_patch_model model_;
     std::optional<l3d_material> material_;
+    l3d_laid_picture picture_;
     l3d_matrix<double> placement_;
     l3d_matrix<double> normal_matrix_;
     l3d_vector<double, 3> terms_{0.0, 0.0, 0.0};
@@ -211,6 +218,14 @@ public:
     /// material stays when the instance is placed elsewhere, until another model takes its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
+
+    /// Lays a picture on the patches of an instance, or takes it away: one without a texture.
+    /// Shades that are light show it, in the product of both lights. It stays when the instance is
+    /// placed elsewhere, until another model takes its place.
+    /// Expects: an index of instances(); corners for no piece or for each one of the model.
+    void lay(std::size_t index, const l3d_laid_picture& picture);
+    /// Whether a picture lies on any instance.
+    bool has_pictures() const;
 
     /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
     /// light that is seen without it. The instance itself shows its nearest surface alone. The

@@ -72,6 +72,17 @@ TEST(gltf_picture, is_clamped_where_its_sampler_says_so) {
             .mesh.pictures.at(0);
     EXPECT_TRUE(picture.repeats_u);
     EXPECT_FALSE(picture.repeats_v);
+    EXPECT_FALSE(picture.mirrors_u || picture.mirrors_v);
+}
+
+TEST(gltf_picture, is_mirrored_where_its_sampler_says_so) {
+    const std::string uri = R"("uri":"data:image/png;base64,YWJj")";
+    const l3d_mesh_picture picture =
+        read(square(uri, R"("source":0,"sampler":0)", R"(,"samplers":[{"wrapT":33648}])"))
+            .mesh.pictures.at(0);
+    EXPECT_TRUE(picture.repeats_u && picture.repeats_v);
+    EXPECT_FALSE(picture.mirrors_u);
+    EXPECT_TRUE(picture.mirrors_v);
 }
 
 /// The model stays, without the picture.

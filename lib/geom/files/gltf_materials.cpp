@@ -102,24 +102,25 @@ gltf_materials::picture_use gltf_materials::picture_of(const gltf_value& use) {
 
 /// Its place in the mesh. A faulty image is noted once, for the first of its textures.
 int gltf_materials::picture_of_image(const gltf_value& texture) {
-    constexpr std::uint64_t clamp = 33071, repeat = 10497;
-    bool repeats_u = true, repeats_v = true;
+    constexpr std::uint64_t clamp = 33071, mirror = 33648, repeat = 10497;
+    std::uint64_t wrap_u = repeat, wrap_v = repeat;
     if (texture.has("sampler")) {
         const gltf_value sampler = root_.element("samplers", texture.at("sampler").whole());
-        repeats_u = sampler.whole_or("wrapS", repeat) != clamp;
-        repeats_v = sampler.whole_or("wrapT", repeat) != clamp;
+        wrap_u = sampler.whole_or("wrapS", repeat);
+        wrap_v = sampler.whole_or("wrapT", repeat);
     }
     const std::uint64_t source = texture.at("source").whole();
     const auto [found, is_new] =
-        pictures_.try_emplace({source, repeats_u, repeats_v}, l3d_material::no_picture);
+        pictures_.try_emplace({source, wrap_u, wrap_v}, l3d_material::no_picture);
     if (is_new) {
         const gltf_value image = root_.element("images", source);
         std::string bytes = document_.image_bytes(image, files_);
         if (bytes.empty())
             image.fail("is empty");
         found->second = static_cast<int>(model_.mesh.pictures.size());
-        model_.mesh.pictures.push_back(
-            {name_ + ": " + image.place(), std::move(bytes), repeats_u, repeats_v});
+        model_.mesh.pictures.push_back({name_ + ": " + image.place(), std::move(bytes),
+                                        wrap_u != clamp, wrap_v != clamp, wrap_u == mirror,
+                                        wrap_v == mirror});
     }
     return found->second;
 }

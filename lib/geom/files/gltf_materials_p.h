@@ -74,7 +74,7 @@ private:
     std::string name_;
     const l3d_other_files& files_;
     /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
-    std::map<std::tuple<std::uint64_t, bool, bool>, int> pictures_;
+    std::map<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>, int> pictures_;
     std::vector<std::uint64_t> sets_; ///< sets of places on pictures, one per material
     bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;
 };

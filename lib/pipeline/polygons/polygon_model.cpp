@@ -366,11 +366,14 @@ std::shared_ptr<const l3d_texture> texture_of(const l3d_mesh_picture& picture) {
     l3d_image image = picture.bytes.empty()
                           ? l3d_read_image(picture.name, l3d_most_texture_pixels)
                           : l3d_decoded_image(picture.bytes, picture.name, l3d_most_texture_pixels);
-    const auto wrap = [](bool repeats) {
-        return repeats ? l3d_texture_wrap::repeat : l3d_texture_wrap::clamp;
+    const auto wrap = [](bool repeats, bool mirrors) {
+        return !repeats  ? l3d_texture_wrap::clamp
+               : mirrors ? l3d_texture_wrap::mirror
+                         : l3d_texture_wrap::repeat;
     };
-    return std::make_shared<const l3d_texture>(image.pixels(), wrap(picture.repeats_u),
-                                               wrap(picture.repeats_v));
+    return std::make_shared<const l3d_texture>(image.pixels(),
+                                               wrap(picture.repeats_u, picture.mirrors_u),
+                                               wrap(picture.repeats_v, picture.mirrors_v));
 }
 
 } // namespace
@@ -393,4 +396,16 @@ std::vector<std::shared_ptr<const l3d_texture>> l3d_read_textures(const l3d_poly
                             "; its faces have the colours of their materials");
         }
     return textures;
+}
+
+std::shared_ptr<const l3d_texture> l3d_read_texture(const std::string& file,
+                                                    std::vector<std::string>& notes) {
+    try {
+        l3d_image image = l3d_read_image(file, l3d_most_texture_pixels);
+        return std::make_shared<const l3d_texture>(image.pixels());
+    } catch (const l3d_error& error) {
+        notes.push_back(l3d_detail::printable(error.what()) +
+                        "; the model has the colours of its materials");
+        return nullptr;
+    }
 }

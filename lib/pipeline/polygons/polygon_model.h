@@ -217,6 +217,11 @@ inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 L3D_PUBLIC std::vector<std::shared_ptr<const l3d_texture>>
 l3d_read_textures(const l3d_polygon_mesh& mesh, std::vector<std::string>& notes);
 
+/// The texture of an image file, PNG or JPEG, that repeats. If it cannot be read or is too large,
+/// it is null, and `notes` get a line with file and reason.
+L3D_PUBLIC std::shared_ptr<const l3d_texture> l3d_read_texture(const std::string& file,
+                                                               std::vector<std::string>& notes);
+
 struct l3d_model_file;
 
 /// Largest n that programs take: 2 n^2 triangles for each patch make two million for the teapot.

@@ -64,11 +64,17 @@ public:
         return found;
     }
 
-private:
     /// Steps of the table of guesses: near black a level spans 1 / (255 * 12.92) = 1 / 3295 of
     /// white, so a guess errs by less than two levels.
     static constexpr std::size_t guesses = 4096;
 
+    /// The level from which level() begins to look. Expects: i < guesses.
+    std::uint8_t first_guess(std::size_t i) const { return first_[i]; }
+
+    /// The lights at which levels begin.
+    const std::array<Real, 256>& begins() const { return begins_; }
+
+private:
     std::array<Real, 256> light_{}, begins_{};
     std::array<std::uint8_t, guesses> first_{};
 };

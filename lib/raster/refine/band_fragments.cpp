@@ -73,7 +73,7 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
         {polygon.place(0), polygon.place(1), polygon.place(2), polygon.place(3)});
     if (turns.level() || grid.is_cut(p00))
         return;
-    const std::uint32_t color = color_of(part, part.material);
+    const std::uint32_t color = color_of(part, part.material_of_quad(p00));
     if (!turns.folded()) {
         polygon.close(4, turns.area2());
         if (!cover(polygon, box))

@@ -3,6 +3,7 @@
 #include "raster/shaders/face_painter_p.h"
 
 #include "raster/color/linear_light_p.h"
+#include "raster/textures/texture_lanes_p.h"
 
 #include <algorithm>
 
@@ -127,38 +128,76 @@ std::uint32_t face_painter::painted(double x, double y) const {
     return tables.level(light[0]) << 16 | tables.level(light[1]) << 8 | tables.level(light[2]);
 }
 
-void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
-                 face_painter painter) {
-    for (std::int32_t row = 0; row < pixels.height; ++row)
-        for (std::int32_t column = 0; column < pixels.width; ++column) {
-            std::uint32_t& word = pixels.words[row * pixels.word_pitch + column];
-            if (pixels.depths[row * pixels.depth_pitch + column] > 0)
-                word = color_of_level(
-                    painter.color(word >> 8, left + column + 0.5, top + row + 0.5), word & 0xff);
+namespace {
+
+/// Columns of pixels that are coloured together, so that rows come back to the same quads soon.
+constexpr std::int32_t columns_together = painted_pixels::room;
+using row_colors = std::array<std::uint32_t, columns_together>;
+
+/// Calls action(begin, end) for each run of pixels that are filled and whose words have the same
+/// name, which is above or below their other bits.
+template <class NameOf, class Action>
+void for_runs(const std::uint32_t* words, const float* depths, std::int32_t count,
+              const NameOf& name_of, const Action& action) {
+    for (std::int32_t i = 0; i < count;) {
+        const std::int32_t begin = i;
+        if (!(depths[i] > 0)) {
+            ++i;
+            continue;
         }
+        const std::uint32_t name = name_of(words[begin]);
+        do
+            ++i;
+        while (i < count && depths[i] > 0 && name_of(words[i]) == name);
+        action(name, begin, i);
+    }
 }
 
-void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter painter) {
-    std::array<std::uint32_t, 64> colors{}; // some of a row at a time
-    constexpr auto most = static_cast<std::int32_t>(colors.size());
-    for (std::int32_t row = 0; row < pixels.height; ++row)
-        for (std::int32_t begin = 0; begin < pixels.width; begin += most) {
+} // namespace
+
+void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
+                 face_painter& painter) {
+    row_colors colors{};
+    for (std::int32_t begin = 0; begin < pixels.width; begin += columns_together) {
+        const std::int32_t count = std::min(pixels.width - begin, columns_together);
+        for (std::int32_t row = 0; row < pixels.height; ++row) {
+            std::uint32_t* const words = pixels.words + row * pixels.word_pitch + begin;
+            const float* const depths = pixels.depths + row * pixels.depth_pitch + begin;
+            const auto name_of = [](std::uint32_t word) { return word >> 8; };
+            for_runs(words, depths, count, name_of,
+                     [&](std::uint32_t name, std::int32_t from, std::int32_t to) {
+                         painter.note(name, left + begin + from + 0.5, top + row + 0.5,
+                                      static_cast<std::size_t>(to - from),
+                                      &colors[static_cast<std::size_t>(from)]);
+                     });
+            painter.finish();
+            color_levels(words, depths, colors.data(), static_cast<std::size_t>(count));
+        }
+    }
+}
+
+void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter& painter) {
+    row_colors colors{};
+    for (std::int32_t begin = 0; begin < pixels.width; begin += columns_together)
+        for (std::int32_t row = 0; row < pixels.height; ++row) {
             lit_pixels some = pixels;
             some.words += row * pixels.word_pitch + begin;
             some.depths += row * pixels.depth_pitch + begin;
             some.normals += row * pixels.depth_pitch + begin;
             some.left += begin;
             some.top += row;
-            some.width = std::min(pixels.width - begin, most);
+            some.width = std::min(pixels.width - begin, columns_together);
             some.height = 1;
-            for (std::int32_t i = 0; i < some.width; ++i) {
-                if (!(some.depths[i] > 0))
-                    continue;
-                const std::uint32_t name = some.words[i] & 0xffff;
-                colors[static_cast<std::size_t>(i)] =
-                    painter.color(name, some.left + i + 0.5, some.top + 0.5);
-                some.words[i] = (some.words[i] & 0xffff0000) | painter.material(name);
-            }
+            const auto name_of = [](std::uint32_t word) { return word & 0xffff; };
+            for_runs(some.words, some.depths, some.width, name_of,
+                     [&](std::uint32_t name, std::int32_t from, std::int32_t to) {
+                         painter.note(name, some.left + from + 0.5, some.top + 0.5,
+                                      static_cast<std::size_t>(to - from),
+                                      &colors[static_cast<std::size_t>(from)]);
+                         for (std::int32_t i = from; i < to; ++i)
+                             some.words[i] = (some.words[i] & 0xffff0000) | painter.material(name);
+                     });
+            painter.finish();
             some.colors = colors.data();
             lights.color(some);
         }

@@ -4,6 +4,7 @@
 #define L3D_RASTER_SHADERS_FACE_PAINTER_P_H
 
 #include "geom/material.h"
+#include "raster/shaders/paint_batch_p.h"
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/lit_words_p.h"
 #include "raster/shaders/material_words_p.h"
@@ -21,18 +22,36 @@ namespace l3d_detail {
 class face_painter {
 public:
     face_painter(const l3d_face_paints& paints, std::span<const l3d_material> materials)
-        : paints_(&paints), materials_(materials) {}
+        : paints_(&paints), materials_(materials), batch_(paints.parts, paints.filter, materials) {}
 
     /// The colour of a name at a place of the picture, 0x00RRGGBB. Units: pixels from the top left
     /// corner. Beside the triangle, it is the one at its nearest side.
     std::uint32_t color(std::uint32_t name, double x, double y) {
+        if (batch_.has(name)) {
+            std::uint32_t color = 0;
+            batch_.add(name, x, y, 1, &color);
+            batch_.finish();
+            return color;
+        }
         if (name != name_)
             begin(name);
         return triangle_ ? painted(x, y) : flat_color_;
     }
 
+    /// The same for pixels of a row that see one polygon: their colours are there after finish().
+    /// Units: pixels; x is the first one's place.
+    void note(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* to) {
+        if (batch_.has(name))
+            return batch_.add(name, x, y, count, to);
+        for (std::size_t i = 0; i < count; ++i)
+            to[i] = color(name, x + static_cast<double>(i), y);
+    }
+    void finish() { batch_.finish(); }
+
     /// The material of a name.
     std::uint32_t material(std::uint32_t name) {
+        if (batch_.has(name))
+            return batch_.material(name);
         if (name != name_)
             begin(name);
         return material_;
@@ -50,6 +69,7 @@ private:
 
     const l3d_face_paints* paints_;
     std::span<const l3d_material> materials_;
+    paint_batch batch_; ///< for parts of patches
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
     const l3d_painted_triangle* triangle_ = nullptr;
     const l3d_texture* texture_ = nullptr;
@@ -89,10 +109,10 @@ private:
 /// Gives the levels of painted triangles and materials their colours, as material_words::color
 /// does without paints. (left, top) is the first pixel's place in the picture.
 void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
-                 face_painter painter);
+                 face_painter& painter);
 
 /// Lights normals of painted triangles and materials, as lit_words::color does without paints.
-void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter painter);
+void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter& painter);
 
 } // namespace l3d_detail
 

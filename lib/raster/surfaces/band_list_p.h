@@ -69,7 +69,7 @@ public:
     /// An item's grid. Its levels are there if `make` was given a light.
     fill_grid grid(const band_item& item, const fill_words& words) const {
         return {item.part->grid, levels_.data() + item.levels_at,
-                words.of_material(item.part->material)};
+                words.of_material(item.part->material), item.part->names_quads};
     }
 
     /// Quads and triangles of all parts.

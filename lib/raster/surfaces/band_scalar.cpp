@@ -64,9 +64,16 @@ void band_scalar::fill(const l3d_surface_part& part, const grid_cells& cells) {
     with_filler(part.error_color, [&](auto fill) {
         fill.use_material(part.material);
         for (int row = cells.row_begin; row < cells.row_end; ++row)
-            for (int column = cells.column_begin; column < cells.column_end; ++column)
-                if (!part.grid.is_cut(part.grid.index(row, column)))
-                    fill_cell(fill, target_.band, part.grid, part.grid.index(row, column));
+            for (int column = cells.column_begin; column < cells.column_end; ++column) {
+                const std::size_t p00 = part.grid.index(row, column);
+                if (part.grid.is_cut(p00))
+                    continue;
+                if (part.names_quads) {
+                    target_.material = target_.coding.of_material(part.material_of_quad(p00));
+                    fill.use_material(part.material_of_quad(p00));
+                }
+                fill_cell(fill, target_.band, part.grid, p00);
+            }
     });
 }
 

@@ -79,6 +79,7 @@ public:
         bool shows_both;                          ///< as l3d_micro_grid has it
         std::uint32_t material;                   ///< material of all, unless they have their own:
         const std::uint32_t* materials = nullptr; ///< as l3d_micro_triangles has them
+        bool names_quads = false;                 ///< as l3d_surface_part has it
     };
 
     HWY_INLINE void take(const row& from) {
@@ -172,15 +173,21 @@ private:
     template <class D>
     HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
         std::uint32_t* const to = queue_.material + queue_.count;
-        if (from.materials == nullptr) {
+        if (from.materials == nullptr && !from.names_quads) {
             std::fill_n(to, lanes, from.material);
             return;
         }
+        const auto first = static_cast<std::uint32_t>(from.name) + static_cast<std::uint32_t>(i);
+        const auto material_of = [&](std::size_t lane) {
+            return from.names_quads ? from.material + target_.words.next_material() *
+                                                          (first + static_cast<std::uint32_t>(lane))
+                                    : target_.words.of_material(from.materials[i + lane]);
+        };
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, live, bits);
         for (std::size_t lane = 0, found = 0; lane < hn::MaxLanes(d); ++lane)
             if (bits[lane / 8] >> (lane % 8) & 1)
-                to[found++] = target_.words.of_material(from.materials[i + lane]);
+                to[found++] = material_of(lane);
     }
 
     /// Adds a piece. Expects: room.
@@ -258,7 +265,7 @@ HWY_INLINE void quads_by(const fill_target& to, const fill_grid& of, int row_beg
             if (p00 < stop)
                 out.take({corners, at, lights.quads(corners, at, stop - p00, grid.shows_both),
                           stop - p00, &grid, static_cast<std::int32_t>(p00), 1, grid.shows_both,
-                          of.material});
+                          of.material, nullptr, of.names_quads});
             p00 = stop + 1;
             if (stop == end)
                 break;

@@ -123,6 +123,9 @@ struct fill_words {
         return has_materials ? material << 8 : 0;
     }
 
+    /// The step of that part from a material to the next.
+    std::uint32_t next_material() const { return of_material(1); }
+
     /// A level of 1 in a word.
     std::uint32_t unit() const { return has_materials ? 1 : 0x010101; }
 };
@@ -184,6 +187,7 @@ struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;
     std::uint32_t material = 0; ///< as fill_words has it
+    bool names_quads = false;   ///< as l3d_surface_part has it
 };
 
 /// The grey level of every vertex, as gouraud interpolates it. Shape: levels like the grid's

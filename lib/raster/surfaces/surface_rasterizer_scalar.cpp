@@ -52,10 +52,12 @@ void l3d_surface_rasterizer_scalar::do_draw(std::span<const l3d_surface_part* co
 void l3d_surface_rasterizer_scalar::do_finish() {
     const material_pixels pixels{drawn_.words,    drawn_.stride, depth_->data(),
                                  depth_->pitch(), drawn_.width,  drawn_.height};
-    if (materials_.wanted() && shading_.paints)
-        paint_words(pixels, 0, 0, {*shading_.paints, materials()});
-    else if (materials_.wanted())
+    if (materials_.wanted() && shading_.paints) {
+        face_painter painter(*shading_.paints, materials());
+        paint_words(pixels, 0, 0, painter);
+    } else if (materials_.wanted()) {
         materials_.color_slowly(pixels);
+    }
     if (shading_.fog.is_on())
         put_fog(shading_, pixels, 0, drawn_.height);
     for (int row = part_.top; row < part_.bottom; ++row)

@@ -37,6 +37,8 @@ using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 
 /// In mode `flat` a polygon has one normal, which the lanes do not make.
 bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
+    if (shading.paints && shading.paints->parts)
+        return false; // each of their quads has a name, and how many will come is not known
     const std::size_t names = shading.paints ? shading.paints->end() : materials.size();
     return shading.mode != l3d_shade::flat && names <= fill_words::most_lit_materials;
 }
@@ -307,18 +309,22 @@ void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
                                  box.top,
                                  width,
                                  height};
-            if (paints)
-                light_painted(work_->lights, lit, {*paints, materials});
-            else
+            if (paints) {
+                face_painter painter(*paints, materials);
+                light_painted(work_->lights, lit, painter);
+            } else {
                 work_->lights.color(lit);
+            }
         }
         const material_pixels pixels{words, refined_.stride, band.depths + at, band.depth_pitch,
                                      width, height};
         const bool has_materials = work_->materials.wanted() && !is_over();
-        if (has_materials && paints)
-            paint_words(pixels, box.left, box.top, {*paints, materials});
-        else if (has_materials)
+        if (has_materials && paints) {
+            face_painter painter(*paints, materials);
+            paint_words(pixels, box.left, box.top, painter);
+        } else if (has_materials) {
             work_->materials.color(pixels);
+        }
         if (shading.fog.is_on())
             put_fog(shading, pixels, box.top, target_.height);
     });

@@ -3,6 +3,7 @@
 #include "raster/textures/texture.h"
 
 #include "raster/color/linear_light_p.h"
+#include "raster/textures/texture_lanes_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -62,8 +63,14 @@ float_picture halved(float_picture& from) {
 
 /// A place in a picture along one axis, from 0 to 1 at its borders.
 double held(double place, l3d_texture_wrap wrap) {
-    return wrap == l3d_texture_wrap::repeat ? place - std::floor(place)
-                                            : std::clamp(place, 0.0, 1.0);
+    switch (wrap) {
+    case l3d_texture_wrap::repeat:
+        return place - std::floor(place);
+    case l3d_texture_wrap::mirror:
+        return 1 - std::abs(1 - (place - 2 * std::floor(place / 2)));
+    default:
+        return std::clamp(place, 0.0, 1.0);
+    }
 }
 
 /// The two pixels around a place along one axis, and the share of the second.
@@ -112,10 +119,9 @@ l3d_texture::l3d_texture(const l3d_pixels& picture, l3d_texture_wrap wrap_u,
                 next.at(x, y)[c] = white * tables.light(word >> (16 - 8 * c) & 255);
         }
     for (;;) {
-        level& made = levels_.emplace_back(level{next.width, next.height, {}});
-        made.light.reserve(next.light.size());
+        levels_.push_back({next.width, next.height, light_.size() / channels});
         for (const float light : next.light)
-            made.light.push_back(static_cast<std::uint16_t>(light + 0.5F));
+            light_.push_back(static_cast<std::uint16_t>(light + 0.5F));
         if (next.width == 1 && next.height == 1)
             return;
         next = halved(next);
@@ -126,9 +132,8 @@ void l3d_texture::add_bilinear(std::size_t number, double u, double v, float wei
                                sum& to) const {
     const level& of = levels_[number];
     const neighbours across(u, of.width, wrap_u_), down(v, of.height, wrap_v_);
-    const auto width = static_cast<std::size_t>(of.width);
-    const std::uint16_t* const upper = &of.light[channels * width * down.first];
-    const std::uint16_t* const lower = &of.light[channels * width * down.second];
+    const std::uint16_t* const upper = pixel(of, 0, down.first);
+    const std::uint16_t* const lower = pixel(of, 0, down.second);
     const float below = weight * down.share, above = weight - below;
     to.add(upper + channels * across.first, above - above * across.share);
     to.add(upper + channels * across.second, above * across.share);
@@ -188,19 +193,31 @@ void l3d_texture::add_anisotropic(const l3d_texture_place& place, sum& to) const
     }
 }
 
+l3d_detail::texture_view l3d_texture::view() const {
+    l3d_detail::texture_view result;
+    result.pixels = light_.data();
+    result.width = size().width;
+    result.height = size().height;
+    result.levels = static_cast<int>(levels_.size());
+    result.wrap_u = wrap_u_;
+    result.wrap_v = wrap_v_;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        result.first[i] = static_cast<std::int32_t>(levels_[i].first);
+    return result;
+}
+
 l3d_light_color l3d_texture::light(l3d_texture_filter filter,
                                    const l3d_texture_place& place) const {
     sum result;
     const double width = size().width, height = size().height;
     switch (filter) {
     case l3d_texture_filter::nearest: {
-        const auto pixel = [](double at, int of) {
+        const auto place_of = [](double at, int of) {
             return static_cast<std::size_t>(std::min(static_cast<int>(at * of), of - 1));
         };
-        const std::size_t x = pixel(held(place.u, wrap_u_), levels_[0].width);
-        const std::size_t y = pixel(held(place.v, wrap_v_), levels_[0].height);
-        const std::size_t at = y * static_cast<std::size_t>(levels_[0].width) + x;
-        result.add(&levels_[0].light[channels * at], 1);
+        const std::size_t x = place_of(held(place.u, wrap_u_), levels_[0].width);
+        const std::size_t y = place_of(held(place.v, wrap_v_), levels_[0].height);
+        result.add(pixel(levels_[0], x, y), 1);
         break;
     }
     case l3d_texture_filter::bilinear:

@@ -37,7 +37,8 @@ inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_t
 /// The continuation of a picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again
-    clamp   ///< the pixels at its border
+    clamp,  ///< the pixels at its border
+    mirror  ///< the picture turned over, and then again
 };
 
 /// The part of a picture that a pixel covers: a parallelogram around a place.
@@ -48,6 +49,10 @@ struct L3D_PUBLIC l3d_texture_place {
     double u_right = 0, v_right = 0; ///< the way from there to the next pixel on the right
     double u_down = 0, v_down = 0;   ///< the way to the next one below
 };
+
+namespace l3d_detail {
+struct texture_view;
+}
 
 /// A picture as amounts of light, and smaller ones down to a single pixel.
 ///
@@ -70,6 +75,14 @@ public:
     /// The size of the whole picture.
     l3d_size size() const { return {levels_[0].width, levels_[0].height}; }
 
+    /// How it goes on beyond its left and right borders.
+    l3d_texture_wrap wrap_u() const { return wrap_u_; }
+    /// How it goes on beyond its upper and lower borders.
+    l3d_texture_wrap wrap_v() const { return wrap_v_; }
+
+    /// For the library's own lanes: where the pixels are. Lives: as long as the texture.
+    l3d_detail::texture_view view() const;
+
     /// The light of a pixel that covers this part: 1 is that of a level of 255. The same bits on
     /// every processor. `trilinear` takes the longer one of the two ways as length,
     /// `anisotropic` the axes of the ellipse in the parallelogram.
@@ -77,18 +90,25 @@ public:
     l3d_light_color light(l3d_texture_filter filter, const l3d_texture_place& place) const;
 
 private:
-    /// One of the pictures. A pixel has red, green, blue and nothing, so that it is a vector.
+    /// One of the pictures.
     struct level {
         int width = 0, height = 0;
-        std::vector<std::uint16_t> light; ///< 65535 is that of a level of 255
+        std::size_t first = 0; ///< place of its first pixel among those of all
     };
     struct sum;
+
+    const std::uint16_t* pixel(const level& of, std::size_t x, std::size_t y) const {
+        return &light_[4 * (of.first + y * static_cast<std::size_t>(of.width) + x)];
+    }
 
     void add_bilinear(std::size_t level, double u, double v, float weight, sum& to) const;
     void add_trilinear(double width, double u, double v, float weight, sum& to) const;
     void add_anisotropic(const l3d_texture_place& place, sum& to) const;
 
     std::vector<level> levels_; ///< the whole picture first
+    /// A pixel has red, green, blue and nothing, so that it is a vector; 65535 is the light of a
+    /// level of 255.
+    std::vector<std::uint16_t> light_;
     l3d_texture_wrap wrap_u_, wrap_v_;
 };
 
@@ -118,10 +138,17 @@ struct L3D_PUBLIC l3d_painted_model {
     std::span<const std::shared_ptr<const l3d_texture>> textures;
 };
 
+namespace l3d_detail {
+struct painted_parts;
+}
+
 /// All of a frame.
 struct L3D_PUBLIC l3d_face_paints {
     /// In the order of their names, which begin behind the frame's materials.
     std::vector<l3d_painted_model> models;
+    /// Parts of patches, with names behind those; null without them. More may come until the
+    /// frame's finish. Lives: borrowed; so are the parts, all until the finish.
+    const l3d_detail::painted_parts* parts = nullptr;
     /// How textures are looked up.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
 

@@ -4,6 +4,7 @@
 
 #include "base/counted_p.h"
 #include "base/printable_p.h"
+#include "pipeline/polygons/polygon_model.h"
 #include "raster/parallel/workers.h"
 #include "system/options/color_text_p.h"
 #include "system/options/model_names_p.h"
@@ -77,7 +78,7 @@ l3d_camera seen_from_above(l3d_camera camera) {
 }
 
 /// Errors:  l3d_error(usage) for an option that would show nothing beside the others.
-void check_shown(const l3d_afd_settings& asked) {
+void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
     l3d_detail::refuse({
@@ -88,6 +89,10 @@ void check_shown(const l3d_afd_settings& asked) {
          "colours by --point-light have no bounds"},
         {"--error-output", asked.error_map && is_none,
          "pixels have bounds on a background, and --background none has none"},
+        {"--texture", has_texture && (asked.wireframe || !is_light),
+         "shades of light show it, and neither --wireframe nor --shade " + shade + " does"},
+        {"--error-output", has_texture && asked.error_map,
+         "pictures on surfaces have no bounds, and --texture lays one on"},
         {"--wireframe", asked.wireframe && asked.shade != l3d_afd_settings().shade,
          "lines have one colour, and show nothing of --shade " + shade},
         {"--fog", asked.fog.is_on() && l3d_has_scale(asked.shade),
@@ -164,6 +169,13 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add_choice<bool>("--legend", settings_.legend,
                              "whether the picture has the scale of such a shade",
                              {{"on", true}, {"off", false}});
+    options.add("--texture", texture_,
+                "picture (.png, .jpg) that lies on patches, once on each by its parameters; shown "
+                "by shades of light",
+                "FILE");
+    options.add_choice<l3d_texture_filter>(
+        "--texture-filter", settings_.texture_filter, "how pictures on surfaces are looked up",
+        {l3d_texture_filter_names.begin(), l3d_texture_filter_names.end()});
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--one-sided", settings_.one_sided,
@@ -445,10 +457,21 @@ l3d_afd_settings l3d_afd_options::settings() const {
         throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
     check_place("--shade-direction", shade_direction_);
     result.background = background_.value_or(settings_.background);
-    check_shown(result);
+    check_shown(result, !texture_.empty());
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     return result;
+}
+
+void l3d_afd_options::lay_picture(l3d_patch_scene& scene) const {
+    if (texture_.empty())
+        return;
+    std::vector<std::string> notes;
+    const l3d_laid_picture picture{l3d_read_texture(texture_, notes)};
+    for (const std::string& note : notes)
+        std::cerr << note << '\n';
+    for (std::size_t i = 0; i < scene.instances().size(); ++i)
+        scene.lay(i, picture);
 }
 
 l3d_patch_model l3d_afd_options::model() const {

@@ -47,6 +47,13 @@ public:
     /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
+    /// Lays the picture of --texture on all of a scene. One that cannot be read is told on stderr,
+    /// and the scene stays as it is.
+    void lay_picture(l3d_patch_scene& scene) const;
+
+    /// Whether --texture was given.
+    bool gives_texture() const { return !texture_.empty(); }
+
     /// The contents of the model's file, which is read once even if camera() has looked into it
     /// before.
     /// Errors: l3d_error(bad_input) with file and line.
@@ -108,7 +115,7 @@ private:
     const l3d_model_camera& camera_of_file() const;
 
     const l3d_options& options_;
-    std::string model_file_, file_camera_;
+    std::string model_file_, file_camera_, texture_;
     mutable std::optional<l3d_model_file> file_; ///< looked into, and not yet handed out
     mutable std::optional<l3d_model_camera> camera_of_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};

@@ -50,9 +50,6 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.add("--to-origin", to_origin_, "move the mean of the polygons' vertices to the origin");
     options.add("--crease-angle", crease_angle_,
                 "faces whose normals are more degrees apart meet in a crease", 0.0, 180.0);
-    options.add_choice<l3d_texture_filter>(
-        "--texture-filter", texture_filter_, "how pictures on polygons are looked up",
-        {l3d_texture_filter_names.begin(), l3d_texture_filter_names.end()});
     options.add("--no-textures", no_textures_, "polygons without the pictures on them");
     options.add("--facets", facets_, "patches as N by N quads, where polygons are drawn", 1,
                 l3d_most_facets);
@@ -102,7 +99,6 @@ void l3d_polygon_options::refuse_for_patches() const {
                         {"--rotate-order", rotation_order_ != usual.rotation_order, why},
                         {"--to-origin", to_origin_, why},
                         {"--crease-angle", crease_angle_ != l3d_usual_crease_angle, why},
-                        {"--texture-filter", texture_filter_ != *usual.textures, why},
                         {"--no-textures", no_textures_, why},
                         {"--facets", facets_ != l3d_usual_facets, why}});
 }
@@ -119,6 +115,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
          "only --pipeline afd has the exact patches that zebra, isophotes, gaussian, mean and "
          "draft look at"},
         {"--net", shared.net, why},
+        {"--texture", shared_.gives_texture(), why},
         {"--tolerance", shared_.gives_tolerance(), why},
         {"--lateral-only", shared.lateral_only, why},
         {"--keep-all", shared.keep.drawing, why},
@@ -139,7 +136,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
         settings.light =
             l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }
-    settings.textures = no_textures_ ? std::nullopt : std::optional(texture_filter_);
+    settings.textures = no_textures_ ? std::nullopt : std::optional(shared.texture_filter);
     settings.rotation = rotation_;
     settings.rotation_order = rotation_order_;
     settings.cull = shared.one_sided;

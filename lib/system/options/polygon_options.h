@@ -58,7 +58,6 @@ private:
     l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;
     double crease_angle_ = l3d_usual_crease_angle;
     int facets_ = l3d_usual_facets;
-    l3d_texture_filter texture_filter_ = *l3d_polygon_settings().textures;
     bool no_textures_ = false;
 };
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// laid_pictures: names for the quads of a frame's patches that pictures lie on.
+#ifndef L3D_PIPELINE_LAID_PICTURES_P_H
+#define L3D_PIPELINE_LAID_PICTURES_P_H
+
+#include "dice/frame_dicer.h"
+#include "raster/textures/painted_part_p.h"
+#include "scene/patch_scene.h"
+#include "scene/scene_culling.h"
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace l3d_detail {
+
+/// The paints of a frame of patches.
+class laid_pictures {
+public:
+    /// Starts a frame. Returns the paints for its shading; null if no picture lies on the scene.
+    const l3d_face_paints* begin(const l3d_patch_scene& scene, l3d_texture_filter filter,
+                                 std::size_t materials) {
+        parts_.all.clear();
+        paints_ = {{}, &parts_, filter};
+        next_ = materials;
+        return scene.has_pictures() ? &paints_ : nullptr;
+    }
+
+    /// Names the polygons of the dicer's last batch, if pictures lie on them.
+    /// Expects: begin returned paints.
+    template <class T>
+    void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch,
+             l3d_frame_dicer<T>& dicer) {
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            const auto [index, patch] = std::pair{batch[i].instance, batch[i].patch};
+            const l3d_patch_instance& instance = scene.instances()[index];
+            const l3d_laid_picture& picture = instance.picture();
+            if (!picture.texture)
+                continue;
+            painted_part like;
+            like.material = scene.material_of(index, patch);
+            like.texture = picture.texture.get();
+            like.map = map_of(instance.model(), picture, patch);
+            dicer.name_polygons(i, like, next_, parts_);
+        }
+    }
+
+private:
+    /// A patch that stands for a part of a piece has a part of the piece's picture.
+    static picture_map map_of(const l3d_patch_model& model, const l3d_laid_picture& picture,
+                              std::size_t patch) {
+        const std::size_t piece = model.piece_of(patch);
+        const picture_map of_piece = picture_map::between(
+            picture.pieces.empty() ? l3d_laid_picture::whole : picture.pieces[piece]);
+        const l3d_parameter_range range = model.range_in_piece(patch);
+        return picture_map::between(
+            {of_piece.at({range.u0, range.v0}), of_piece.at({range.u1, range.v0}),
+             of_piece.at({range.u0, range.v1}), of_piece.at({range.u1, range.v1})});
+    }
+
+    painted_parts parts_;
+    l3d_face_paints paints_;
+    std::size_t next_ = 0; ///< the next name
+};
+
+} // namespace l3d_detail
+
+#endif
