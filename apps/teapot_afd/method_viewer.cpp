@@ -14,7 +14,7 @@
 method_viewer::method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene,
                              const l3d_camera& camera, const l3d_afd_settings& settings,
                              const l3d_method_choice& first)
-    : l3d_pipeline_afd_viewer(std::move(canvas), scene, camera, settings), method_(first),
+    : l3d_pipeline_afd_editor(std::move(canvas), scene, camera, settings), method_(first),
       fog_(settings.fog),
       is_one_model_(scene.instances().size() == 1 && scene.transparent_count() == 0) {
     controls().add({"m", "another method", {{'m', [this] { take_next_method(); }}}});
@@ -37,10 +37,10 @@ method_viewer::subject method_viewer::now() {
 void method_viewer::draw_event() {
     ++frame_;
     if (!measures_error())
-        return l3d_pipeline_afd_viewer::draw_event();
+        return l3d_pipeline_afd_editor::draw_event();
     settings().depth = true;
     take_errors();
-    l3d_pipeline_afd_viewer::draw_event();
+    l3d_pipeline_afd_editor::draw_event();
     measure();
     if (!screen().is_window()) {
         live_->wait();
@@ -48,12 +48,12 @@ void method_viewer::draw_event() {
             return;
         take_errors();
         static_cast<void>(pixels()); // draws all: reports describe no kept pictures
-        l3d_pipeline_afd_viewer::draw_event();
+        l3d_pipeline_afd_editor::draw_event();
     }
 }
 
 l3d_frame_report method_viewer::report() const {
-    l3d_frame_report result = l3d_pipeline_afd_viewer::report();
+    l3d_frame_report result = l3d_pipeline_afd_editor::report();
     result.frame = frame_;
     return result;
 }
@@ -64,12 +64,12 @@ bool method_viewer::skip_event() {
 }
 
 bool method_viewer::needs_redraw() const {
-    return l3d_pipeline_afd_viewer::needs_redraw() || (live_ && live_->has_results());
+    return l3d_pipeline_afd_editor::needs_redraw() || (live_ && live_->has_results());
 }
 
 /// False while an error is measured, so that it is shown once it is known.
 bool method_viewer::is_at_rest() const {
-    return l3d_pipeline_afd_viewer::is_at_rest() && (!live_ || live_->is_idle());
+    return l3d_pipeline_afd_editor::is_at_rest() && (!live_ || live_->is_idle());
 }
 
 /// Begins a measurement, unless an older picture is still being measured or this one was.
@@ -119,7 +119,7 @@ void method_viewer::paint_errors() {
 
 std::string method_viewer::error_scale_title() const {
     return shows_errors_ ? "measured error, in pixels; grey: not known"
-                         : l3d_pipeline_afd_viewer::error_scale_title();
+                         : l3d_pipeline_afd_editor::error_scale_title();
 }
 
 /// Takes the next method. AFD gets its fog back, since no key does that.

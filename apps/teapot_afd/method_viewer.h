@@ -6,7 +6,7 @@
 #include "live_error.h"
 
 #include "compare/method_choice.h"
-#include <l3d/pipeline_afd_viewer.h>
+#include <l3d/pipeline_afd_editor.h>
 
 #include <optional>
 #include <string>
@@ -16,8 +16,8 @@
 /// with transparent parts, one-sided ones and those that the far plane cuts have no exact picture,
 /// and show bounds. Pixels that cannot be measured, at outlines and creases, are grey.
 ///
-/// Lives: as l3d_pipeline_afd_viewer.
-class method_viewer : public l3d_pipeline_afd_viewer {
+/// Lives: as l3d_pipeline_afd_editor.
+class method_viewer : public l3d_pipeline_afd_editor {
 public:
     /// Expects: the settings are those of a method that l3d_method_option has chosen, `first`.
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,

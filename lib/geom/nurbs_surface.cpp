@@ -19,6 +19,24 @@ l3d_nurbs_surface::l3d_nurbs_surface(l3d_bspline_direction u, l3d_bspline_direct
         throw l3d_error(l3d_exit::bad_input, why);
 }
 
+l3d_nurbs_surface l3d_nurbs_surface::of_patch(const l3d_patch_points& patch) {
+    const auto along = [](int degree) {
+        return l3d_bspline_direction::clamped(degree, static_cast<std::size_t>(degree) + 1);
+    };
+    std::vector<vector> points;
+    for (const auto& [x, y, z] : patch.points)
+        points.push_back({x, y, z});
+    return {along(patch.degree_u), along(patch.degree_v), std::move(points), patch.weights};
+}
+
+void l3d_nurbs_surface::set_point(std::size_t index, const vector& place, double weight) {
+    points_[index] = place;
+    if (weights_.empty() && weight != 1)
+        weights_.assign(points_.size(), 1);
+    if (!weights_.empty())
+        weights_[index] = weight;
+}
+
 std::string l3d_nurbs_surface::complaint(const l3d_bspline_direction& u,
                                          const l3d_bspline_direction& v,
                                          const std::vector<vector>& points,

@@ -94,6 +94,10 @@ public:
     l3d_nurbs_surface(l3d_bspline_direction u, l3d_bspline_direction v, std::vector<vector> points,
                       std::vector<double> weights = {});
 
+    /// A patch as a surface: one span along u and v, each parameter from 0 to 1. pieces() gives the
+    /// same patch, bit for bit. Errors: as the constructor.
+    static l3d_nurbs_surface of_patch(const l3d_patch_points& patch);
+
     /// Why these make no surface, naming the value at fault; "" if they do.
     static std::string complaint(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
                                  const std::vector<vector>& points,
@@ -107,6 +111,13 @@ public:
     const std::vector<vector>& points() const { return points_; }
     /// Their weights, as many; none if all are 1.
     const std::vector<double>& weights() const { return weights_; }
+
+    /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
+    /// none.
+    ///
+    /// Expects: an index of points(), finite coordinates of magnitude at most 1e12, and a weight
+    ///          above 0 and at most 1e12.
+    void set_point(std::size_t index, const vector& place, double weight);
 
     /// The place at (u, v). Expects: u().from <= u <= u().to, and v alike.
     vector evaluate(double u, double v) const;

@@ -86,6 +86,9 @@ protected:
     /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
     virtual l3d_standing_panel standing_panel() { return {}; }
 
+    /// Shows the parts that keys have hidden.
+    void show_all_parts() { parts_.show_all(); }
+
 private:
     void draw_panels() override;
     std::vector<l3d_viewer_row> own_rows();

@@ -84,10 +84,36 @@ std::string complaint_of(const l3d_patch_points& patch) {
     return "";
 }
 
+/// Why patches are none of a model, naming the first that is at fault; "" if they are.
+std::string complaint_of(const std::vector<l3d_patch_model::patch>& patches) {
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        for (std::size_t i = 0; i < 16; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double value = patches[p].points[i][k];
+                if (!(std::abs(value) <= l3d_bpt_largest_coordinate))
+                    return l3d_detail::formatted(": patch %zu, row %zu, column %zu: %c is %g, %s",
+                                                 p + 1, i / 4 + 1, i % 4 + 1, "xyz"[k], value,
+                                                 std::isfinite(value) ? "beyond 1e12"
+                                                                      : "not finite");
+            }
+    return "";
+}
+
+std::vector<l3d_patch_points> pieces_of(std::span<const l3d_nurbs_surface> surfaces) {
+    std::vector<l3d_patch_points> pieces;
+    for (const l3d_nurbs_surface& surface : surfaces) {
+        std::vector<l3d_patch_points> more = surface.pieces();
+        pieces.insert(pieces.end(), std::make_move_iterator(more.begin()),
+                      std::make_move_iterator(more.end()));
+    }
+    return pieces;
+}
+
 } // namespace
 
 struct l3d_patch_model::contents {
-    explicit contents(std::vector<patch> of);
+    /// Takes facts of the same patch at the same place in `like` from there.
+    contents(std::vector<patch> of, const contents* like);
 
     std::vector<patch> patches;
     std::vector<l3d_normal_net> normals;
@@ -104,9 +130,18 @@ struct l3d_patch_model::contents {
     double surface_error = 0, normal_error = 0;
 };
 
-/// The pieces of a curved model, and the levels that somebody has asked for.
+/// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
+/// model's levels help to make them.
 struct l3d_patch_model::source {
-    explicit source(l3d_curved_pieces of) : pieces(std::move(of)) {}
+    using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
+
+    source(l3d_curved_pieces of, kept_levels like)
+        : pieces(std::move(of)), like_(std::move(like)) {}
+
+    kept_levels levels() const {
+        const std::scoped_lock lock(mutex_);
+        return levels_;
+    }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
 
@@ -114,7 +149,8 @@ struct l3d_patch_model::source {
 
 private:
     mutable std::mutex mutex_;
-    mutable std::map<std::pair<int, int>, std::shared_ptr<const contents>> levels_;
+    mutable kept_levels levels_;
+    const kept_levels like_;
 };
 
 std::shared_ptr<const l3d_patch_model::contents>
@@ -123,7 +159,9 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     std::shared_ptr<const contents>& kept = levels_[{places, normals}];
     if (!kept) {
         l3d_curved_pieces::cells cells = pieces.at_level(places, normals);
-        const auto made = std::make_shared<contents>(std::move(cells.patches));
+        const auto like = like_.find({places, normals});
+        const auto made = std::make_shared<contents>(
+            std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
         made->pieces = std::move(cells.pieces);
         made->ranges = std::move(cells.ranges);
         made->surface_error = cells.error;
@@ -138,12 +176,20 @@ struct l3d_patch_model::paint {
     std::vector<std::uint32_t> of_pieces; ///< places in these; empty if there is only one
 };
 
-l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(of)) {
+l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
+    : patches(std::move(of)) {
     normals.reserve(patches.size());
     for (const patch& p : patches) {
-        normals.emplace_back(p);
-        facing.emplace_back(p, normals.back());
-        bends.emplace_back(p, normals.back());
+        const std::size_t i = normals.size();
+        if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points) {
+            normals.push_back(like->normals[i]);
+            facing.push_back(like->facing[i]);
+            bends.push_back(like->bends[i]);
+        } else {
+            normals.emplace_back(p);
+            facing.emplace_back(p, normals.back());
+            bends.emplace_back(p, normals.back());
+        }
         reaches.push_back(reach_of(p));
         const auto [lowest, highest] = p.bounds();
         boxes.add(upright_box(lowest, highest));
@@ -151,9 +197,9 @@ l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(o
             least = lowest;
             most = highest;
         }
-        for (int i = 0; i < 3; ++i) {
-            least[i] = std::min(least[i], lowest[i]);
-            most[i] = std::max(most[i], highest[i]);
+        for (int k = 0; k < 3; ++k) {
+            least[k] = std::min(least[k], lowest[k]);
+            most[k] = std::max(most[k], highest[k]);
         }
     }
     orientation = l3d_orientation_of(patches, facing);
@@ -162,10 +208,14 @@ l3d_patch_model::contents::contents(std::vector<patch> of) : patches(std::move(o
 l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
-    : contents_(std::make_shared<const contents>(std::move(patches))) {}
+    : l3d_patch_model(std::move(patches), nullptr) {}
 
-l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces)
-    : source_(std::make_shared<const source>(std::move(pieces))) {
+l3d_patch_model::l3d_patch_model(std::vector<patch> patches, const contents* like)
+    : contents_(std::make_shared<const contents>(std::move(patches), like)) {}
+
+l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces, const source* like)
+    : source_(std::make_shared<const source>(
+          std::move(pieces), like == nullptr ? source::kept_levels() : like->levels())) {
     contents_ = source_->at_level(0, 0);
 }
 
@@ -179,6 +229,36 @@ std::size_t l3d_patch_model::piece_of(std::size_t index) const {
 
 l3d_parameter_range l3d_patch_model::range_in_piece(std::size_t index) const {
     return source_ ? contents_->ranges[index] : l3d_parameter_range();
+}
+
+std::vector<l3d_nurbs_surface> l3d_patch_model::surfaces() const {
+    std::vector<l3d_nurbs_surface> result;
+    if (source_) {
+        for (const l3d_patch_points& piece : source_->pieces.pieces())
+            result.push_back(l3d_nurbs_surface::of_patch(piece));
+        return result;
+    }
+    for (const patch& p : patches()) {
+        l3d_patch_points piece{.degree_u = 3, .degree_v = 3, .points = {}};
+        for (const vector& point : p.points)
+            piece.points.push_back({point[0], point[1], point[2]});
+        result.push_back(l3d_nurbs_surface::of_patch(piece));
+    }
+    return result;
+}
+
+l3d_patch_model l3d_patch_model::reshaped(std::span<const l3d_nurbs_surface> surfaces) const {
+    std::string why;
+    const std::vector<l3d_patch_points> read = pieces_of(surfaces);
+    auto result = made_like(this, read, "reshaped model", why);
+    if (result && result->pieces() != pieces())
+        why = "reshaped model: " + std::to_string(result->pieces()) + " pieces in place of " +
+              std::to_string(pieces());
+    if (!why.empty())
+        throw l3d_error(l3d_exit::bad_input, why);
+    result->paint_ = paint_;
+    result->parts_ = parts_;
+    return *std::move(result);
 }
 
 l3d_patch_model l3d_patch_model::at_level(int places, int normals) const {
@@ -366,7 +446,7 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
     }
     const l3d_patch_model of = curved.empty()
                                    ? l3d_patch_model(std::move(kept))
-                                   : l3d_patch_model(l3d_curved_pieces(std::move(curved)));
+                                   : l3d_patch_model(l3d_curved_pieces(std::move(curved)), nullptr);
     const l3d_patch_model result = of.with_parts(runs);
     return materials.empty() ? result : result.painted(materials);
 }
@@ -407,18 +487,11 @@ std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& 
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,
                                                         std::string_view name, std::string& why) {
-    for (std::size_t p = 0; p < patches.size(); ++p)
-        for (std::size_t i = 0; i < 16; ++i)
-            for (int k = 0; k < 3; ++k) {
-                const double value = patches[p].points[i][k];
-                if (std::abs(value) <= l3d_bpt_largest_coordinate)
-                    continue;
-                why = std::string(name) +
-                      l3d_detail::formatted(": patch %zu, row %zu, column %zu: %c is %g, %s", p + 1,
-                                            i / 4 + 1, i % 4 + 1, "xyz"[k], value,
-                                            std::isfinite(value) ? "beyond 1e12" : "not finite");
-                return std::nullopt;
-            }
+    const std::string what = complaint_of(patches);
+    if (!what.empty()) {
+        why = std::string(name) + what;
+        return std::nullopt;
+    }
     return l3d_patch_model(std::move(patches));
 }
 
@@ -431,21 +504,33 @@ std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,
 std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d_patch_points> read,
                                                              std::string_view name,
                                                              std::string& why) {
+    return made_like(nullptr, read, name, why);
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::made_like(const l3d_patch_model* like,
+                                                          std::span<const l3d_patch_points> read,
+                                                          std::string_view name, std::string& why) {
     std::vector<patch> patches;
     patches.reserve(read.size());
     for (const l3d_patch_points& points : read) {
         const auto bicubic = l3d_as_bicubic(points);
         if (!bicubic)
-            return curved(read, name, why);
+            return curved(like, read, name, why);
         patch& p = patches.emplace_back();
         for (std::size_t i = 0; i < 16; ++i)
             for (int k = 0; k < 3; ++k)
                 p.points[i][k] = (*bicubic)[i][static_cast<std::size_t>(k)];
     }
-    return checked(std::move(patches), name, why);
+    const std::string what = complaint_of(patches);
+    if (!what.empty()) {
+        why = std::string(name) + what;
+        return std::nullopt;
+    }
+    return l3d_patch_model(std::move(patches), like == nullptr ? nullptr : like->contents_.get());
 }
 
-std::optional<l3d_patch_model> l3d_patch_model::curved(std::span<const l3d_patch_points> read,
+std::optional<l3d_patch_model> l3d_patch_model::curved(const l3d_patch_model* like,
+                                                       std::span<const l3d_patch_points> read,
                                                        std::string_view name, std::string& why) {
     for (std::size_t i = 0; i < read.size(); ++i) {
         const std::string what = complaint_of(read[i]);
@@ -454,18 +539,13 @@ std::optional<l3d_patch_model> l3d_patch_model::curved(std::span<const l3d_patch
         why = std::string(name) + ": patch " + std::to_string(i + 1) + what;
         return std::nullopt;
     }
-    return l3d_patch_model(l3d_curved_pieces({read.begin(), read.end()}));
+    return l3d_patch_model(l3d_curved_pieces({read.begin(), read.end()}),
+                           like == nullptr ? nullptr : like->source_.get());
 }
 
 l3d_patch_model l3d_patch_model::from_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
-    std::vector<l3d_patch_points> pieces;
-    for (const l3d_nurbs_surface& surface : surfaces) {
-        std::vector<l3d_patch_points> more = surface.pieces();
-        pieces.insert(pieces.end(), std::make_move_iterator(more.begin()),
-                      std::make_move_iterator(more.end()));
-    }
     std::string why;
-    const auto model = from_patches(pieces, "surfaces", why);
+    const auto model = from_patches(pieces_of(surfaces), "surfaces", why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     return *model;

@@ -112,6 +112,13 @@ public:
     /// The part of that piece: all, unless the model is curved. Expects: as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
+    /// Each piece as a NURBS surface of its own.
+    std::vector<l3d_nurbs_surface> surfaces() const;
+    /// The pieces of these surfaces, as many as the model's own, in the colours and parts of these.
+    /// Errors: throws l3d_error(bad_input) as from_surfaces, or if there are fewer or more.
+    /// Cost:   as from_surfaces for patches that differ; what is known of others is copied.
+    l3d_patch_model reshaped(std::span<const l3d_nurbs_surface> surfaces) const;
+
     /// Whether its patches stand for pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with other patches. Levels of places and of normals are from the
@@ -222,9 +229,16 @@ private:
 
     struct source;
     std::shared_ptr<const source> source_; ///< null unless it is curved
-    explicit l3d_patch_model(l3d_curved_pieces pieces);
-    /// Errors:  none, with the reason in `why`.
-    static std::optional<l3d_patch_model> curved(std::span<const l3d_patch_points> patches,
+    // The following take what is known of equal patches from `like`, which may be null.
+    l3d_patch_model(std::vector<patch> patches, const contents* like);
+    l3d_patch_model(l3d_curved_pieces pieces, const source* like);
+    /// Errors:  nothing, with the reason in `why`.
+    static std::optional<l3d_patch_model> made_like(const l3d_patch_model* like,
+                                                    std::span<const l3d_patch_points> patches,
+                                                    std::string_view name, std::string& why);
+    /// Errors:  as made_like.
+    static std::optional<l3d_patch_model> curved(const l3d_patch_model* like,
+                                                 std::span<const l3d_patch_points> patches,
                                                  std::string_view name, std::string& why);
 
     struct paint;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_writer: names, numbers and streams.
+// l3d_frame_writer: names, numbers and streams; new files under free names.
 #include "system/frame_writer.h"
 
 #include "base/error.h"
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
+#include "geom/files/surface_file.h"
 #include "system/reason_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
 #include "tool_2d/image.h"
+#include "tool_2d/output_file_p.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -16,6 +18,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <string_view>
 
@@ -41,6 +44,31 @@ std::string_view field_at_front(std::string_view text) {
     const std::size_t end = text.find_first_not_of("0123456789+-l", 1);
     return text.starts_with('%') && end != text.npos && text[end] == 'd' ? text.substr(0, end + 1)
                                                                          : std::string_view();
+}
+
+/// Has `write` make l3d-0001 with this ending, or the first such file that is not there.
+std::string save_as_new(const std::string& ending,
+                        const std::function<void(const std::string& name)>& write) {
+    std::error_code unknown; // on an error the name alone is told
+    const std::filesystem::path folder = std::filesystem::current_path(unknown);
+    constexpr int most = 9999;
+    for (int number = 1; number <= most; ++number) {
+        const std::string name = l3d_detail::formatted("l3d-%04d", number) + ending;
+        // A link that leads nowhere is somebody's name, too.
+        std::error_code problem;
+        const auto type = std::filesystem::symlink_status(name, problem).type();
+        if (type == std::filesystem::file_type::none)
+            return "not saved: " + problem.message();
+        if (type != std::filesystem::file_type::not_found)
+            continue;
+        try {
+            write(name);
+        } catch (const std::exception& error) {
+            return l3d_detail::reason_of(error);
+        }
+        return "saved " + l3d_detail::printable((folder / name).string());
+    }
+    return "not saved: l3d-0001" + ending + " to l3d-9999" + ending + " exist";
 }
 
 } // namespace
@@ -150,24 +178,15 @@ void l3d_report_writer::refuse() const {
 }
 
 std::string l3d_save_screenshot(const l3d_pixels& pixels) {
-    std::error_code unknown; // on an error the name alone is told
-    const std::filesystem::path folder = std::filesystem::current_path(unknown);
-    constexpr int most = 9999;
-    for (int number = 1; number <= most; ++number) {
-        const std::string name = l3d_detail::formatted("l3d-%04d.png", number);
-        // A link that leads nowhere is somebody's name, too.
-        std::error_code problem;
-        const auto type = std::filesystem::symlink_status(name, problem).type();
-        if (type == std::filesystem::file_type::none)
-            return "not saved: " + problem.message();
-        if (type != std::filesystem::file_type::not_found)
-            continue;
-        try {
-            l3d_write_png(name, pixels);
-        } catch (const std::exception& error) {
-            return l3d_detail::reason_of(error);
-        }
-        return "saved " + l3d_detail::printable((folder / name).string());
-    }
-    return "not saved: l3d-0001.png to l3d-9999.png exist";
+    return save_as_new(".png", [&](const std::string& name) { l3d_write_png(name, pixels); });
+}
+
+std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
+    return save_as_new(".obj", [&](const std::string& name) {
+        const std::string text = l3d_write_obj_surfaces(surfaces);
+        l3d_detail::output_file file(name);
+        if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size())
+            l3d_detail::throw_write_error(name);
+        file.commit();
+    });
 }

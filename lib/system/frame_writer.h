@@ -5,12 +5,14 @@
 #define L3D_SYSTEM_FRAME_WRITER_H
 
 #include "base/public.h"
+#include "geom/nurbs_surface.h"
 #include "tool_2d/image.h"
 #include "tool_2d/pixels.h"
 
 #include <fstream>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -117,5 +119,9 @@ struct L3D_PUBLIC l3d_frame_settings {
 /// Returns a line that says where it is, or why it could not be done: a full disk must not end a
 /// program.
 L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
+
+/// Writes surfaces as l3d-0001.obj (l3d_write_obj_surfaces), or the first such name that is free.
+/// Returns a line as l3d_save_screenshot does.
+L3D_PUBLIC std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
 #endif

@@ -45,6 +45,8 @@ public:
                                        1 / program.options().frame_settings().step());
         this->controls().set_turn_speed(asked.turn_speed());
         this->controls().set_screenshot(l3d_save_screenshot);
+        if constexpr (requires { this->set_saver(l3d_save_surfaces); })
+            this->set_saver(l3d_save_surfaces);
         this->controls().set_view_teller([this] { return told_view(); });
         suit_onlooker(program);
         if (!asked.report().empty())

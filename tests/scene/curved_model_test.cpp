@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Curved models: their levels, what belongs to pieces, and which level a view gets.
+#include "base/error.h"
 #include "geom/nurbs_surface.h"
 #include "scene/level_choice.h"
 #include "scene/patch_scene.h"
@@ -72,6 +73,27 @@ TEST(curved_model, materials_and_parts_are_those_of_pieces) {
     EXPECT_EQ(high.materials()[high.material_of(0)].color, 5u);
     EXPECT_GE(high.least()[1], -1e-9);
     EXPECT_TRUE(high.is_curved());
+}
+
+TEST(curved_model, other_surfaces_take_the_place_of_pieces_in_their_colours_and_parts) {
+    const l3d_patch_model model =
+        sphere().painted({.color = 0x123456}).with_parts(std::vector<l3d_part_run>{{"ball", 0}});
+    std::vector<l3d_nurbs_surface> surfaces = model.surfaces();
+    ASSERT_EQ(surfaces.size(), 8u);
+    surfaces[3].set_point(4, {3, 3, 3}, surfaces[3].weights()[4]);
+    const l3d_patch_model other = model.reshaped(surfaces);
+    EXPECT_EQ(other.surfaces()[3].points()[4], vector(3, 3, 3));
+    EXPECT_EQ(other.surfaces()[2].points(), model.surfaces()[2].points());
+    EXPECT_EQ(other.materials()[0].color, 0x123456u);
+    EXPECT_EQ(other.parts().size_of(0), 8u);
+    surfaces.pop_back();
+    EXPECT_THROW(model.reshaped(surfaces), l3d_error);
+
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    const l3d_patch_model same = teapot.reshaped(teapot.surfaces());
+    for (std::size_t i = 0; i < teapot.patches().size(); ++i)
+        EXPECT_EQ(same.patches()[i].points, teapot.patches()[i].points);
+    EXPECT_FALSE(same.is_curved());
 }
 
 TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {

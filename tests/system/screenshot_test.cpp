@@ -3,12 +3,16 @@
 #include "system/frame_writer.h"
 #include "system/temporary_folder.h"
 
+#include "geom/files/surface_file.h"
+#include "geom/nurbs_surface.h"
 #include "tool_2d/image.h"
+#include "tool_2d/text_file.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace {
 
@@ -38,6 +42,16 @@ TEST(screenshot, says_why_there_is_none) {
     }
     l3d_image image({7, 5}, 7);
     EXPECT_EQ(l3d_save_screenshot(image.pixels()), "l3d-0001.png: No such file or directory");
+    fs::current_path(before);
+}
+
+TEST(screenshot, surfaces_are_saved_as_they_are) {
+    const temporary_folder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.file(""));
+    const std::vector<l3d_nurbs_surface> ball = l3d_sphere_surfaces();
+    EXPECT_EQ(l3d_save_surfaces(ball), "saved " + fs::absolute("l3d-0001.obj").string());
+    EXPECT_EQ(l3d_read_text_file("l3d-0001.obj"), l3d_write_obj_surfaces(ball));
     fs::current_path(before);
 }
 

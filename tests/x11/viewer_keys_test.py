@@ -16,7 +16,7 @@ VIEW = ("Left", "Right", "Up", "Down", "Prior", "Next", "1", "ctrl+1", "3", "ctr
 TEXT = ("h", "h", "question", "question", "o", "o", "s", "p", "space")
 PATCHES = ("plus", "minus", "c", "i", "w", "a", "n", "e", "d")
 KEYS = {
-    "teapot_afd": (*VIEW, *TEXT, *PATCHES, "m"),
+    "teapot_afd": (*VIEW, *TEXT, *PATCHES, "k", "m"),
     "modelview": (*VIEW, *TEXT, "x", "X", "y", "Y", "z", "Z", "c", "w", "a", "b", "v"),
     "gallery": (*VIEW, *TEXT, *PATCHES),
 }

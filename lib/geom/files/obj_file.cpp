@@ -4,6 +4,7 @@
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_surfaces_p.h"
+#include "geom/files/surface_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -21,8 +22,10 @@ constexpr std::string_view silent_statements[] = {"mg",    "lod",      "bevel", 
 
 class obj_reader {
 public:
-    obj_reader(text_cursor& text, l3d_model_file& model)
-        : text_(text), model_(model), materials_(model.mesh), surfaces_(text, model.patches) {}
+    obj_reader(text_cursor& text, l3d_model_file& model,
+               std::vector<l3d_nurbs_surface>* surfaces = nullptr)
+        : text_(text), model_(model), materials_(model.mesh),
+          surfaces_(text, model.patches, surfaces) {}
 
     bool read() {
         text_.join_lines_at_backslash();
@@ -348,4 +351,15 @@ std::optional<l3d_model_file> l3d_read_obj(std::string_view text, std::string_vi
         return obj_reader(cursor, model).read();
     };
     return l3d_detail::read_model_by(read, text, name, why, '#');
+}
+
+std::optional<std::vector<l3d_nurbs_surface>>
+l3d_read_obj_surfaces(std::string_view text, std::string_view name, std::string& why) {
+    std::vector<l3d_nurbs_surface> surfaces;
+    const auto read = [&surfaces](text_cursor& cursor, l3d_model_file& model) {
+        return obj_reader(cursor, model, &surfaces).read();
+    };
+    if (!l3d_detail::read_model_by(read, text, name, why, '#'))
+        return std::nullopt;
+    return surfaces;
 }

@@ -191,6 +191,12 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
     std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));
+    if (whole_ == nullptr)
+        return true;
+    std::vector<l3d_nurbs_surface::vector> places;
+    for (const std::uint32_t i : indices_)
+        places.push_back(vertices[i]);
+    whole_->emplace_back(u_, v_, std::move(places), std::move(weights_here));
     return true;
 }
 

@@ -21,14 +21,16 @@ bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, st
 
 /// Reads cstype, deg, surf, parm and end, and makes patches of each surface.
 ///
-/// Lives:   borrows cursor and patches.
+/// Lives:   borrows the cursor, and where patches and surfaces go.
 /// Source:  the appendix "Object Files" of Wavefront's Advanced Visualizer manual.
 class obj_surfaces {
 public:
     using vector = l3d_polygon_mesh::vector;
 
-    obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches)
-        : text_(text), patches_(patches), text_bytes_(text.rest().size()) {}
+    /// Surfaces are also kept as they are in `whole`, unless that is null.
+    obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches,
+                 std::vector<l3d_nurbs_surface>* whole)
+        : text_(text), patches_(patches), whole_(whole), text_bytes_(text.rest().size()) {}
 
     static bool knows(std::string_view word);
 
@@ -56,6 +58,7 @@ private:
 
     text_cursor& text_;
     std::vector<l3d_patch_points>& patches_;
+    std::vector<l3d_nurbs_surface>* whole_;
     std::size_t text_bytes_, patch_bytes_ = 0;
     kind kind_ = kind::none;
     bool is_rational_ = false, is_open_ = false;

@@ -2,6 +2,7 @@
 // l3d_write_obj: polygons, then patches as Bezier surfaces.
 #include "geom/files/model_file.h"
 #include "geom/files/model_reader_p.h"
+#include "geom/files/surface_file.h"
 
 namespace {
 
@@ -68,20 +69,36 @@ void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
     }
 }
 
-void append_patch(std::string& text, const l3d_patch_points& patch) {
-    for (std::size_t i = 0; i < patch.points.size(); ++i) {
-        const auto& [x, y, z] = patch.points[i];
-        append_vector(text, "v ", x, y, z);
-        if (!patch.weights.empty()) {
+/// Control points of a surface as vertices; those of a rational one have weights.
+template <class Points>
+void append_points(std::string& text, const Points& points, const std::vector<double>& weights) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        append_vector(text, "v ", points[i][0], points[i][1], points[i][2]);
+        if (!weights.empty()) {
             text.back() = ' '; // a weight goes on with the line
-            l3d_detail::append(text, patch.weights[i], '\n');
+            l3d_detail::append(text, weights[i], '\n');
         }
     }
+}
+
+void append_last_vertices(std::string& text, std::size_t count) {
+    for (std::size_t i = count; i > 0; --i)
+        text += " -" + std::to_string(i);
+}
+
+void append_patch(std::string& text, const l3d_patch_points& patch) {
+    append_points(text, patch.points, patch.weights);
     text += "deg " + std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) +
             "\nsurf 0 1 0 1";
-    for (std::size_t i = patch.points.size(); i > 0; --i)
-        text += " -" + std::to_string(i);
+    append_last_vertices(text, patch.points.size());
     text += "\nparm u 0 1\nparm v 0 1\nend\n";
+}
+
+void append_knots(std::string& text, const char* name, const l3d_bspline_direction& along) {
+    text += name;
+    for (const double knot : along.knots)
+        l3d_detail::append(text, knot, ' ');
+    text.back() = '\n';
 }
 
 void append_patches(std::string& text, const l3d_model_file& model) {
@@ -119,5 +136,26 @@ std::string l3d_write_obj(const l3d_model_file& model) {
         append_faces(text, model.mesh);
     if (!plain_patches)
         append_patches(text, model);
+    return text;
+}
+
+std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
+    std::string text;
+    for (const l3d_nurbs_surface& surface : surfaces) {
+        append_points(text, surface.points(), surface.weights());
+        text += surface.weights().empty() ? "cstype bspline\n" : "cstype rat bspline\n";
+        text += "deg " + std::to_string(surface.u().degree) + ' ' +
+                std::to_string(surface.v().degree) + "\nsurf ";
+        l3d_detail::append(text, surface.u().from, ' ');
+        l3d_detail::append(text, surface.u().to, ' ');
+        l3d_detail::append(text, surface.v().from, ' ');
+        l3d_detail::append(text, surface.v().to, ' ');
+        text.pop_back(); // the vertices begin with a blank
+        append_last_vertices(text, surface.points().size());
+        text += '\n';
+        append_knots(text, "parm u ", surface.u());
+        append_knots(text, "parm v ", surface.v());
+        text += "end\n";
+    }
     return text;
 }

@@ -498,3 +498,10 @@ l3d_patch_model l3d_afd_options::model() const {
                   << " skipped; modelview --pipeline zbuffer shows them\n";
     return *std::move(model);
 }
+
+std::vector<l3d_nurbs_surface> l3d_afd_options::surfaces(const l3d_patch_model& model) const {
+    std::vector<l3d_nurbs_surface> surfaces;
+    if (!model_file_.empty())
+        surfaces = l3d_detail::load_named_surfaces(model_file_);
+    return surfaces.empty() ? model.surfaces() : surfaces;
+}

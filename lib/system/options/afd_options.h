@@ -54,6 +54,12 @@ public:
     /// Whether --texture was given.
     bool gives_texture() const { return !texture_.empty(); }
 
+    /// The model's surfaces, for programs that change control points: NURBS surfaces as an exact
+    /// shape or an .obj file has them, else each piece. Their pieces are those of the model.
+    /// Expects: the result of model().
+    /// Errors:  l3d_error(bad_input) with file and line.
+    std::vector<l3d_nurbs_surface> surfaces(const l3d_patch_model& model) const;
+
     /// The contents of the model's file, which is read once even if camera() has looked into it
     /// before.
     /// Errors: l3d_error(bad_input) with file and line.

@@ -4,10 +4,12 @@
 
 #include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
+#include "geom/files/surface_file.h"
 #include "geom/nurbs_surface.h"
 #include "system/options/output_names_p.h"
 #include "system/plugin_loader.h"
 #include "system/long_work_p.h"
+#include "tool_2d/text_file.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -56,4 +58,18 @@ l3d_model_file l3d_detail::load_named_model(const std::string& name) {
         why += ' ' + known;
     throw l3d_error(l3d_exit::bad_input, (names.empty() ? why + " none" : why) +
                                              did_you_mean(fs::path(name).stem().string(), names));
+}
+
+std::vector<l3d_nurbs_surface> l3d_detail::load_named_surfaces(const std::string& name) {
+    std::error_code unknown;
+    if (auto shape = l3d_exact_shape(name); shape && !fs::exists(name, unknown))
+        return *std::move(shape);
+    const std::string text = l3d_read_text_file(l3d_data_file(name));
+    if (l3d_model_format_of(text) != l3d_model_format::obj)
+        return {};
+    std::string why;
+    auto surfaces = l3d_read_obj_surfaces(text, name, why);
+    if (!surfaces)
+        throw l3d_error(l3d_exit::bad_input, why);
+    return *std::move(surfaces);
 }

@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_OPTIONS_MODEL_NAMES_P_H
 #define L3D_SYSTEM_OPTIONS_MODEL_NAMES_P_H
 
+#include "geom/nurbs_surface.h"
 #include "scene/model_loader.h"
 
 #include <string>
@@ -16,6 +17,10 @@ std::vector<std::string> model_names();
 /// Reads the model that a user means by its name, as l3d_data_file finds it. Errors: as
 /// l3d_load_model; for an unknown plain name, the folders that were searched.
 l3d_model_file load_named_model(const std::string& name);
+
+/// The NURBS surfaces of a model that load_named_model has read: of an exact shape, or of an .obj
+/// file. None if the model has other patches. Errors: as load_named_model.
+std::vector<l3d_nurbs_surface> load_named_surfaces(const std::string& name);
 
 } // namespace l3d_detail
 
