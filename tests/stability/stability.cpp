@@ -21,12 +21,12 @@ const extent sample{14, 300, 6, 2, 24, 50, 1, "", ""};
 const extent everything{1, 300'000, 2000, 2000, 10'000, 2000, 1, "", ""};
 
 [[noreturn]] void refuse(const std::string& what) {
-    std::fprintf(
-        stderr,
-        "stability: %s\n"
-        "usage: stability [--sample] [--random N] [--curved N] [--parallel N] [--ordinary N] [--threads N] "
-        "[--folder FOLDER] [--only TEXT]\n",
-        what.c_str());
+    std::fprintf(stderr,
+                 "stability: %s\n"
+                 "usage: stability [--sample] [--random N] [--curved N] [--parallel N] [--ordinary "
+                 "N] [--threads N] "
+                 "[--folder FOLDER] [--only TEXT]\n",
+                 what.c_str());
     std::exit(2);
 }
 

@@ -66,8 +66,7 @@ struct named_result {
 struct suite_result {
     std::array<std::string, arithmetic_count> arithmetics;
     std::vector<named_result> named;
-    std::array<tally, arithmetic_count> named_tally, random_tally, curved_tally,
-        parallel_tally;
+    std::array<tally, arithmetic_count> named_tally, random_tally, curved_tally, parallel_tally;
     tally polygon_tally; ///< of the named cases as polygons
     std::vector<curve_result> curves;
     std::vector<worst_case> worst;       ///< five, the worst first
