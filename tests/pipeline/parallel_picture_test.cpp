@@ -192,7 +192,7 @@ TEST(parallel_picture, outlines_are_where_covered_and_uncovered_pixels_meet) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const bool is = std::isfinite(distances[static_cast<std::size_t>(y * size.width + x)]);
-            missed += is != exact.covered(x, y) && !program.outlines()->at(x, y);
+            missed += is != exact.covered(x, y) && !program.outlines()->has(x, y);
         }
     EXPECT_EQ(missed, 0);
     EXPECT_LT(program.report().outline_pixels, size.width * size.height / 5);

@@ -7,7 +7,7 @@
 #include "hard_edged.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "raster/color/srgb_light.h"
-#include "raster/rasterizer_factory_sw.h"
+#include "raster/rasterizer_factory.h"
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 #include "scene/laid_picture.h"
 #include "tool_2d/image.h"
