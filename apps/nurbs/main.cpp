@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
         l3d_viewer<nurbs_pipeline> pipeline(
             program, afd, program.create_canvas(afd.model_file().empty() ? "" : afd.model_title()),
             model, surfaces, camera, settings);
+        pipeline.tell_times(program.options().frame_settings().frames == 0);
         if (!afd.places_camera())
             pipeline.look_at_net();
         dispatcher->plug(pipeline, pipeline.screen()); // step 4

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
 #include "compare/method_option.h"
-#include "system/options/refusal_p.h"
 #include <l3d/afd_options.h>
 #include <l3d/framing.h>
 #include <l3d/part_options.h>
@@ -68,28 +67,27 @@ int main(int argc, char** argv) {
         const std::string two = "not with --compare, whose halves are two pictures",
                           none = "not with --error-report, which draws nothing",
                           follow = "not with kept, whose frames depend on those before them";
-        l3d_detail::refuse(
-            {{"--depth-output", compares && keeps_depth, two},
-             {"--error-output", compares && bounds, two},
-             {"--texture",
-              afd.gives_texture() &&
-                  (compares || measures || method.choice()->method != l3d_method::afd),
-              "only --method afd has it, and not beside another method"},
-             {"--output", measures && !common.output.empty(), none},
-             {"--report", measures && !afd.report().empty(), none},
-             {"--depth-output", measures && keeps_depth, none},
-             {"--error-output", measures && bounds, none},
-             {"--pick", measures && afd.pick(), none},
-             {"--explain", measures && afd.explain(), none},
-             {"--statistics", measures && afd.statistics(), none},
-             {"--compare", measures && compares, none},
-             {"--parallel", measures && camera.is_parallel(), none},
-             {"--parallel", other && !other->draws_parallel() && camera.is_parallel(),
-              "not with --compare of a method that draws perspective alone"},
-             {"--frames", measures && common.frames > 0, none},
-             {"--resume", is_kept && common.resume, follow},
-             {"--frames", is_kept && common.first_frame > 0, follow},
-             {"--quick", quick && !measures, "goes with --error-report"}});
+        l3d_refuse({{"--depth-output", compares && keeps_depth, two},
+                    {"--error-output", compares && bounds, two},
+                    {"--texture",
+                     afd.gives_texture() &&
+                         (compares || measures || method.choice()->method != l3d_method::afd),
+                     "only --method afd has it, and not beside another method"},
+                    {"--output", measures && !common.output.empty(), none},
+                    {"--report", measures && !afd.report().empty(), none},
+                    {"--depth-output", measures && keeps_depth, none},
+                    {"--error-output", measures && bounds, none},
+                    {"--pick", measures && afd.pick(), none},
+                    {"--explain", measures && afd.explain(), none},
+                    {"--statistics", measures && afd.statistics(), none},
+                    {"--compare", measures && compares, none},
+                    {"--parallel", measures && camera.is_parallel(), none},
+                    {"--parallel", other && !other->draws_parallel() && camera.is_parallel(),
+                     "not with --compare of a method that draws perspective alone"},
+                    {"--frames", measures && common.frames > 0, none},
+                    {"--resume", is_kept && common.resume, follow},
+                    {"--frames", is_kept && common.first_frame > 0, follow},
+                    {"--quick", quick && !measures, "goes with --error-report"}});
         if (folder.empty()) {
             scene = parts.scene(afd.model());
             afd.lay_picture(scene);

@@ -131,7 +131,7 @@ l3d_standing_panel l3d_pipeline_afd_editor::standing_panel() {
         return {};
     panel.add("error", std::isfinite(bound()) ? formatted("%.2f pixels at most", bound())
                                               : "no bound with " + settings().method.name());
-    if (screen().is_window())
+    if (screen().is_window() && tells_times_)
         panel.add("frame", formatted("%.2f ms, surface %.2f ms", controls().pace().milliseconds(),
                                      reshape_ms_));
     if (const auto handle = handles_->marked()) {

@@ -31,6 +31,10 @@ public:
     ///          has colours and parts.
     void edit(const l3d_patch_model& model, std::vector<l3d_nurbs_surface> surfaces);
 
+    /// Whether the panel tells times in a window. Pictures that are counted want none: each run
+    /// draws the same. Default: true.
+    void tell_times(bool whether) { tells_times_ = whether; }
+
     /// The handles; null before edit() and the key that shows them.
     const l3d_control_handles* handles() const { return handles_ ? &*handles_ : nullptr; }
 
@@ -61,6 +65,7 @@ private:
     l3d_patch_model model_; ///< all of it, with its colours and parts
     std::optional<l3d_control_handles> handles_;
     bool is_editing_ = false, is_changed_ = false;
+    bool tells_times_ = true;
     double reshape_ms_ = 0;
     std::function<std::string(std::span<const l3d_nurbs_surface>)> save_;
 };

@@ -10,7 +10,6 @@
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
-#include "system/options/refusal_p.h"
 #include "system/long_work_p.h"
 
 #include <algorithm>
@@ -81,7 +80,7 @@ l3d_camera seen_from_above(l3d_camera camera) {
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
-    l3d_detail::refuse({
+    l3d_refuse({
         {"--error-output", asked.error_map && (asked.wireframe || !is_light),
          "only surfaces that show light have an exact picture, and neither --wireframe nor --shade "
          "normals, error or an inspection does"},
@@ -262,7 +261,7 @@ bool l3d_afd_options::shows_the_usual() const {
 l3d_camera l3d_afd_options::camera() const {
     const std::string no_up = "'" + text_of(camera_.up) + "' is zero or along the line of sight";
     check_place("--up", camera_.up);
-    l3d_detail::refuse({{"--up", camera_.up == l3d_camera::vector{0.0, 0.0, 0.0}, no_up}});
+    l3d_refuse({{"--up", camera_.up == l3d_camera::vector{0.0, 0.0, 0.0}, no_up}});
     l3d_camera result = asked_camera();
     const l3d_upright stands(camera_.up);
     const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
@@ -271,7 +270,7 @@ l3d_camera l3d_afd_options::camera() const {
     result.near = near_.value_or(camera_.near);
     check_place("--eye", result.eye, l3d_farthest_eye);
     check_place("--target", result.target);
-    l3d_detail::refuse({
+    l3d_refuse({
         {"--target", result.eye == result.target,
          "'" + text_of(result.target) + "' is the eye's place"},
         {"--far", !(result.near < result.far),
@@ -436,8 +435,8 @@ l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
     const bool has_points = result.lighting.point_count > 0;
     const std::string outshone = "nothing is seen of it beside --headlight on, the only light";
-    l3d_detail::refuse({{"--light", headlight_ == headlight::on && gives_light_, outshone},
-                        {"--point-light", headlight_ == headlight::on && has_points, outshone}});
+    l3d_refuse({{"--light", headlight_ == headlight::on && gives_light_, outshone},
+                {"--point-light", headlight_ == headlight::on && has_points, outshone}});
     result.headlight = headlight_ == headlight::on ||
                        (headlight_ == headlight::unless_lit && !gives_light_ && !has_points);
     if (has_points && !gives_light_)

@@ -11,6 +11,7 @@
 #include "tool_2d/screen.h"
 #include "system/frame_writer.h"
 
+#include <initializer_list>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -213,6 +214,20 @@ void l3d_options::add_choice(const std::string& name, T& value, const std::strin
         values.push_back(meaning);
     }
     add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
+}
+
+/// A row of a table of options: its option is refused if it was given where nothing takes it.
+struct l3d_refusal {
+    const char* option;
+    bool is_refused;
+    std::string why; ///< begins in small letters, for it follows the option's name and a colon
+};
+
+/// Errors: l3d_error(usage) that names the first option refused, and why.
+inline void l3d_refuse(std::initializer_list<l3d_refusal> table) {
+    for (const l3d_refusal& row : table)
+        if (row.is_refused)
+            throw l3d_error(l3d_exit::usage, std::string(row.option) + ": " + row.why);
 }
 
 #endif

@@ -6,7 +6,6 @@
 #include "pipeline/polygons/polygon_model.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
-#include "system/options/refusal_p.h"
 #include "system/long_work_p.h"
 
 #include <algorithm>
@@ -94,19 +93,19 @@ l3d_polygon_model l3d_polygon_options::model() const {
 void l3d_polygon_options::refuse_for_patches() const {
     const l3d_polygon_settings usual;
     const std::string why = "only polygons have it, and --pipeline afd draws patches";
-    l3d_detail::refuse({{"--hidden-lines", hidden_lines_, why},
-                        {"--rotate", rotation_ != usual.rotation, why},
-                        {"--rotate-order", rotation_order_ != usual.rotation_order, why},
-                        {"--to-origin", to_origin_, why},
-                        {"--crease-angle", crease_angle_ != l3d_usual_crease_angle, why},
-                        {"--no-textures", no_textures_, why},
-                        {"--facets", facets_ != l3d_usual_facets, why}});
+    l3d_refuse({{"--hidden-lines", hidden_lines_, why},
+                {"--rotate", rotation_ != usual.rotation, why},
+                {"--rotate-order", rotation_order_ != usual.rotation_order, why},
+                {"--to-origin", to_origin_, why},
+                {"--crease-angle", crease_angle_ != l3d_usual_crease_angle, why},
+                {"--no-textures", no_textures_, why},
+                {"--facets", facets_ != l3d_usual_facets, why}});
 }
 
 l3d_polygon_settings l3d_polygon_options::settings() const {
     const l3d_afd_settings shared = shared_.settings();
     const std::string why = "polygons are drawn as they are; only --pipeline afd has it";
-    l3d_detail::refuse({
+    l3d_refuse({
         {"--depth-output", shared.depth, "only --pipeline afd keeps the distances for it"},
         {"--error-output", shared.error_map, "only --pipeline afd has the bounds for it"},
         {"--shade", shared.shade == l3d_shade::error,
