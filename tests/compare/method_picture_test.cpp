@@ -133,8 +133,9 @@ TEST(method_picture, in_parallel_projection_is_like_the_exact_one_or_refused) {
             depth = std::fmax(depth, static_cast<double>(errors.depth[i]));
         }
         std::printf("%-15s outline %.3f px, depth %.3f px\n", expected.method, outline, depth);
-        EXPECT_LE(outline, std::max(expected.outline, 0.3)) << expected.method;
-        EXPECT_LE(depth, std::max(expected.depth, 0.3)) << expected.method;
+        // Limits are those of the perspective view; this one differs by a tenth at most.
+        EXPECT_LE(outline, std::max(1.1 * expected.outline, 0.3)) << expected.method;
+        EXPECT_LE(depth, std::max(1.1 * expected.depth, 0.3)) << expected.method;
         ++drawn;
     }
     EXPECT_GE(drawn, 6);

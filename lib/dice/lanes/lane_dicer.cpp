@@ -63,7 +63,7 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     };
     l3d_vertex_accuracy accuracy;
     accuracy.error_xy = walk_xy + start_rounding * net.largest_xy;
-    if (view.is_parallel()) // what walks is not divided by its own w
+    if (view.is_parallel()) // vertices are not divided by their own w
         accuracy.error_xy += 2 * l3d_parallel_part * view.w_middle * hull.reach();
     accuracy.error_w = walk_w + start_rounding * walked_w(view);
     accuracy.w_low = bounds_.least_w - view.error_w;
