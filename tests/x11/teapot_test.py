@@ -354,7 +354,7 @@ def modelview_refuses_what_its_pipeline_has_not():
     """What is given as its default is no wish."""
     viewer = Program("modelview", (97, 73))
     of_patches = (("--net",), ("--tolerance", "50"), ("--lateral-only",), ("--keep-all",))
-    of_polygons = (("--rotate", "30,0,0"), ("--parallel",), ("--hidden-lines",), ("--to-origin",),
+    of_polygons = (("--rotate", "30,0,0"), ("--hidden-lines",), ("--to-origin",),
                    ("--facets", "4"), ("--rotate-order", "zyx"), ("--crease-angle", "10"))
     usual = ("--rotate", "0,0,0")
     with folder() as path:
