@@ -66,7 +66,7 @@ int main(int argc, char** argv) try {
             how_much.threads =
                 static_cast<int>(std::clamp<std::uint64_t>(count_of(option, value), 1, 256));
         else if (option == "--only")
-            how_much = {1, 0, 0, 0, 0, how_much.threads, value, ""};
+            how_much = {1, 0, 0, 0, 0, 0, how_much.threads, value, ""};
         else if (option == "--folder")
             folder = value;
         else
