@@ -211,13 +211,13 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   const l3d_pixels& target) {
     const linear_light& tables = linear_light_tables();
     constexpr float part = 1.0f / sample_places::count;
+    // Where sides meet, two samples may be in none of the polygons. Pixels have four such places at
+    // most, in all tilings that were tried.
+    constexpr int closed_count = sample_places::count - 8;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
         const bool is_grey = light.is_grey();
-        // Where sides meet, two samples may be in none of the polygons. Pixels have four such
-        // places at most, in all tilings of patches that were tried. Facets may be missing.
-        constexpr int closed_count = has_bends<decltype(shader)> ? sample_places::count - 8 : 1;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             light_sum sum;
             int count = 0;
