@@ -39,6 +39,7 @@ TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/layers.log \
              $(OUT)/log/fail.log $(OUT)/log/front-door.log $(OUT)/log/sentences.log
 # Further pictures of what a shorter test judges already: WITH=thorough, `make test-LAYER` and `make matrix` run them.
+# Then tests find L3D_THOROUGH in their environment, and judge many cases in place of a few.
 longest_pipeline := lit_doubts.hold_for_highlights_of_two_lights_on_four_models:lit_doubts.hold_for_fog:$\
     lit_doubts.hold_for_transparent_instances:error_map.holds_for_patches_of_every_kind:$\
     error_map.holds_for_tiny_patches_and_tilings:error_map.holds_for_bodies:$\
@@ -96,7 +97,7 @@ logged = $(Q)mkdir -p $(@D); { $(1); } > $@ 2>&1; echo "exit status $$?" >> $@
 
 $(tested:%=$(OUT)/log/%.log): $(OUT)/log/%.log: $(OUT)/tests/%_tests FORCE
 	$(call say,TEST,$*)
-	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
+	$(call logged,$(if $(filter thorough,$(WITH)),L3D_THOROUGH=1) timeout --foreground $(TEST_TIMEOUT) $< --gtest_color=no \
 	    $(if $(filter thorough,$(WITH)),,--gtest_filter='-$(longest_$*)'))
 
 # What takes minutes is disabled in its test program.

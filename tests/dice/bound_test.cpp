@@ -72,7 +72,7 @@ public:
     void check(std::uint64_t seed, const scene& s, double tolerance, bool attainable = true) {
         SCOPED_TRACE(testing::Message() << what_ << " seed " << seed << " tolerance " << tolerance);
         certificate result(s.eye, s.size);
-        result.measure_every(sanitized ? 50 : 5);
+        result.measure_every(thorough ? 5 : 50);
         l3d_dice_counts counts;
         measure<T>(s, tolerance, result, counts);
         if (attainable) {
@@ -115,7 +115,7 @@ TEST(certificate, evaluates_as_exactly_as_the_reference_does) {
 }
 
 TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
-    constexpr int scenes = sanitized ? 10 : 20, patches = 20;
+    const int scenes = thorough ? 20 : 10, patches = 20;
     for (const auto& [kind, name] : reference::patch_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
@@ -130,7 +130,7 @@ TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
 
 /// Tolerances finer than vertices can be placed: not kept, but the bound says what is.
 TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
-    constexpr int scenes = sanitized ? 1 : 2, patches = 3;
+    const int scenes = thorough ? 2 : 1, patches = 3;
     random_scenes<TypeParam> all("cut");
     for (std::uint64_t seed = 1; seed <= scenes; ++seed)
         all.check(seed,
@@ -142,7 +142,7 @@ TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
 }
 
 TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
-    constexpr int scenes = sanitized ? 10 : 20, patches = 5;
+    const int scenes = thorough ? 20 : 10, patches = 5;
     for (const auto& [kind, name] : nasty_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
@@ -157,7 +157,7 @@ TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
 
 /// At any budget of a frame, a coarsely drawn patch has a larger bound, or none, but a true one.
 TYPED_TEST(bound_of, frames_that_may_cost_little_hold) {
-    constexpr int scenes = sanitized ? 5 : 20, patches = 5;
+    const int scenes = thorough ? 20 : 5, patches = 5;
     for (const nasty_kind kind :
          {nasty_kind::around_eye, nasty_kind::crossing, nasty_kind::deep, nasty_kind::wide}) {
         random_scenes<TypeParam> all("cheap");

@@ -107,6 +107,8 @@ TEST(closed_body, has_the_same_outline_without_its_back) {
     for (const auto& patches : {ball(), inside_out(ball())})
         for (const reference::camera& eye : {at(3, 2, 4), at(-2.4, 0.3, -1.6), at(0.2, -9, 0.4)})
             for (const double tolerance : {1.0, 0.1, 0.01}) { // the last in pieces
+                if (!thorough && tolerance == 0.1)
+                    continue;
                 const scene s(patches, eye, size);
                 const reference::exact_image exact(s.patches, s.eye, s.picture());
                 const reference::exact_region region(s.patches, s.eye, s.picture());

@@ -92,7 +92,7 @@ TYPED_TEST(parallel_projection, of_the_teapot_holds_in_every_view) {
             SCOPED_TRACE(testing::Message() << view.name << " tolerance " << tolerance);
             scene s{reference::load_bpt_plain("data/teapot.bpt"), parallel(view.eye), {320, 240}};
             s.shade_tolerance = 2;
-            all.check(s, tolerance, sanitized ? 31 : 7);
+            all.check(s, tolerance, thorough ? 7 : 31);
         }
     EXPECT_EQ(all.within(), all.scenes());
     if (way_of<TypeParam>::way == l3d_dice_way::lanes) {
@@ -128,7 +128,7 @@ template <class T> void check_random(std::uint64_t first, std::uint64_t count) {
 }
 
 TYPED_TEST(parallel_projection, of_random_patches_holds) {
-    check_random<TypeParam>(1, sanitized ? 10 : 60);
+    check_random<TypeParam>(1, thorough ? 60 : 10);
 }
 
 TYPED_TEST(parallel_projection, DISABLED_of_ten_thousand_random_scenes_holds) {

@@ -8,7 +8,7 @@
 #include "scene/image_transform.h"
 #include "scene/placed_net.h"
 #include "reference/views.h"
-#include "sanitized.h"
+#include "effort.h"
 
 #include <gtest/gtest.h>
 

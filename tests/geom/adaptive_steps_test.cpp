@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Adaptive walks: exact in whole numbers, and each step as long as a pixel asks for.
+#include "effort.h"
 #include "geom/forward_difference.h"
 #include "geom/bezier_oracle.h"
 
@@ -17,7 +18,7 @@ using values = std::array<double, 4>;
 using whole = l3d_fixed<std::int64_t, 42>; ///< a grid of 2^-6, and 3 bits for each of 12 halvings
 
 constexpr int grid = 6, finest = 12;
-constexpr int random_curves = 100'000;
+const int random_curves = thorough ? 100'000 : 10'000;
 
 template <class T>
 std::array<l3d_forward_difference<T, 3>, 2> built(const std::array<values, 2>& of, int first) {

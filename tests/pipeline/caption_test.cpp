@@ -2,7 +2,7 @@
 // A program's caption: as text, and on the pictures of a window.
 #include "pipeline/captioned_p.h"
 
-#include "sanitized.h"
+#include "effort.h"
 #include "sizable_screen.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // The map of errors against the exact picture through a box filter: no pixel is farther off.
 #include "hard_edged.h"
 #include "../dice/scene.h"
-#include "../sanitized.h"
+#include "effort.h"
 #include "../scene/bodies.h"
 #include "words_of.h"
 
@@ -128,7 +128,7 @@ reference::patch random_sheet(reference::random_numbers& random, double slope) {
     return result;
 }
 
-constexpr l3d_size small{sanitized ? 48 : 56, sanitized ? 36 : 42};
+const l3d_size small{thorough ? 56 : 48, thorough ? 42 : 36};
 
 void compare_views_of_the_teapot(l3d_size size, std::size_t step) {
     const auto views = reference::project_views();
@@ -138,7 +138,7 @@ void compare_views_of_the_teapot(l3d_size size, std::size_t step) {
 }
 
 TEST(error_map, holds_for_the_teapot) {
-    compare_views_of_the_teapot(small, sanitized ? 3 : 2);
+    compare_views_of_the_teapot(small, thorough ? 2 : 3);
 }
 
 /// Half a minute.

@@ -176,7 +176,7 @@ scene random_scene(random_numbers& random, body_kind kind, eye_place where) {
 }
 
 TEST(leaving_out, of_random_bodies_backs_loses_nothing_of_the_exact_picture) {
-    const int scenes = sanitized ? 24 : 120;
+    const int scenes = thorough ? 120 : 24;
     std::int64_t blocks = 0, closed = 0, differ = 0, pixels = 0, inside = 0;
     std::int64_t covered = 0, judged = 0;
     for (int i = 0; i < scenes; ++i) {
@@ -248,7 +248,7 @@ scene tiny_patches(random_numbers& random, int bodies) {
 
 TEST(leaving_out,
      of_dicing_of_thousands_of_tiny_patches_covers_the_exact_picture_within_the_bound) {
-    const int scenes = sanitized ? 2 : 6;
+    const int scenes = thorough ? 6 : 2;
     std::int64_t points = 0, patches = 0, covered = 0;
     double worst = 0;
     for (int i = 0; i < scenes; ++i) {

@@ -150,13 +150,13 @@ void expect_few_are_close(const agreement& sum) {
 }
 
 constexpr double tolerances[] = {1, 0.25, 0.05};
-constexpr l3d_size small{sanitized ? 64 : 80, sanitized ? 48 : 60};
+const l3d_size small{thorough ? 80 : 64, thorough ? 60 : 48};
 
 /// In every fourth view with sanitizers, which need minutes for all of them.
 TEST(outlines, of_the_teapot_lie_in_the_mask_in_every_view) {
     agreement sum;
     const auto& views = reference::project_views();
-    for (std::size_t i = 0; i < views.size(); i += sanitized ? 4 : 1)
+    for (std::size_t i = 0; i < views.size(); i += thorough ? 1 : 4)
         for (const double tolerance : tolerances)
             sum.add(compare("teapot, " + std::string(views[i].name),
                             dice_tests::teapot(views[i], small), tolerance));
@@ -235,7 +235,7 @@ TEST(outlines, reach_the_holes_where_two_of_them_meet) {
 
 TEST(outlines, where_one_connected_sheet_covers_there_is_no_hole) {
     std::int64_t pixels = 0, uncovered = 0, marked = 0;
-    for (std::uint64_t seed = 1; seed <= (sanitized ? 8 : 60); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (thorough ? 60 : 8); ++seed) {
         reference::random_numbers random(seed);
         const reference::camera eye{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, random.between(20, 90), 0.1};
         const int k = static_cast<int>(random.of_any_size(1, 8.99));

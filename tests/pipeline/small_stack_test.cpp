@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How much of its stack a thread needs that draws: less than l3d_stack_bytes, whatever it draws.
-#include "../sanitized.h"
+#include "effort.h"
 
 #include "geom/polygon_shapes.h"
 #include "geom/transform.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that draw only what changed: the same bits as frames drawn whole, and no more work.
+#include "effort.h"
 #include "hard_edged.h"
 #include "still_studio.h"
 
@@ -74,7 +75,7 @@ TEST(still_picture, is_the_same_bits_as_drawn_whole) {
          {std::pair(1, false), std::pair(2, false), std::pair(2, true)}) {
         tally all;
         // Edges cost more in these small pictures than all else.
-        const std::uint64_t seeds = antialias ? 60 : 200;
+        const std::uint64_t seeds = (antialias ? 15 : 50) * (thorough ? 4 : 1);
         for (std::uint64_t seed = 0; seed < seeds; ++seed) {
             const tally t = compare<l3d_rasterizer_factory_sw>(seed, 8, threads, antialias);
             all.frames += t.frames;
@@ -293,7 +294,7 @@ TEST(still_picture, follows_camera_settings_and_what_comes_and_goes) {
 }
 
 TEST(still_picture, is_the_same_bits_by_the_slow_twin) {
-    for (std::uint64_t seed = 0; seed < 60; ++seed)
+    for (std::uint64_t seed = 0; seed < (thorough ? 60 : 15); ++seed)
         compare<scalar_factory>(seed, 6, 1);
 }
 

@@ -2,7 +2,7 @@
 // The surface rasterizer in bands: like its slow twin, whatever the bands, threads and order.
 #include "allocations.h"
 #include "raster/parallel/simd_target.h"
-#include "sanitized.h"
+#include "effort.h"
 #include "surface_scene.h"
 #include "tool_2d/image.h"
 

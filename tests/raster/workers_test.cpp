@@ -2,7 +2,7 @@
 // l3d_workers: every item once, by any worker.
 #include "raster/parallel/workers.h"
 
-#include "sanitized.h"
+#include "effort.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cameras that frame a scene: what is seen of its points then.
+#include "effort.h"
 #include "scene/framing.h"
 
 #include "bodies.h"
@@ -80,6 +81,8 @@ TEST(framing, fills_85_percent_of_the_picture_whatever_the_model) {
     for (const auto& [name, scene] : scenes())
         for (const l3d_size size : sizes)
             for (const double fov : {20.0, 41.0, 110.0}) {
+                if (!thorough && fov == 41.0)
+                    continue;
                 if (fov > 100 && name == "along the line of sight")
                     continue; // the eye is nearer than the points that are looked at are dense
                 any.fov = fov;

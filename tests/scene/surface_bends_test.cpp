@@ -4,7 +4,7 @@
 #include "exact_bends.h"
 #include "teapot_studio.h"
 
-#include "sanitized.h"
+#include "effort.h"
 
 #include "raster/parallel/simd_target.h"
 #include "reference/random_numbers.h"
@@ -94,7 +94,7 @@ std::vector<patch> library_patches(const std::vector<reference::patch>& of) {
     return result;
 }
 
-constexpr int points = sanitized ? 5 : 13;
+const int points = thorough ? 13 : 5;
 
 TEST(surface_bends, of_the_teapot_hold_and_are_tight) {
     const l3d_patch_model model = teapot_model();
@@ -119,8 +119,8 @@ TEST(surface_bends, of_random_patches_of_every_kind_hold) {
                                      {patch_kind::coincident, "coincident"},
                                      {patch_kind::stiff, "stiff"}}) {
         const auto patches =
-            reference::random_patches(7, kind, sanitized ? 5 : 100, view, {640, 480});
-        tightness found = measured(library_patches(patches), sanitized ? 5 : 9);
+            reference::random_patches(7, kind, thorough ? 100 : 5, view, {640, 480});
+        tightness found = measured(library_patches(patches), thorough ? 9 : 5);
         found.print(name);
         EXPECT_EQ(found.violations, 0) << name;
     }
@@ -268,7 +268,7 @@ TEST(surface_bends, under_any_map_hold) {
                     map(row, column) += unlike * random.between(-1, 1);
             const patch placed = moved(model.patches()[p], map);
             found.compare(model.bends(p).under(map),
-                          exact_bends(placed, l3d_normal_net(placed), sanitized ? 5 : 9));
+                          exact_bends(placed, l3d_normal_net(placed), thorough ? 9 : 5));
         }
         std::printf("unlike a similarity by %.2f, ", unlike);
         found.print("teapot");
@@ -301,7 +301,7 @@ TEST(surface_bends, cost_this_much) {
     using clock = std::chrono::steady_clock;
     double least = HUGE_VAL;
     float sum = 0;
-    for (int round = 0; round < (sanitized ? 1 : 20); ++round) {
+    for (int round = 0; round < (thorough ? 20 : 1); ++round) {
         const auto start = clock::now();
         for (std::size_t p = 0; p < model.patches().size(); ++p)
             sum += l3d_surface_bends(model.patches()[p], model.normals(p)).of_whole().uuvv;
