@@ -115,7 +115,8 @@ TEST(certificate, evaluates_as_exactly_as_the_reference_does) {
 }
 
 TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
-    const int scenes = thorough ? 20 : 10, patches = 20;
+    const std::uint64_t scenes = thorough ? 20 : 10;
+    constexpr int patches = 20;
     for (const auto& [kind, name] : reference::patch_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
@@ -130,7 +131,8 @@ TYPED_TEST(bound_of, random_patches_of_every_kind_hold) {
 
 /// Tolerances finer than vertices can be placed: not kept, but the bound says what is.
 TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
-    const int scenes = thorough ? 2 : 1, patches = 3;
+    const std::uint64_t scenes = thorough ? 2 : 1;
+    constexpr int patches = 3;
     random_scenes<TypeParam> all("cut");
     for (std::uint64_t seed = 1; seed <= scenes; ++seed)
         all.check(seed,
@@ -142,7 +144,8 @@ TYPED_TEST(bound_of, patches_cut_again_and_again_hold) {
 }
 
 TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
-    const int scenes = thorough ? 20 : 10, patches = 5;
+    const std::uint64_t scenes = thorough ? 20 : 10;
+    constexpr int patches = 5;
     for (const auto& [kind, name] : nasty_kinds) {
         random_scenes<TypeParam> all(name);
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
@@ -157,7 +160,8 @@ TYPED_TEST(bound_of, patches_around_the_eye_and_far_from_the_window_hold) {
 
 /// At any budget of a frame, a coarsely drawn patch has a larger bound, or none, but a true one.
 TYPED_TEST(bound_of, frames_that_may_cost_little_hold) {
-    const int scenes = thorough ? 20 : 5, patches = 5;
+    const std::uint64_t scenes = thorough ? 20 : 5;
+    constexpr int patches = 5;
     for (const nasty_kind kind :
          {nasty_kind::around_eye, nasty_kind::crossing, nasty_kind::deep, nasty_kind::wide}) {
         random_scenes<TypeParam> all("cheap");

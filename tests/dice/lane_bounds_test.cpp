@@ -62,7 +62,7 @@ long quads_of(const l3d_step_plan& plan) {
 }
 
 TEST(lane_bounds, give_the_plans_of_the_slow_twin) {
-    const int patches = thorough ? 100000 : 2000;
+    const std::uint64_t patches = thorough ? 100000 : 2000;
     int compared = 0, different = 0;
     long quads = 0, wanted_quads = 0;
     for (std::uint64_t seed = 1; seed <= patches; ++seed) {

@@ -77,7 +77,8 @@ private:
 };
 
 TYPED_TEST(lane_dicer, holds_its_bound) {
-    const int scenes = thorough ? 40 : 5, patches = 20;
+    const std::uint64_t scenes = thorough ? 40 : 5;
+    constexpr int patches = 20;
     for (const named_kind& of : kinds) {
         std::int64_t offered = 0, taken = 0, samples = 0;
         double worst = 0;
