@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures in lanes beside l3d_texture::light, place by place, and the levels of light.
-#include "raster/textures/texture_lanes_p.h"
+// Textures in lanes beside their slow twin, place by place, and the levels of light.
+#include "raster/slow_texture.h"
 
 #include "raster/color/linear_light_p.h"
 #include "tool_2d/image.h"
@@ -35,6 +35,7 @@ TEST(texture_lanes, look_up_what_places_one_by_one_do) {
          {std::pair{w::repeat, w::clamp}, std::pair{w::clamp, w::mirror},
           std::pair{w::mirror, w::repeat}}) {
         const l3d_texture of = texture(wrap_u, wrap_v);
+        const slow_texture slow(of);
         for (const auto& [name, filter] : l3d_texture_filter_names)
             for (const std::size_t count : {std::size_t{1}, std::size_t{17}, std::size_t{64}}) {
                 const auto pixels = std::make_unique<painted_pixels>();
@@ -53,12 +54,12 @@ TEST(texture_lanes, look_up_what_places_one_by_one_do) {
                 light_by_texture(of.view(), filter, *pixels);
                 int off = 0;
                 for (std::size_t i = 0; i < count; ++i) {
-                    const l3d_light_color light =
-                        of.light(filter, {double{pixels->u[i]}, double{pixels->v[i]},
-                                          double{pixels->u_right[i]}, double{pixels->v_right[i]},
-                                          double{pixels->u_down[i]}, double{pixels->v_down[i]}});
+                    const auto light =
+                        slow.seen(filter, {double{pixels->u[i]}, double{pixels->v[i]},
+                                           double{pixels->u_right[i]}, double{pixels->v_right[i]},
+                                           double{pixels->u_down[i]}, double{pixels->v_down[i]}});
                     for (std::size_t c = 0; c < 3; ++c)
-                        off += !(std::abs(pixels->light[c][i] - 0.5F * light[c]) < 5e-4F);
+                        off += !(std::abs(double{pixels->light[c][i]} - 0.5 * light[c]) < 5e-4);
                 }
                 // One sample more or less, or the next pixel, where floats round across a border.
                 EXPECT_LE(off, static_cast<int>(count) / 16) << name << ' ' << count;

@@ -85,7 +85,14 @@ void face_painter::begin_triangle(const l3d_painted_model& model,
         }
         corners_[k] = product(light, light_of(triangle.colors[k]));
     }
-    blends_ = triangle.colors[0] != triangle.colors[1] || triangle.colors[1] != triangle.colors[2];
+    if (texture_ || triangle.colors[0] != triangle.colors[1] ||
+        triangle.colors[1] != triangle.colors[2])
+        return;
+    triangle_ = nullptr;
+    const linear_light& tables = linear_light_tables();
+    flat_color_ = 0;
+    for (const float channel : corners_[0])
+        flat_color_ = flat_color_ << 8 | tables.level(channel);
 }
 
 /// With u the quotient of two linear numbers n / d, a step in x changes it by (n_x - u d_x) / d.
@@ -107,25 +114,21 @@ l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) co
 
 /// Corners are drawn where 1/256 of a pixel is. So a pixel at a side may lie beside the exact
 /// triangle, and has no negative shares then.
-std::uint32_t face_painter::painted(double x, double y) const {
+void face_painter::place(double x, double y, std::size_t pixel) {
     std::array<double, 3> shares;
     for (std::size_t k = 0; k < shares.size(); ++k)
         shares[k] = std::max(sides_[k][0] * x + sides_[k][1] * y + sides_[k][2], 0.0);
-    const double all = shares[0] + shares[1] + shares[2];
     // Less is no triangle but a line, as far as numbers tell.
-    if (!(all > 0x1p-1000))
+    if (!(shares[0] + shares[1] + shares[2] > 0x1p-1000))
         shares = {1, 0, 0};
-    l3d_light_color light = corners_[0];
-    if (blends_)
-        for (std::size_t c = 0; c < light.size(); ++c)
-            light[c] = static_cast<float>((shares[0] * double{corners_[0][c]} +
-                                           shares[1] * double{corners_[1][c]} +
-                                           shares[2] * double{corners_[2][c]}) /
-                                          (shares[0] + shares[1] + shares[2]));
+    const double over = 1 / (shares[0] + shares[1] + shares[2]);
+    for (std::size_t c = 0; c < 3; ++c)
+        batch_.pixels().light[c][pixel] = static_cast<float>((shares[0] * double{corners_[0][c]} +
+                                                              shares[1] * double{corners_[1][c]} +
+                                                              shares[2] * double{corners_[2][c]}) *
+                                                             over);
     if (texture_)
-        light = product(light, texture_->light(paints_->filter, place_at(shares)));
-    const linear_light& tables = linear_light_tables();
-    return tables.level(light[0]) << 16 | tables.level(light[1]) << 8 | tables.level(light[2]);
+        batch_.pixels().set(pixel, *texture_, place_at(shares));
 }
 
 namespace {

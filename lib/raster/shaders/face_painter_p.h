@@ -10,7 +10,9 @@
 #include "raster/shaders/material_words_p.h"
 #include "raster/textures/texture.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -27,24 +29,24 @@ public:
     /// The colour of a name at a place of the picture, 0x00RRGGBB. Units: pixels from the top left
     /// corner. Beside the triangle, it is the one at its nearest side.
     std::uint32_t color(std::uint32_t name, double x, double y) {
-        if (batch_.has(name)) {
-            std::uint32_t color = 0;
-            batch_.add(name, x, y, 1, &color);
-            batch_.finish();
-            return color;
-        }
-        if (name != name_)
-            begin(name);
-        return triangle_ ? painted(x, y) : flat_color_;
+        std::uint32_t color = 0;
+        note(name, x, y, 1, &color);
+        batch_.finish();
+        return color;
     }
 
     /// The same for pixels of a row that see one polygon: their colours are there after finish().
-    /// Units: pixels; x is the first one's place.
+    /// Units: pixels; x is the first one's place. Expects: count at most painted_pixels::room.
     void note(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* to) {
         if (batch_.has(name))
             return batch_.add(name, x, y, count, to);
+        if (name != name_)
+            begin(name);
+        if (!triangle_)
+            return void(std::fill_n(to, count, flat_color_));
+        const std::size_t first = batch_.add(texture_, count, to);
         for (std::size_t i = 0; i < count; ++i)
-            to[i] = color(name, x + static_cast<double>(i), y);
+            place(x + static_cast<double>(i), y, first + i);
     }
     void finish() { batch_.finish(); }
 
@@ -64,16 +66,15 @@ private:
 
     void begin(std::uint32_t name);
     void begin_triangle(const l3d_painted_model& model, const l3d_painted_triangle& triangle);
-    std::uint32_t painted(double x, double y) const;
+    void place(double x, double y, std::size_t pixel);
     l3d_texture_place place_at(const std::array<double, 3>& shares) const;
 
     const l3d_face_paints* paints_;
     std::span<const l3d_material> materials_;
-    paint_batch batch_; ///< for parts of patches
+    paint_batch batch_;
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
-    const l3d_painted_triangle* triangle_ = nullptr;
+    const l3d_painted_triangle* triangle_ = nullptr; ///< null if all of it has flat_color_
     const l3d_texture* texture_ = nullptr;
-    bool blends_ = false;                      ///< corners differ in colour
     std::array<plane, 3> sides_{};             ///< 0 on the side opposite of a corner
     plane u_{}, v_{}, all_{};                  ///< u and v times `all`, and the sum of the sides
     std::array<l3d_light_color, 3> corners_{}; ///< the light of their colours and the material's

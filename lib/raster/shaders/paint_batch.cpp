@@ -37,41 +37,40 @@ std::size_t paint_batch::slot_of(std::uint32_t name) {
     return slot;
 }
 
+std::size_t paint_batch::wait(const look& like, std::size_t count, std::uint32_t* colors) {
+    if (pixels_.count + count > painted_pixels::room || like != look_)
+        finish();
+    look_ = like;
+    const std::size_t begin = pixels_.count;
+    pixels_.count += count;
+    for (std::size_t i = 0; i < count; ++i)
+        targets_[begin + i] = colors + i;
+    return begin;
+}
+
 void paint_batch::add(std::uint32_t name, double x, double y, std::size_t count,
                       std::uint32_t* colors) {
-    if (pixels_.count + count > painted_pixels::room)
-        finish();
     const std::size_t slot = slot_of(name);
-    if (textures_[slot] != texture_)
-        finish();
-    texture_ = textures_[slot];
+    const std::size_t begin = wait({textures_[slot], true}, count, colors);
     awaited_ |= std::uint64_t{1} << slot;
     const auto first = static_cast<std::int32_t>(slot * placed_quad::stride);
     const auto left = static_cast<float>(x), row = static_cast<float>(y);
-    const std::size_t begin = pixels_.count;
-    pixels_.count += count;
     for (std::size_t i = 0; i < count; ++i) {
         places_.first[begin + i] = first;
         places_.x[begin + i] = left + static_cast<float>(i);
         places_.y[begin + i] = row;
-        targets_[begin + i] = colors + i;
     }
 }
 
 void paint_batch::finish() {
-    const std::size_t count = pixels_.count;
-    if (count == 0)
+    if (pixels_.count == 0)
         return;
-    constexpr std::size_t widest = 16; // lanes that also take what is behind the last pixel
-    for (std::size_t i = count; i % widest != 0; ++i) {
-        places_.first[i] = places_.first[0];
-        places_.x[i] = places_.x[0];
-        places_.y[i] = places_.y[0];
-    }
-    find_quad_places(quads_.data(), places_, pixels_);
-    light_by_texture(texture_->view(), filter_, pixels_);
+    if (look_.is_of_quads)
+        find_quad_places(quads_.data(), places_, pixels_);
+    if (look_.texture)
+        light_by_texture(look_.texture->view(), filter_, pixels_);
     encode_light(pixels_);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < pixels_.count; ++i)
         *targets_[i] = pixels_.words[i];
     pixels_.count = 0;
     awaited_ = 0;

@@ -137,10 +137,7 @@ struct placed_corner {
 /// Makes the picture's places small without a change of what is seen there: floats hold fractions
 /// of pixels of the picture then.
 void reduce(std::array<placed_corner, 4>& corners, std::size_t axis, l3d_texture_wrap wrap) {
-    if (wrap == l3d_texture_wrap::clamp)
-        return;
-    const double period = wrap == l3d_texture_wrap::mirror ? 2 : 1;
-    const double whole = period * std::floor(corners[0].at[axis] / period);
+    const double whole = corners[0].at[axis] - place_near_zero(corners[0].at[axis], wrap);
     for (placed_corner& corner : corners)
         corner.at[axis] -= whole;
 }

@@ -73,7 +73,7 @@ public:
                          l3d_texture_wrap wrap_v = l3d_texture_wrap::repeat);
 
     /// The size of the whole picture.
-    l3d_size size() const { return {levels_[0].width, levels_[0].height}; }
+    l3d_size size() const { return size_; }
 
     /// How it goes on beyond its left and right borders.
     l3d_texture_wrap wrap_u() const { return wrap_u_; }
@@ -90,23 +90,9 @@ public:
     l3d_light_color light(l3d_texture_filter filter, const l3d_texture_place& place) const;
 
 private:
-    /// One of the pictures.
-    struct level {
-        int width = 0, height = 0;
-        std::size_t first = 0; ///< place of its first pixel among those of all
-    };
-    struct sum;
-
-    const std::uint16_t* pixel(const level& of, std::size_t x, std::size_t y) const {
-        return &light_[4 * (of.first + y * static_cast<std::size_t>(of.width) + x)];
-    }
-
-    void add_bilinear(std::size_t level, double u, double v, float weight, sum& to) const;
-    void add_trilinear(double width, double u, double v, float weight, sum& to) const;
-    void add_anisotropic(const l3d_texture_place& place, sum& to) const;
-
-    std::vector<level> levels_; ///< the whole picture first
-    /// A pixel has red, green, blue and nothing, so that it is a vector; 65535 is the light of a
+    l3d_size size_;
+    std::vector<std::int32_t> first_; ///< the first pixel of each picture, the whole one first
+    /// A pixel has red, green, blue and nothing, so that it is two words; 65535 is the light of a
     /// level of 255.
     std::vector<std::uint16_t> light_;
     l3d_texture_wrap wrap_u_, wrap_v_;

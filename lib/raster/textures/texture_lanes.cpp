@@ -169,7 +169,9 @@ struct footprint {
     }
 };
 
-/// As l3d_texture::add_anisotropic, whose comments derive it.
+/// A circle becomes an ellipse under the linear map from the picture's pixels to the texture's. Its
+/// axes are the map's singular values, and the longer one is an eigenvector of the map times its
+/// transpose.
 HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of, float_vec u,
                                 float_vec v, light_sums& to) {
     const float_vec zero = hn::Zero(floats), one = set(1), half = set(0.5F);
