@@ -127,6 +127,46 @@ TEST(parallel_picture, is_the_same_by_any_threads_and_with_all_that_is_left_out)
     EXPECT_GT(one.report().dice.backfacing + one.report().dice.back_blocks, 0);
 }
 
+/// Pixels of smooth edges show all that lies in them, so backs that begin where a front ends show
+/// there, too, within the bound of the outline. Fronts hide them everywhere else. It is the same in
+/// perspective. Rules that leave out other things change no pixel.
+TEST(parallel_picture, with_smooth_edges_shows_backs_at_outlines_alone) {
+    reference::random_numbers random(3);
+    int differ = 0;
+    for (int body = 0; body < 5; ++body) {
+        const auto patches = dice_tests::random_body(random, dice_tests::body_kind::bent);
+        for (const bool is_parallel : {false, true}) {
+            reference::camera eye{{2.5, 3.1, 6.3}, {0.1, 0, 0}, {0.1, 1, 0.05}, 30, 0.2};
+            eye.parallel = is_parallel;
+            const scene s{patches, eye, size};
+            l3d_afd_settings settings;
+            tester usual(s.model, s.camera, settings);
+            usual.draw_event();
+            settings.keep = l3d_kept_work::all();
+            settings.keep.backs = settings.keep.unit_normals = false;
+            tester more(s.model, s.camera, settings);
+            more.draw_event();
+            EXPECT_EQ(usual.words(), more.words()) << "what is hidden or outside is not seen";
+            settings.keep.backs = true;
+            tester all(s.model, s.camera, settings);
+            all.draw_event();
+            const picture less = usual.words(), whole = all.words();
+            const reference::exact_region region(s.patches, s.eye, s.picture());
+            const double reach = usual.report().dice.bound_px + std::sqrt(0.5); // half a diagonal
+            for (std::size_t i = 0; i < less.size(); ++i) {
+                if (less[i] == whole[i])
+                    continue;
+                ++differ;
+                const auto x = static_cast<int>(i % size.width),
+                           y = static_cast<int>(i / size.width);
+                EXPECT_LE(region.distance_to_outline(x + 0.5, y + 0.5), reach) << x << ' ' << y;
+            }
+        }
+    }
+    EXPECT_GT(differ, 0) << "else this tests nothing";
+    EXPECT_LT(differ, 100);
+}
+
 TEST(parallel_picture, fades_into_fog_by_the_distance) {
     const scene s = parallel_teapot("full");
     l3d_afd_settings settings = with_depth();
