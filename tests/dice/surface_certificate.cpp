@@ -46,6 +46,11 @@ struct weights {
 /// Where the normal has less than this of what it is the product of, rounding decides about it.
 constexpr real no_normal = 1e-9L;
 
+/// A derivative of less than this part of the net's coordinates is nothing but rounding: four times
+/// three products and sums in long double err by 12 * 2^-64 of them. So it is where a side of the
+/// patch is a point.
+constexpr real no_derivative = 1e-17L;
+
 /// Room for what a level of a corner may be off by: normals in floats.
 constexpr double of_corner = 0.05;
 
@@ -97,6 +102,7 @@ void surface_certificate::next(std::size_t patch) {
             return axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2];
         };
         net_[i] = {along(frame_.right), -along(frame_.up), along(frame_.forward)};
+        reach_ = i == 0 ? length(net_[i]) : std::max(reach_, length(net_[i]));
     }
 }
 
@@ -125,7 +131,9 @@ auto surface_certificate::exact_at(double u, double v) const -> exact {
     }
     const long_vec normal = cross(by_u, by_v);
     const real size = length(normal);
-    const bool has_normal = size > no_normal * length(by_u) * length(by_v);
+    const real of_u = length(by_u), of_v = length(by_v);
+    const bool has_normal =
+        std::min(of_u, of_v) > no_derivative * reach_ && size > no_normal * of_u * of_v;
     exact result{place, {}, 0, has_normal};
     if (has_normal) {
         result.normal = (1 / size) * normal;

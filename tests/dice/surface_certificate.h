@@ -87,6 +87,7 @@ private:
     l3d_shading depths_; ///< what drawn depths stand for
     long_vec light_;
     std::array<long_vec, 16> net_;
+    long double reach_ = 0; ///< largest distance of a point of the net from the eye
     std::optional<l3d_surface_bends> bends_;
     std::size_t patch_ = 0, every_ = 1;
 };
