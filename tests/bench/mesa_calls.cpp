@@ -88,6 +88,7 @@ unsigned mesa_calls::program(const char* vertex, const char* fragment, std::stri
     }
     BindAttribLocation(made, 0, "position");
     BindAttribLocation(made, 1, "grey");
+    BindAttribLocation(made, 2, "place");
     LinkProgram(made);
     int linked = 0;
     GetProgramiv(made, GL_LINK_STATUS, &linked);

@@ -28,7 +28,7 @@
     call(Clear) call(Finish) call(CullFace) call(PixelStorei) call(ReadPixels) \
     call(GenBuffers) call(BindBuffer) call(BufferData) call(DeleteBuffers) \
     call(GenTextures) call(BindTexture) call(TexImage2D) call(TexImage2DMultisample) \
-    call(TexParameteri) \
+    call(TexParameteri) call(TexParameterf) call(GenerateMipmap) \
     call(GenRenderbuffers) call(BindRenderbuffer) call(RenderbufferStorage) \
     call(RenderbufferStorageMultisample) \
     call(GenFramebuffers) call(BindFramebuffer) call(FramebufferTexture2D) \
@@ -53,7 +53,7 @@ struct mesa_calls {
 
     std::string renderer() const;
 
-    /// A program of two shaders; `position` is attribute 0, `grey` attribute 1.
+    /// A program of two shaders; `position` is attribute 0, `grey` 1 and `place` 2.
     /// Errors: 0, with one line in `why`.
     unsigned program(const char* vertex, const char* fragment, std::string& why) const;
 
