@@ -167,6 +167,24 @@ def book_rows(text):
     return wrong
 
 
+def named_tests(text):
+    """Tests that a document names, and that are not there; and rows under "Shown by" that name nothing,
+    unless they say why not. `suite.*` stands for all of a suite."""
+    known = tests_there()
+    known |= {name.split(".")[0] + ".*" for name in known if "." in name}
+    wrong, shows = [], False
+    for line in text.splitlines():
+        shows = line.startswith("|") and (shows or line.endswith("| Shown by |"))
+        suites = [name for name in re.findall(r"`(\w+\.(?:\w+|\*))`", line)
+                  if name.split(".")[0] + ".*" in known or name.endswith(".*")]
+        wrong += [name for name in suites if name not in known]
+        wrong += [name for name in re.findall(r"`(\w+/\w+\.py)`", line) if not is_path(name)]
+        what, shown = [cell.strip() for cell in line.strip("|").split("|")][-2:] if shows else ("No.", "")
+        if not shown and not what.startswith("No."):
+            wrong.append(f"no test: {line[:60]}")
+    return wrong
+
+
 def main():
     failed = 0
     wrong = book_rows((ROOT / "docs" / "BOOK.md").read_text())
@@ -176,6 +194,10 @@ def main():
         missing = missing_in((ROOT / document).read_text())
         print(f"not ok docs {document}: figures {missing}" if missing else f"ok docs {document}: figures")
         failed += bool(missing)
+    for document in ("docs/DISSERTATION.md", "docs/POLYGONS.md"):
+        wrong = named_tests((ROOT / document).read_text())
+        print(f"not ok docs {document}: tests {wrong}" if wrong else f"ok docs {document}: tests")
+        failed += bool(wrong)
     for document in DOCUMENTS:
         text = (ROOT / document).read_text()
         for command in make_commands(text):
