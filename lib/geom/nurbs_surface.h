@@ -27,6 +27,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// The range of the parameter that is part of the surface.
     double from = 0, to = 0;
 
+    friend bool operator==(const l3d_bspline_direction&, const l3d_bspline_direction&) = default;
+
     /// The number of control points along this direction.
     std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
 
@@ -201,6 +203,8 @@ public:
     /// Errors: throws l3d_error(bad_input) if t is outside of the range, or there as often as the
     ///         degree says.
     l3d_nurbs_curve with_knot(double t) const;
+
+    friend bool operator==(const l3d_nurbs_curve&, const l3d_nurbs_curve&) = default;
 
 private:
     l3d_vector<double, 4> homogeneous(std::size_t index) const;

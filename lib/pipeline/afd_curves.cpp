@@ -4,21 +4,32 @@
 
 #include "scene/flat_space_curve_p.h"
 
+#include <algorithm>
+
 void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
-    if (curves_.empty())
+    if (!has_curves())
         return;
     rasterizer().finish();
     const l3d_pixels target = screen_->pixels();
-    for (const l3d_space_curve& curve : curves_) {
+    const l3d_size size = target.size();
+    const l3d_detail::depth_law law{.focal = camera_.is_parallel() ? camera_.scale_at_target(size)
+                                                                   : camera_.focal_length(size),
+                                    .base = shading.depth_base,
+                                    .step = shading.depth_step};
+    const auto draw = [&](const l3d_space_curve& curve) {
         // Surfaces and chords keep the tolerance each, so they may be off by twice as much.
         const l3d_detail::depth_lines::line line{.depth = depth_,
                                                  .width = curve.width(),
                                                  .error = 2 * settings_.tolerance,
-                                                 .focal = camera_.focal_length(target.size()),
+                                                 .law = law,
                                                  .smooth = settings_.antialias};
         for (const l3d_detail::depth_chord& chord :
-             l3d_detail::flat_space_curve(curve, camera_, target.size(), settings_.tolerance))
+             l3d_detail::flat_space_curve(curve, camera_, size, settings_.tolerance, law))
             stages_->lines.add(line, chord[0], chord[1]);
         stages_->lines.paint(target, curve.color(), shading);
-    }
+    };
+    for (const l3d_patch_instance& instance : scene_.instances())
+        for (const l3d_space_curve& curve : instance.model().curves())
+            draw(curve.placed(instance.placement() * curve.placement()));
+    std::ranges::for_each(curves_, draw);
 }

@@ -163,8 +163,8 @@ public:
     /// camera and settings say then. A program with a dispatcher calls redraw() after a change of
     /// camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
-    /// Lines in space, drawn on the finished surfaces; a reference to change them. After a change,
-    /// call redraw().
+    /// Lines in space, drawn on the finished surfaces and on the lines of the scene's models; a
+    /// reference to change them. After a change, call redraw().
     ///
     /// A surface hides what lies behind it, pixel by pixel, also if it is transparent. Lines that
     /// lie on a surface are seen whole, since the test allows for the slope of the surface and for
@@ -304,7 +304,8 @@ private:
     void draw_wireframe(const l3d_shading& shading);
     void draw_nets();
     void draw_curves(const l3d_shading& shading);
-    bool wants_depth() const { return settings_.depth || !curves_.empty(); }
+    bool has_curves() const { return !curves_.empty() || scene_.has_curves(); }
+    bool wants_depth() const { return settings_.depth || has_curves(); }
 
     std::unique_ptr<l3d_screen> screen_;
     l3d_font font_;

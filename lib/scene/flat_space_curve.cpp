@@ -10,18 +10,20 @@
 namespace {
 
 using l3d_detail::depth_chord;
+using l3d_detail::depth_law;
 using l3d_detail::depth_point;
 
-/// A control point: x w, y w, the distance times w, and w. The pixel is the picture's centre plus
-/// the quotients of the first two by the third.
+/// A control point: x, y, what they are divided by, and the depth times that. The pixel is the
+/// picture's centre plus the quotients of the first two by the third.
 using point = l3d_vector<double, 4>;
 using bezier = std::vector<point>;
 
 class flattener {
 public:
-    flattener(const l3d_camera& camera, l3d_size size, double width, double tolerance)
-        : near_(camera.near), far_(camera.far), focal_(camera.focal_length(size)),
-          centre_x_(size.width / 2.0), centre_y_(size.height / 2.0),
+    flattener(const l3d_camera& camera, l3d_size size, double width, double tolerance,
+              const depth_law& law)
+        : near_(camera.near), far_(camera.far), law_(law), centre_x_(size.width / 2.0),
+          centre_y_(size.height / 2.0),
           margin_(width / 2 + 1), // beyond the reach of smooth edges, width / 2 + 1 / 2
           tolerance_(tolerance) {}
 
@@ -52,6 +54,8 @@ private:
 
     /// Not negative inside of the near and far plane and of the picture with its margin; linear.
     double inside(int plane, const point& p) const {
+        if (plane < 2 && law_.step != 0)
+            return 1;
         switch (plane) {
         case 0:
             return p[2] - near_ * p[3];
@@ -69,7 +73,12 @@ private:
     }
 
     depth_point projected(const point& p) const {
-        return {centre_x_ + p[0] / p[2], centre_y_ + p[1] / p[2], p[3] / p[2]};
+        // In a parallel projection, surfaces have depths from 1 to 1.25. So what is farther than
+        // eight times their depth is behind all of them, as that depth is.
+        constexpr double least = 0x1p-20;
+        const double depth = p[3] / p[2];
+        return {centre_x_ + p[0] / p[2], centre_y_ + p[1] / p[2],
+                law_.step != 0 ? std::max(depth, least) : depth};
     }
 
     bool is_flat(const bezier& of) const {
@@ -81,10 +90,9 @@ private:
             const depth_point c = projected(p);
             const double along = (c.x - a.x) * dx + (c.y - a.y) * dy;
             const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-            const double inv_w = a.inv_w + t * (b.inv_w - a.inv_w);
-            // A difference d of 1 / w is d w^2 in the world, and a pixel is w / focal there.
+            const double depth = a.depth + t * (b.depth - a.depth);
             return std::hypot(c.x - a.x - t * dx, c.y - a.y - t * dy) <= tolerance_ &&
-                   std::abs(c.inv_w - inv_w) * focal_ <= tolerance_ * inv_w;
+                   std::abs(c.depth - depth) <= tolerance_ * law_.per_pixel(depth);
         });
     }
 
@@ -104,7 +112,9 @@ private:
                 {projected(from + (to - from) * first), projected(from + (to - from) * last)});
     }
 
-    double near_, far_, focal_, centre_x_, centre_y_, margin_, tolerance_;
+    double near_, far_;
+    depth_law law_;
+    double centre_x_, centre_y_, margin_, tolerance_;
     std::vector<depth_chord> chords_;
 };
 
@@ -112,14 +122,19 @@ private:
 
 std::vector<depth_chord> l3d_detail::flat_space_curve(const l3d_space_curve& curve,
                                                       const l3d_camera& camera, l3d_size size,
-                                                      double tolerance) {
+                                                      double tolerance, const depth_law& law) {
     const l3d_matrix<double> to_image = camera.image_matrix(size) * curve.placement();
-    flattener result(camera, size, curve.width(), tolerance);
+    // The depth, linear in the places of a parallel projection, times what they are divided by.
+    const l3d_vector<double, 3> forward = camera.axes().forward;
+    const double at_origin = law.base - law.step * l3d_dot(forward, camera.eye);
+    flattener result(camera, size, curve.width(), tolerance, law);
     for (const l3d_space_curve::bezier& span : curve.spans()) {
         bezier seen;
         for (const l3d_vector<double, 4>& p : span) {
-            const l3d_vector<double, 4> q = to_image * p;
-            seen.push_back({q[0], q[1], q[3], p[3]});
+            const l3d_vector<double, 4> q = to_image * p, at = curve.placement() * p;
+            const double along = forward[0] * at[0] + forward[1] * at[1] + forward[2] * at[2];
+            seen.push_back(
+                {q[0], q[1], q[3], law.step == 0 ? p[3] : at_origin * p[3] + law.step * along});
         }
         result.add(seen, 0);
     }

@@ -16,14 +16,15 @@ namespace l3d_detail {
 using depth_chord = std::array<depth_point, 2>;
 
 /// The chords of a curve as a camera sees it, in its order. They are cut off at the near and far
-/// plane, and outside of the picture where the line's width no longer reaches into it.
+/// plane, which a parallel projection has not, and outside of the picture where the line's width no
+/// longer reaches into it.
 ///
 /// Every point of the curve in the picture is within `tolerance` pixels of its chord, and so is its
 /// depth in pixels at its distance. The exception is a curve of over 2^16 chords between two knots.
-/// Source: the control points' hull. As (x / w, y / w, 1 / w), all points of a rational Bezier
+/// Source: the control points' hull. As (x / w, y / w, depth), all points of a rational Bezier
 ///         curve are means of the control points, with positive shares.
 std::vector<depth_chord> flat_space_curve(const l3d_space_curve& curve, const l3d_camera& camera,
-                                          l3d_size size, double tolerance);
+                                          l3d_size size, double tolerance, const depth_law& law);
 
 } // namespace l3d_detail
 

@@ -2,10 +2,11 @@
 // l3d_load_model: looks for materials where the model is.
 #include "scene/model_loader.h"
 
+#include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "base/error.h"
 #include "geom/height_field.h"
-#include "tool_2d/image.h"
+#include "tool_2d/png_levels_p.h"
 #include "tool_2d/text_file.h"
 
 #include <algorithm>
@@ -118,15 +119,13 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
 
 /// A picture as hills: a height for each pixel, one unit apart. White is a quarter of the longer
 /// side above black, so that the hills of most pictures look neither flat nor like needles.
-l3d_model_file heights_of(l3d_image picture, const std::string& name) {
-    const l3d_pixels pixels = picture.pixels();
-    l3d_height_field field{static_cast<std::size_t>(pixels.width), {}, 1};
-    const double white = std::max(pixels.width, pixels.height) / 4.0;
-    for (int y = 0; y < pixels.height; ++y)
-        for (const std::uint32_t word : pixels.row(y)) {
-            const std::uint32_t sum = (word >> 16 & 255) + (word >> 8 & 255) + (word & 255);
-            field.heights.push_back(white * sum / (3 * 255));
-        }
+l3d_model_file heights_of(const std::string& bytes, const std::string& name) {
+    l3d_detail::png_levels picture = l3d_detail::decoded_png_levels(bytes, name, l3d_most_heights);
+    const double white = std::max(picture.size.width, picture.size.height) / 4.0;
+    l3d_height_field field{static_cast<std::size_t>(picture.size.width), std::move(picture.means),
+                           1};
+    for (double& height : field.heights)
+        height *= white;
     const std::string why = field.complaint();
     if (!why.empty())
         throw l3d_error(l3d_exit::bad_input, l3d_detail::printable(name) + ": " + why);
@@ -141,7 +140,7 @@ l3d_model_file l3d_load_model(const std::string& path, const std::string& name) 
     std::string why;
     const std::string text = l3d_read_text_file(path);
     if (text.starts_with("\x89PNG"))
-        return heights_of(l3d_decoded_image(text, name, l3d_most_heights), name);
+        return heights_of(text, name);
     const auto read_beside = [&](const std::string& named,
                                  std::string& reason) -> std::optional<std::string> {
         reason.clear();
@@ -151,7 +150,15 @@ l3d_model_file l3d_load_model(const std::string& path, const std::string& name) 
     auto model = l3d_read_model_with(read_beside, text, name, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    if (l3d_model_format_of(text) == l3d_model_format::obj)
+    if (!model->curves.empty() && model->patches.empty())
+        model->notes.push_back(l3d_detail::printable(name) + ": " +
+                               l3d_detail::counted(model->curves.size(), "lines and curves") +
+                               " are not drawn: they are only beside surfaces");
+    const auto format = l3d_model_format_of(text);
+    if (format == l3d_model_format::obj)
         read_materials(path, name, *model);
+    if (format == l3d_model_format::ply)
+        for (l3d_mesh_picture& picture : model->mesh.pictures)
+            picture.name = beside(path, picture.name);
     return *std::move(model);
 }

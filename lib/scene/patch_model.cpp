@@ -18,6 +18,7 @@
 #include "scene/curved_pieces.h"
 #include "scene/facing_cones.h"
 #include "scene/model_loader.h"
+#include "scene/space_curve.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -107,6 +108,18 @@ std::vector<l3d_patch_points> pieces_of(std::span<const l3d_nurbs_surface> surfa
                       std::make_move_iterator(more.end()));
     }
     return pieces;
+}
+
+/// The lines of a file, a pixel wide and of their materials' colours.
+std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
+    std::vector<l3d_space_curve> result;
+    for (std::size_t i = 0; i < file.curves.size(); ++i) {
+        const bool has_look = !file.curve_materials.empty() && !file.mesh.looks.empty();
+        const l3d_material look =
+            has_look ? file.mesh.looks[file.curve_materials[i]] : l3d_material();
+        result.emplace_back(file.curves[i], look.color);
+    }
+    return result;
 }
 
 } // namespace
@@ -258,6 +271,7 @@ l3d_patch_model l3d_patch_model::reshaped(std::span<const l3d_nurbs_surface> sur
         throw l3d_error(l3d_exit::bad_input, why);
     result->paint_ = paint_;
     result->parts_ = parts_;
+    result->curves_ = curves_;
     return *std::move(result);
 }
 
@@ -409,7 +423,19 @@ l3d_patch_model l3d_patch_model::only(std::span<const std::size_t> parts) const 
 l3d_patch_model l3d_patch_model::without(std::span<const std::size_t> parts) const {
     std::vector<bool> kept = this->parts().things_of(parts, pieces());
     kept.flip();
-    return chosen(kept);
+    l3d_patch_model result = chosen(kept);
+    result.curves_ = curves_;
+    return result;
+}
+
+l3d_patch_model l3d_patch_model::with_curves(std::vector<l3d_space_curve> curves) const {
+    l3d_patch_model result = *this;
+    result.curves_ = std::make_shared<const std::vector<l3d_space_curve>>(std::move(curves));
+    return result;
+}
+
+std::span<const l3d_space_curve> l3d_patch_model::curves() const {
+    return curves_ ? std::span(*curves_) : std::span<const l3d_space_curve>();
 }
 
 std::vector<float> l3d_patch_model::opacities() const {
@@ -424,7 +450,10 @@ l3d_patch_model l3d_patch_model::of_opacity(float least, float most) const {
     std::vector<bool> is_chosen;
     for (const l3d_material& m : piece_materials())
         is_chosen.push_back(m.opacity >= least && m.opacity <= most);
-    return chosen(is_chosen);
+    l3d_patch_model result = chosen(is_chosen);
+    if (most >= 1)
+        result.curves_ = curves_;
+    return result;
 }
 
 l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {
@@ -474,6 +503,8 @@ std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& 
     auto model = from_patches(file.patches, name, why);
     if (model && !file.patch_parts.empty())
         model = model->with_parts(file.patch_parts);
+    if (model && !file.curves.empty())
+        model = model->with_curves(curves_of(file));
     if (!model || file.patch_materials.empty() || file.mesh.looks.empty())
         return model;
     std::vector<l3d_material> materials;

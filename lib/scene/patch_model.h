@@ -23,6 +23,7 @@ class l3d_facing_cones;
 class l3d_curved_pieces;
 class l3d_normal_net;
 class l3d_nurbs_surface;
+class l3d_space_curve;
 class l3d_surface_bends;
 struct l3d_model_file;
 struct l3d_parameter_range;
@@ -70,8 +71,8 @@ public:
     /// The teapot that l3d has at hand, data/teapot.bpt, with its parts.
     static l3d_patch_model teapot();
 
-    /// The patches of a file in any format of l3d_read_model, in the colours that it has for them.
-    /// Its polygons and notes are left out.
+    /// The patches and curves of a file in any format of l3d_read_model, in the colours that it has
+    /// for them. Its polygons and notes are left out.
     /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
     ///         patches, and for patches that from_patches refuses.
     static l3d_patch_model load(const std::string& file);
@@ -95,7 +96,7 @@ public:
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
-    /// The patches of a file that was read, in the colours that it has for them.
+    /// The patches and curves of a file that was read, in the colours that it has for them.
     /// Errors: as from_patches.
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
@@ -173,7 +174,8 @@ public:
     /// parts().names().
     l3d_patch_model part_painted(std::size_t part, const l3d_material& material) const;
 
-    /// A model of some parts alone, in their colours; patches without a part are left out.
+    /// A model of some parts alone, in their colours; patches without a part and lines are left
+    /// out.
     /// Expects: indices of parts().names().
     /// Cost:    bounds of the patches are computed again: some microseconds for each.
     l3d_patch_model only(std::span<const std::size_t> parts) const;
@@ -181,10 +183,17 @@ public:
     /// A model without some parts. Expects, Cost: as only().
     l3d_patch_model without(std::span<const std::size_t> parts) const;
 
+    /// The same patches with these lines in space, in the place of those that they had. Pipelines
+    /// draw them where they draw the patches.
+    l3d_patch_model with_curves(std::vector<l3d_space_curve> curves) const;
+
+    /// The lines in space that belong to the model, in its own coordinates.
+    std::span<const l3d_space_curve> curves() const;
+
     /// The different opacities of the pieces' materials, in their order.
     std::vector<float> opacities() const;
-    /// A model of the patches whose materials have an opacity from `least` to `most`. Cost: as
-    /// only().
+    /// A model of the patches whose materials have an opacity from `least` to `most`. Lines are
+    /// opaque. Cost: as only().
     l3d_patch_model of_opacity(float least, float most) const;
 
     /// The different materials of the patches, each once; none if all are plain, that is white.
@@ -245,8 +254,9 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    std::shared_ptr<const paint> paint_;     ///< null if all is plain
-    std::shared_ptr<const l3d_parts> parts_; ///< null if there are none
+    std::shared_ptr<const paint> paint_;                         ///< null if all is plain
+    std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
+    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< likewise
 };
 
 #endif

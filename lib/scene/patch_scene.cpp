@@ -245,6 +245,11 @@ bool l3d_patch_scene::has_pictures() const {
         instances_, [](const l3d_patch_instance& i) { return i.picture().texture != nullptr; });
 }
 
+bool l3d_patch_scene::has_curves() const {
+    return std::ranges::any_of(
+        instances_, [](const l3d_patch_instance& i) { return !i.model().curves().empty(); });
+}
+
 void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
     l3d_patch_instance& instance = instances_[index];
     if (!(opacity >= 0 && opacity <= 1))

@@ -226,6 +226,8 @@ public:
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.
     bool has_pictures() const;
+    /// Whether the model of any instance has lines in space.
+    bool has_curves() const;
 
     /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
     /// light that is seen without it. The instance itself shows its nearest surface alone. The

@@ -34,12 +34,14 @@ struct named_model_reader {
     l3d_model_reader* read;
     bool has_plain_names = true; ///< names have nothing that an .obj file could not hold
     std::size_t always = 0;      ///< bytes that may be taken, whatever the text's length
+    std::size_t per_byte = 80;   ///< bytes that may be taken for each byte of the text
 };
-inline constexpr std::array<named_model_reader, 9> model_readers{
+inline constexpr std::array<named_model_reader, 10> model_readers{
     {{"asc", l3d_read_asc, false},
      {"bez", l3d_read_bez},
      {"bpt", read_bpt_model},
      {"gltf", read_gltf_model, false, std::size_t{40} << 20}, // 16 MB, and vectors that grow
+     {"grid", l3d_read_grid, true, 0, 300}, // 600 bytes for each height, of two characters
      {"obj", l3d_read_obj},
      {"off", l3d_read_off},
      {"ply", l3d_read_ply},

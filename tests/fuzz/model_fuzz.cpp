@@ -37,7 +37,6 @@ void fail(const std::string& what) {
 
 /// The bound that model_file.h states, with room for the messages and the smallest arrays.
 void check_memory(std::string_view text) {
-    constexpr std::size_t per_byte = 80;
     constexpr std::size_t room = 16384;
     live_bytes = most_bytes = 0;
     is_counting = true;
@@ -46,7 +45,7 @@ void check_memory(std::string_view text) {
         const auto model = fuzzed.read(text, "name", why);
         is_counting = false;
     }
-    if (most_bytes > std::max(fuzzed.always, per_byte * text.size() + room))
+    if (most_bytes > std::max(fuzzed.always, fuzzed.per_byte * text.size() + room))
         fail(std::to_string(most_bytes) + " bytes of memory for a text of " +
              std::to_string(text.size()));
 }

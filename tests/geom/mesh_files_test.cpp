@@ -302,6 +302,39 @@ TEST(ply_file, says_where_and_what_is_wrong) {
               "name:4: the element 'x' has no properties");
 }
 
+/// Of vertices, or of the corners of faces; both from the picture's bottom left corner.
+TEST(ply_file, lays_the_picture_that_a_comment_names) {
+    const std::string head = "ply\nformat ascii 1.0\ncomment TextureFile  my wood.png\n"
+                             "element vertex 3\nproperty float x\nproperty float y\n"
+                             "property float z\n";
+    const std::string of_vertices = head +
+                                    "property float s\nproperty float t\n"
+                                    "element face 1\nproperty list uchar int vertex_indices\n"
+                                    "end_header\n"
+                                    "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 0.75\n3 2 0 1\n";
+    const std::string of_corners = head + "element face 1\nproperty list uchar int vertex_indices\n"
+                                          "property list uchar float texcoord\nend_header\n"
+                                          "0 0 0\n1 0 0\n1 1 0\n3 2 0 1 6 1 0.75 0 0 1 0\n";
+    for (const std::string& text : {of_vertices, of_corners}) {
+        const l3d_model_file model = read(text);
+        EXPECT_EQ(model.mesh.picture_places,
+                  (std::vector<l3d_polygon_mesh::picture_place>{{1, 0.25F}, {0, 1}, {1, 1}}));
+        ASSERT_EQ(model.mesh.pictures.size(), 1U);
+        EXPECT_EQ(model.mesh.pictures[0].name, "my wood.png");
+        EXPECT_EQ(model.mesh.look_of(0).picture, 0);
+        EXPECT_TRUE(model.mesh.is_valid());
+        EXPECT_TRUE(model.notes.empty());
+    }
+    EXPECT_EQ(read(with(of_corners, "TextureFile", "texture")).notes,
+              std::vector<std::string>{"name:11: places in pictures are skipped: no comment "
+                                       "TextureFile names a picture"});
+    EXPECT_EQ(read(with(of_corners, "6 1 0.75 0 0 1 0", "2 1 0.75")).notes,
+              std::vector<std::string>{
+                  "name:15: lists texcoord without two numbers for each corner are skipped"});
+    EXPECT_EQ(read(with(of_corners, "texcoord", "other")).notes[1],
+              "name:11: the picture 'my wood.png' is skipped: no corner has a place in it");
+}
+
 TEST(ply_file, both_byte_orders_say_the_same_as_text) {
     const auto corpus = [](const std::string& name) {
         return read(model_text::of_file("data/../tests/fuzz/corpus/ply/" + name + ".ply")).mesh;

@@ -103,9 +103,49 @@ TEST(obj_file, says_where_and_what_is_wrong) {
 
 TEST(obj_file, notes_each_kind_of_statement_that_is_skipped_once) {
     const std::vector<std::string> notes{"name:5: statements 'call' are skipped",
-                                         "name:8: statements 'curv' are skipped"};
-    EXPECT_EQ(read_after("call 1 2\ncall 3\ns off\ncurv 0 1 1 2 3\nparm u 0 1\nend\n").notes,
-              notes);
+                                         "name:8: statements 'curv2' are skipped"};
+    EXPECT_EQ(read_after("call 1 2\ncall 3\ns off\ncurv2 1 2 3\nparm u 0 1\nend\n").notes, notes);
+}
+
+TEST(obj_file, has_lines_and_curves_in_space) {
+    const l3d_model_file file =
+        read_after("l 1/1 2/1 -1\nusemtl red\ncstype rat bspline\ndeg 2\nv 1 1 1 2\n"
+                   "curv 0.25 1 1 2 5 3\nparm u 0 0 0 0.5 1 1 1\nend\n"
+                   "cstype bezier\ncurv 0 2 1 2 3 2 1\nparm u 0 1 2\nend\nf 1 2 3\n");
+    ASSERT_EQ(file.curves.size(), 3U);
+    EXPECT_EQ(file.curves[0],
+              l3d_nurbs_curve::polyline({{1.5, 2.0, 3.0}, {4.0, 5.0, 6.0}, {10.0, 11.0, 12.0}}));
+    EXPECT_EQ(file.curves[1].weights(), (std::vector<double>{1, 1, 2, 1}));
+    EXPECT_EQ(file.curves[1].along().from, 0.25);
+    EXPECT_EQ(file.curves[1].evaluate(1), (vector{7.0, 8.0, 9.0}));
+    EXPECT_EQ(file.curves[2].evaluate(1), (vector{7.0, 8.0, 9.0}));
+    EXPECT_EQ(file.mesh.materials, (std::vector<std::string>{"red", ""}));
+    EXPECT_EQ(file.curve_materials, (numbers{1, 0, 0}));
+    EXPECT_EQ(file.mesh.vertices.size(), 3U) << "points of curves alone are no vertices";
+    EXPECT_TRUE(file.notes.empty());
+    EXPECT_EQ(read(l3d_write_obj(file)), file);
+}
+
+TEST(obj_file, says_what_is_wrong_with_a_curve) {
+    EXPECT_EQ(complaint_after("l 1 5\n"), "name:5: '5', an index, names none of the 4 before it");
+    EXPECT_EQ(complaint_after("curv 0 1 1 2\n"), "name:5: a curve before cstype");
+    EXPECT_EQ(complaint_after("cstype bezier\ncurv 0 1 1 2\n"), "name:6: a curve before deg");
+    const std::string begin = "cstype bspline\ndeg 1\n";
+    EXPECT_EQ(complaint_after(begin + "curv 1 0 1 2\n"),
+              "name:7: the range of a parameter is empty");
+    EXPECT_EQ(complaint_after(begin + "curv 0 1 1 2\nparm v 0 0 1 1\n"),
+              "name:8: parm of a curve is not followed by u");
+    EXPECT_EQ(complaint_after(begin + "curv 0 1 1 2\nparm u 0 0 0.5 1 1\nend\n"),
+              "name:9: the curve has 2 control points; its parameters ask for 3");
+    EXPECT_EQ(complaint_after(begin + "curv 0 1 1 2\nparm u 0 0 1 1\n"),
+              "name:9: the text ends in a curve, before its end");
+    EXPECT_EQ(complaint_after("cstype rat bspline\ndeg 1\nv 1 2 3 -1\ncurv 0 1 1 5\n"
+                              "parm u 0 0 1 1\nend\n"),
+              "name:10: the weight of vertex 5, a control point, is not positive");
+    EXPECT_EQ(
+        read_after("cstype taylor\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\nl 1\n").notes,
+        (std::vector<std::string>{"name:7: curves that are neither bezier nor bspline are skipped",
+                                  "name:10: lines of fewer than two vertices are skipped"}));
 }
 
 TEST(obj_file, has_places_in_pictures_from_the_bottom_of_these) {
@@ -247,7 +287,7 @@ TEST(obj_surface, that_names_the_same_points_again_and_again_is_refused) {
             text += ' ' + std::to_string(i);
     }
     EXPECT_EQ(complaint(text + "\nend\n"),
-              "name:7: the surfaces take more than 48 times the memory of the text");
+              "name:7: the surfaces and curves take more than 48 times the memory of the text");
 }
 
 } // namespace

@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -379,6 +380,20 @@ TEST_F(textured_file, shows_the_picture_beside_its_file_of_materials) {
             *std::find_if(words.rbegin(), words.rend(), [](std::uint32_t w) { return w != 0; }),
             picture_word(of_picture.width - 1, of_picture.height - 1));
     }
+}
+
+TEST_F(textured_file, shows_the_picture_that_a_comment_of_a_ply_names) {
+    l3d_image image = picture();
+    l3d_write_image(file("more/b.ppm"), image.pixels());
+    EXPECT_TRUE(notes_of("map_Kd b.ppm").empty());
+    std::ofstream(file("a.ply"))
+        << "ply\nformat ascii 1.0\ncomment TextureFile more/b.ppm\nelement vertex 4\n"
+           "property float x\nproperty float y\nproperty float z\nproperty float u\n"
+           "property float v\nelement face 1\nproperty list uchar int vertex_indices\n"
+           "end_header\n-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n4 0 1 2 3\n";
+    const auto words = drawn(l3d_polygon_model::load(file("a.ply")), plainly());
+    EXPECT_EQ(words, drawn(l3d_polygon_model::load(file("a.obj")), plainly()));
+    EXPECT_GT(std::set(words.begin(), words.end()).size(), 20U) << "of the picture's 128";
 }
 
 TEST_F(textured_file, is_drawn_without_a_picture_that_is_missing_or_broken) {

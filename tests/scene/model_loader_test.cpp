@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include <png.h>
 #include <sys/stat.h>
 
 namespace {
@@ -210,6 +211,46 @@ TEST(model_loader, makes_hills_of_a_picture) {
     } catch (const l3d_error& error) {
         EXPECT_STREQ(error.what(), "hill.png: height field: 8 heights make no two or more whole "
                                    "rows of 8 columns");
+    }
+}
+
+/// The bytes of a grey PNG of 16 bits.
+std::string png_of_16_bits(l3d_size size, const std::vector<std::uint16_t>& levels) {
+    png_image picture{};
+    picture.version = PNG_IMAGE_VERSION;
+    picture.width = static_cast<png_uint_32>(size.width);
+    picture.height = static_cast<png_uint_32>(size.height);
+    picture.format = PNG_FORMAT_LINEAR_Y;
+    png_alloc_size_t length = 0;
+    png_image_write_to_memory(&picture, nullptr, &length, 0, levels.data(), 0, nullptr);
+    std::string bytes(length, '\0');
+    EXPECT_NE(
+        png_image_write_to_memory(&picture, bytes.data(), &length, 0, levels.data(), 0, nullptr),
+        0);
+    return bytes;
+}
+
+/// Steps of one 16-bit level are there, and a file that is cut off is refused.
+TEST(model_loader, makes_hills_of_all_16_bits_of_a_picture) {
+    const temporary_folder folder;
+    const std::string path = folder.file("fine.png");
+    const std::string bytes =
+        png_of_16_bits({4, 3}, {0, 1, 257, 65535, 0, 1, 258, 65535, 0, 2, 300, 65535});
+    write(path, bytes);
+    const std::vector<l3d_patch_points> patches = l3d_load_model(path, path).patches;
+    ASSERT_EQ(patches.size(), 6U);
+    EXPECT_NEAR(patches[0].points[12][1], 1 / 65535.0, 1e-15);
+    EXPECT_NEAR(patches[1].points[12][1], 257 / 65535.0, 1e-15);
+    EXPECT_NEAR(patches[4].points[12][1], 258 / 65535.0, 1e-15);
+    EXPECT_EQ(patches[2].points[12][1], 1);
+    for (const std::size_t length : {std::size_t{8}, std::size_t{20}, bytes.size() / 2}) {
+        write(path, bytes.substr(0, length));
+        try {
+            l3d_load_model(path, "fine.png");
+            FAIL() << length;
+        } catch (const l3d_error& error) {
+            EXPECT_EQ(std::string(error.what()).rfind("fine.png: ", 0), 0U) << error.what();
+        }
     }
 }
 

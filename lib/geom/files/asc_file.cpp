@@ -103,8 +103,8 @@ public:
         if (mesh_.faces() == 0)
             return text_.fail("the text ends without a triangle");
         normals_.finish(mesh_);
-        std::vector<std::uint32_t> no_patches;
-        materials_.finish(no_patches);
+        std::vector<std::uint32_t> no_patches, no_curves;
+        materials_.finish(no_patches, no_curves);
         give_looks();
         forget_odd_cameras();
         return true;

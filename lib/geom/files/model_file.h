@@ -5,6 +5,7 @@
 
 #include "base/public.h"
 #include "geom/files/patch_file.h"
+#include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
 
 #include <cstddef>
@@ -19,7 +20,7 @@
 /// The formats that can be read. docs/FORMATS.md lists their features.
 enum class L3D_PUBLIC l3d_model_format {
     asc,        ///< 3D Studio's text form
-    obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces
+    obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces, curves
     off,        ///< geomview's polygons, text or binary
     ply,        ///< Stanford's polygons, text or binary of either byte order
     videoscape, ///< 3DG1
@@ -77,6 +78,8 @@ struct L3D_PUBLIC l3d_model_file {
     /// from the left and from below.
     std::optional<l3d_model_window> viewport{};
     std::vector<l3d_model_camera> cameras{}; ///< those of .asc
+    std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
+    std::vector<std::uint32_t> curve_materials{}; ///< optional, one per curve, as a face has it
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };

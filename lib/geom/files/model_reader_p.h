@@ -47,16 +47,17 @@ public:
     /// The place of a missing material, until all is read.
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
-    /// If some faces have a material, the others get one without a name, and so do patches; if none
-    /// of either has, there are no materials.
-    void finish(std::vector<std::uint32_t>& patches) {
-        if (std::ranges::all_of(patches, [](std::uint32_t m) { return m == nothing; }))
-            patches.clear();
+    /// If some faces have a material, the others get one without a name, and so do patches and
+    /// curves; if none of all has, there are no materials.
+    void finish(std::vector<std::uint32_t>& patches, std::vector<std::uint32_t>& curves) {
+        for (std::vector<std::uint32_t>* const of : {&patches, &curves})
+            if (std::ranges::all_of(*of, [](std::uint32_t m) { return m == nothing; }))
+                of->clear();
         if (!mesh_.face_materials.empty())
             mesh_.face_materials.resize(mesh_.faces(), nothing);
-        else if (patches.empty())
+        else if (patches.empty() && curves.empty())
             mesh_.materials.clear();
-        for (std::vector<std::uint32_t>* const of : {&mesh_.face_materials, &patches})
+        for (std::vector<std::uint32_t>* const of : {&mesh_.face_materials, &patches, &curves})
             for (std::uint32_t& material : *of)
                 if (material == nothing)
                     material = named("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of Wavefront's .obj: polygons here, free-form surfaces in obj_surfaces.
+// Reader of Wavefront's .obj: polygons here, free-form surfaces and curves in obj_surfaces.
 #include "base/counted_p.h"
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
@@ -25,7 +25,7 @@ public:
     obj_reader(text_cursor& text, l3d_model_file& model,
                std::vector<l3d_nurbs_surface>* surfaces = nullptr)
         : text_(text), model_(model), materials_(model.mesh),
-          surfaces_(text, model.patches, surfaces) {}
+          surfaces_(text, model.patches, model.curves, surfaces) {}
 
     bool read() {
         text_.join_lines_at_backslash();
@@ -44,7 +44,7 @@ public:
         if (!odd_.are_unused(text_, mesh(), is_control_point))
             return false;
         forget_control_points();
-        materials_.finish(model_.patch_materials);
+        materials_.finish(model_.patch_materials, model_.curve_materials);
         return true;
     }
 
@@ -87,8 +87,9 @@ private:
             const bool is_read = surfaces_.read_statement(word, mesh().vertices, weights_);
             if (model_.patches.size() > before)
                 begin_part(model_.patch_parts, is_new_to_patches_, before);
-            model_.patch_materials.resize(model_.patches.size(),
-                                          material_.value_or(l3d_detail::face_materials::nothing));
+            const auto material = material_.value_or(l3d_detail::face_materials::nothing);
+            model_.patch_materials.resize(model_.patches.size(), material);
+            model_.curve_materials.resize(model_.curves.size(), material);
             return is_read && line_ends();
         }
         skip(word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// obj_surfaces: Bezier and B-spline surfaces as knots and control points.
+// obj_surfaces: Bezier and B-spline surfaces and curves as knots and control points.
 #include "geom/files/obj_surfaces_p.h"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ bool obj_index(text_cursor& text, std::string_view digits, std::size_t count,
 }
 
 bool obj_surfaces::knows(std::string_view word) {
-    return word == "cstype" || word == "deg" || word == "surf" || word == "parm" || word == "end";
+    constexpr std::string_view known[] = {"cstype", "deg", "surf", "curv", "parm", "end", "l"};
+    return std::ranges::find(known, word) != std::end(known);
 }
 
 bool obj_surfaces::read_statement(std::string_view word, const std::vector<vector>& vertices,
@@ -34,16 +35,21 @@ bool obj_surfaces::read_statement(std::string_view word, const std::vector<vecto
         return read_degrees();
     if (word == "surf")
         return read_surface(vertices.size());
+    if (word == "curv")
+        return read_curve(vertices.size());
+    if (word == "l")
+        return read_line(vertices);
     if (is_open_)
-        return word == "parm" ? read_parameters() : end_surface(vertices, weights);
-    // The word belongs to a curve, which is skipped.
+        return word == "parm" ? read_parameters() : end(vertices, weights);
+    // The word belongs to a trimming curve, which is skipped.
     while (text_.next_in_line())
         ;
     return true;
 }
 
 bool obj_surfaces::finish() {
-    return !is_open_ || text_.fail("the text ends in a surface, before its end");
+    return !is_open_ || text_.fail(std::string("the text ends in a ") +
+                                   (is_curve_ ? "curve" : "surface") + ", before its end");
 }
 
 bool obj_surfaces::read_kind() {
@@ -79,6 +85,25 @@ bool obj_surfaces::number_in_line(double& value, const char* what) {
     return text_.number_in(text_.token(), value, what) && text_.is_coordinate(value);
 }
 
+bool obj_surfaces::read_range(l3d_bspline_direction& direction) {
+    if (!number_in_line(direction.from, "the range of a parameter") ||
+        !number_in_line(direction.to, "the range of a parameter"))
+        return false;
+    return direction.from < direction.to || text_.fail("the range of a parameter is empty");
+}
+
+/// Numbers behind a slash are places in pictures, and normals.
+bool obj_surfaces::read_points(std::size_t vertices) {
+    indices_.clear();
+    while (text_.next_in_line()) {
+        const std::string_view digits = text_.token().substr(0, text_.token().find('/'));
+        std::uint32_t& index = indices_.emplace_back();
+        if (!obj_index(text_, digits, vertices, index))
+            return false;
+    }
+    return true;
+}
+
 bool obj_surfaces::read_surface(std::size_t vertices) {
     if (is_open_)
         return text_.fail("a surface begins before the last one's end");
@@ -90,28 +115,53 @@ bool obj_surfaces::read_surface(std::size_t vertices) {
         return text_.fail("a surface before deg with two degrees");
     u_ = {degree_u_, {}, 0, 0};
     v_ = {degree_v_, {}, 0, 0};
-    indices_.clear();
-    for (double* value : {&u_.from, &u_.to, &v_.from, &v_.to})
-        if (!number_in_line(*value, "the range of a parameter"))
-            return false;
-    if (!(u_.from < u_.to && v_.from < v_.to))
-        return text_.fail("the range of a parameter is empty");
-    while (text_.next_in_line()) {
-        const std::string_view digits = text_.token().substr(0, text_.token().find('/'));
-        std::uint32_t& index = indices_.emplace_back();
-        if (!obj_index(text_, digits, vertices, index))
-            return false;
+    is_open_ = read_range(u_) && read_range(v_) && read_points(vertices);
+    is_curve_ = false;
+    return is_open_;
+}
+
+bool obj_surfaces::read_curve(std::size_t vertices) {
+    if (is_open_)
+        return text_.fail("a curve begins before the last one's end");
+    if (kind_ == kind::none || degree_u_ == 0)
+        return text_.fail(kind_ == kind::none ? "a curve before cstype" : "a curve before deg");
+    if (kind_ == kind::other) {
+        text_.note_once("curves that are neither bezier nor bspline are skipped");
+        while (text_.next_in_line())
+            ;
+        return true;
     }
-    is_open_ = true;
+    u_ = {degree_u_, {}, 0, 0};
+    is_open_ = read_range(u_) && read_points(vertices);
+    is_curve_ = true;
+    return is_open_;
+}
+
+bool obj_surfaces::read_line(const std::vector<vector>& vertices) {
+    if (is_open_)
+        return text_.fail("a line begins before the end of a surface or curve");
+    if (!read_points(vertices.size()))
+        return false;
+    if (indices_.size() < 2) {
+        text_.note_once("lines of fewer than two vertices are skipped");
+        return true;
+    }
+    const std::vector<vector> points = places_of(vertices);
+    const std::string why =
+        l3d_nurbs_curve::complaint(l3d_bspline_direction::clamped(1, points.size()), points, {});
+    if (!why.empty())
+        return text_.fail(why);
+    curves_.push_back(l3d_nurbs_curve::polyline(points));
     return true;
 }
 
 bool obj_surfaces::read_parameters() {
-    if (!text_.next_in_line() || (text_.token() != "u" && text_.token() != "v"))
-        return text_.fail("parm is followed by neither u nor v");
+    if (!text_.next_in_line() || (text_.token() != "u" && (is_curve_ || text_.token() != "v")))
+        return text_.fail(is_curve_ ? "parm of a curve is not followed by u"
+                                    : "parm is followed by neither u nor v");
     l3d_bspline_direction& direction = text_.token() == "u" ? u_ : v_;
     if (!direction.knots.empty())
-        return text_.fail("a second parm " + quoted(text_.token()) + " of a surface");
+        return text_.fail("a second parm " + quoted(text_.token()) + " of a surface or curve");
     while (text_.next_in_line()) {
         double value = 0;
         if (!text_.number_in(text_.token(), value, "a parameter") || !text_.is_coordinate(value))
@@ -151,9 +201,68 @@ bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
            complain(" does not cover the range of surf");
 }
 
+bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<double>& weights) {
+    is_open_ = false;
+    return is_curve_ ? end_curve(vertices, weights) : end_surface(vertices, weights);
+}
+
+/// A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
+/// rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again and
+/// again.
+bool obj_surfaces::takes(std::size_t bytes) {
+    constexpr std::size_t most_per_byte = 48;
+    patch_bytes_ += bytes;
+    return patch_bytes_ <= most_per_byte * text_bytes_ ||
+           text_.fail("the surfaces and curves take more than " + std::to_string(most_per_byte) +
+                      " times the memory of the text");
+}
+
+/// Those of the control points, if the type is rational. Weights left out are 1.
+bool obj_surfaces::weights_of(const std::vector<double>& weights, std::vector<double>& of_points) {
+    for (const std::uint32_t i : indices_) {
+        const double weight = i < weights.size() ? weights[i] : 1;
+        if (is_rational_ && !(weight > 0))
+            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
+                              ", a control point, is not positive");
+        if (is_rational_)
+            of_points.push_back(weight);
+    }
+    return true;
+}
+
+std::vector<obj_surfaces::vector> obj_surfaces::places_of(const std::vector<vector>& vertices) {
+    std::vector<vector> places;
+    places.reserve(indices_.size());
+    is_control_point_.resize(vertices.size());
+    for (const std::uint32_t i : indices_) {
+        places.push_back(vertices[i]);
+        is_control_point_[i] = true;
+    }
+    return places;
+}
+
+bool obj_surfaces::end_curve(const std::vector<vector>& vertices,
+                             const std::vector<double>& weights) {
+    if (!complete(u_, "u"))
+        return false;
+    if (indices_.size() != u_.points())
+        return text_.fail("the curve has " + std::to_string(indices_.size()) +
+                          " control points; its parameters ask for " + std::to_string(u_.points()));
+    std::vector<double> of_points;
+    if (!takes(sizeof(std::array<double, 4>) * static_cast<std::size_t>(degree_u_ + 1) *
+               u_.segments()) ||
+        !weights_of(weights, of_points))
+        return false;
+    std::vector<vector> points = places_of(vertices);
+    const std::string why = l3d_nurbs_curve::complaint(u_, points, of_points);
+    if (!why.empty())
+        return text_.fail(why);
+    curves_.emplace_back(u_, std::move(points), std::move(of_points));
+    return true;
+}
+
 bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
                                const std::vector<double>& weights) {
-    is_open_ = false;
     if (!complete(u_, "u") || !complete(v_, "v"))
         return false;
     const auto points_u = static_cast<std::uint64_t>(u_.points());
@@ -162,41 +271,22 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
         return text_.fail("the surface has " + std::to_string(indices_.size()) +
                           " control points; its parameters ask for " + std::to_string(points_u) +
                           " by " + std::to_string(points_v));
-    // A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
-    // rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again
-    // and again.
-    constexpr std::size_t most_per_byte = 48;
     const std::size_t per_patch =
         sizeof(l3d_patch_points) +
         sizeof(std::array<double, 4>) * static_cast<std::size_t>((degree_u_ + 1) * (degree_v_ + 1));
-    patch_bytes_ += per_patch * u_.segments() * v_.segments();
-    if (patch_bytes_ > most_per_byte * text_bytes_)
-        return text_.fail("the surfaces take more than " + std::to_string(most_per_byte) +
-                          " times the memory of the text");
-
-    const auto weight = [&weights](std::uint32_t i) { return i < weights.size() ? weights[i] : 1; };
-    std::vector<std::array<double, 3>> points;
     std::vector<double> weights_here;
-    points.reserve(indices_.size());
-    is_control_point_.resize(vertices.size());
-    for (const std::uint32_t i : indices_) {
-        if (is_rational_ && !(weight(i) > 0))
-            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
-                              ", a control point, is not positive");
-        if (is_rational_)
-            weights_here.push_back(weight(i));
-        points.push_back({vertices[i][0], vertices[i][1], vertices[i][2]});
-        is_control_point_[i] = true;
-    }
+    if (!takes(per_patch * u_.segments() * v_.segments()) || !weights_of(weights, weights_here))
+        return false;
+    std::vector<vector> places = places_of(vertices);
+    std::vector<std::array<double, 3>> points;
+    points.reserve(places.size());
+    for (const vector& p : places)
+        points.push_back({p[0], p[1], p[2]});
     std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));
-    if (whole_ == nullptr)
-        return true;
-    std::vector<l3d_nurbs_surface::vector> places;
-    for (const std::uint32_t i : indices_)
-        places.push_back(vertices[i]);
-    whole_->emplace_back(u_, v_, std::move(places), std::move(weights_here));
+    if (whole_ != nullptr)
+        whole_->emplace_back(u_, v_, std::move(places), std::move(weights_here));
     return true;
 }
 

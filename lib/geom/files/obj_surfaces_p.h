@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free-form surfaces of an .obj file: statements between surf and end.
+// The free-form surfaces and curves of an .obj file, statements up to end; and its lines.
 #ifndef L3D_GEOM_FILES_OBJ_SURFACES_P_H
 #define L3D_GEOM_FILES_OBJ_SURFACES_P_H
 
@@ -19,7 +19,7 @@ namespace l3d_detail {
 /// Fails if the number names nothing among the `count` things so far.
 bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, std::uint32_t& index);
 
-/// Reads cstype, deg, surf, parm and end, and makes patches of each surface.
+/// Reads cstype, deg, surf, curv, parm and end, and makes patches of each surface; and l.
 ///
 /// Lives:   borrows the cursor, and where patches and surfaces go.
 /// Source:  the appendix "Object Files" of Wavefront's Advanced Visualizer manual.
@@ -29,8 +29,9 @@ public:
 
     /// Surfaces are also kept as they are in `whole`, unless that is null.
     obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches,
-                 std::vector<l3d_nurbs_surface>* whole)
-        : text_(text), patches_(patches), whole_(whole), text_bytes_(text.rest().size()) {}
+                 std::vector<l3d_nurbs_curve>& curves, std::vector<l3d_nurbs_surface>* whole)
+        : text_(text), patches_(patches), curves_(curves), whole_(whole),
+          text_bytes_(text.rest().size()) {}
 
     static bool knows(std::string_view word);
 
@@ -39,10 +40,10 @@ public:
     bool read_statement(std::string_view word, const std::vector<vector>& vertices,
                         const std::vector<double>& weights);
 
-    /// Whether the last surface has ended.
+    /// Whether the last surface or curve has ended.
     bool finish();
 
-    /// Per vertex whether a surface uses it; may be shorter than there are vertices.
+    /// Per vertex whether a surface, curve or line uses it; may be shorter than there are vertices.
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
@@ -51,20 +52,31 @@ private:
     bool read_kind();
     bool read_degrees();
     bool read_surface(std::size_t vertices);
+    bool read_curve(std::size_t vertices);
+    bool read_line(const std::vector<vector>& vertices);
+    bool read_range(l3d_bspline_direction& direction);
+    bool read_points(std::size_t vertices);
     bool read_parameters();
+    bool end(const std::vector<vector>& vertices, const std::vector<double>& weights);
     bool end_surface(const std::vector<vector>& vertices, const std::vector<double>& weights);
+    bool end_curve(const std::vector<vector>& vertices, const std::vector<double>& weights);
+    bool weights_of(const std::vector<double>& weights, std::vector<double>& of_points);
+    bool takes(std::size_t bytes);
+    std::vector<vector> places_of(const std::vector<vector>& vertices);
     bool complete(l3d_bspline_direction& direction, const char* name);
     bool number_in_line(double& value, const char* what);
 
     text_cursor& text_;
     std::vector<l3d_patch_points>& patches_;
+    std::vector<l3d_nurbs_curve>& curves_;
     std::vector<l3d_nurbs_surface>* whole_;
     std::size_t text_bytes_, patch_bytes_ = 0;
     kind kind_ = kind::none;
     bool is_rational_ = false, is_open_ = false;
+    bool is_curve_ = false; ///< in place of a surface
     int degree_u_ = 0, degree_v_ = 0;
     l3d_bspline_direction u_, v_;
-    std::vector<std::uint32_t> indices_; ///< control points of the open surface
+    std::vector<std::uint32_t> indices_; ///< control points of the open surface or curve
     std::vector<bool> is_control_point_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_write_obj: polygons, then patches as Bezier surfaces.
+// l3d_write_obj: polygons, patches as Bezier surfaces, and curves.
 #include "geom/files/model_file.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/surface_file.h"
@@ -115,6 +115,25 @@ void append_patches(std::string& text, const l3d_model_file& model) {
     }
 }
 
+void append_curves(std::string& text, const l3d_model_file& model) {
+    const std::vector<std::uint32_t>& materials = model.curve_materials;
+    for (std::size_t i = 0; i < model.curves.size(); ++i) {
+        const l3d_nurbs_curve& curve = model.curves[i];
+        if (!materials.empty() && (i == 0 || materials[i] != materials[i - 1]))
+            text += "usemtl " + model.mesh.materials[materials[i]] + '\n';
+        append_points(text, curve.points(), curve.weights());
+        text += curve.weights().empty() ? "cstype bspline\n" : "cstype rat bspline\n";
+        text += "deg " + std::to_string(curve.along().degree) + "\ncurv ";
+        l3d_detail::append(text, curve.along().from, ' ');
+        l3d_detail::append(text, curve.along().to, ' ');
+        text.pop_back(); // the vertices begin with a blank
+        append_last_vertices(text, curve.points().size());
+        text += '\n';
+        append_knots(text, "parm u ", curve.along());
+        text += "end\n";
+    }
+}
+
 } // namespace
 
 std::string l3d_write_obj(const l3d_model_file& model) {
@@ -126,9 +145,12 @@ std::string l3d_write_obj(const l3d_model_file& model) {
     append_vertices(text, model.mesh);
     // A material goes on until the next one: patches and faces without any come before it.
     const bool plain_patches = model.patch_materials.empty();
+    const bool plain_curves = model.curve_materials.empty();
     const bool plain_faces = model.mesh.face_materials.empty();
     if (plain_patches)
         append_patches(text, model);
+    if (plain_curves)
+        append_curves(text, model);
     if (plain_faces)
         append_faces(text, model.mesh);
     append_uses(text, model.mesh);
@@ -136,6 +158,8 @@ std::string l3d_write_obj(const l3d_model_file& model) {
         append_faces(text, model.mesh);
     if (!plain_patches)
         append_patches(text, model);
+    if (!plain_curves)
+        append_curves(text, model);
     return text;
 }
 

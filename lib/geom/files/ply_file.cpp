@@ -34,6 +34,7 @@ public:
         if (!mesh_.face_colors.empty())
             mesh_.face_colors.resize(mesh_.faces(), uncolored);
         vertex_colors_.finish(mesh_);
+        lay_picture();
         l3d_detail::forget_odd_normals(mesh_);
         if (order_ ? !text_.rest().empty() : !text_.at_end())
             text_.note("what follows the last element is skipped");
@@ -67,6 +68,17 @@ private:
                        vertex->has(meaning::normal_z);
         has_colors_ = face && face->has_color();
         has_vertex_colors_ = !has_colors_ && vertex->has_color();
+        const bool has_picture = !header_.picture().empty();
+        has_places_ = face && face->has(meaning::places);
+        has_vertex_places_ = vertex->has(meaning::place_u) && vertex->has(meaning::place_v);
+        if (has_picture != (has_places_ || has_vertex_places_))
+            text_.note(has_picture
+                           ? "the picture " + quoted(header_.picture()) +
+                                 " is skipped: no corner has a place in it"
+                           : "places in pictures are skipped: no comment TextureFile names a "
+                             "picture");
+        has_places_ = has_places_ && has_picture;
+        has_vertex_places_ = has_vertex_places_ && has_picture && !has_places_;
         return true;
     }
 
@@ -121,6 +133,7 @@ private:
 
     bool read_properties(const element& e) {
         face_.clear();
+        face_places_.clear();
         // In a strip, -1 ends a run of triangles.
         const std::int64_t least = e.kind == row_kind::strip ? -1 : 0;
         for (const property& p : e.properties) {
@@ -138,10 +151,13 @@ private:
             const auto length = static_cast<std::int64_t>(value);
             if (!text_.is_in(length, "the length of a list", 0, l3d_detail::most_vertices))
                 return false;
-            for (std::int64_t i = 0; i < length; ++i)
+            for (std::int64_t i = 0; i < length; ++i) {
                 if (!number(p, value, "a member of a list") ||
                     (p.means == meaning::corners && !add_corner(value, least)))
                     return false;
+                if (p.means == meaning::places && has_places_)
+                    face_places_.push_back(value);
+            }
         }
         return true;
     }
@@ -182,12 +198,49 @@ private:
         const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
         if (has_vertex_colors_)
             vertex_colors_.give(mesh_, color);
+        if (has_vertex_places_)
+            vertex_places_.push_back(place(seen(meaning::place_u), seen(meaning::place_v)));
+    }
+
+    /// From the picture's bottom left corner, in the file.
+    l3d_polygon_mesh::picture_place place(double u, double v) {
+        const l3d_polygon_mesh::picture_place is{static_cast<float>(u), static_cast<float>(1 - v)};
+        if (std::isfinite(is[0]) && std::isfinite(is[1]))
+            return is;
+        text_.note_once("places in pictures that are not finite are taken for (0, 0)");
+        return {};
+    }
+
+    /// Gives the last face its places in the picture. Corners before that have none get (0, 0).
+    void add_places() {
+        mesh_.picture_places.resize(mesh_.corners.size() - face_.size());
+        if (face_places_.size() == 2 * face_.size())
+            for (std::size_t i = 0; i < face_places_.size(); i += 2)
+                mesh_.picture_places.push_back(place(face_places_[i], face_places_[i + 1]));
+        else
+            text_.note_once("lists texcoord without two numbers for each corner are skipped");
+    }
+
+    /// Lays the picture on all faces.
+    void lay_picture() {
+        if (!(has_places_ || has_vertex_places_) || mesh_.faces() == 0)
+            return;
+        mesh_.picture_places.resize(has_places_ ? mesh_.corners.size() : 0);
+        if (has_vertex_places_)
+            for (const std::uint32_t corner : mesh_.corners)
+                mesh_.picture_places.push_back(vertex_places_[corner]);
+        mesh_.materials = {"picture"};
+        mesh_.face_materials.assign(mesh_.faces(), 0);
+        mesh_.looks = {{.picture = 0}};
+        mesh_.pictures = {{std::string(header_.picture())}};
     }
 
     void add_face() {
         if (face_.size() < 3)
             return text_.note("a face of " + counted(face_.size(), "corners") + " is skipped");
         mesh_.add_face(face_);
+        if (has_places_)
+            add_places();
         if (!has_colors_)
             return;
         const double color[] = {seen(meaning::red), seen(meaning::green), seen(meaning::blue)};
@@ -275,10 +328,13 @@ private:
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
+    bool has_places_ = false, has_vertex_places_ = false; ///< in the picture: of corners, vertices
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};
     std::vector<std::uint32_t> face_;
+    std::vector<double> face_places_; ///< those of the face, as its row has them
+    std::vector<l3d_polygon_mesh::picture_place> vertex_places_;
 };
 
 } // namespace

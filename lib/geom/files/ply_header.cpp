@@ -41,9 +41,18 @@ meaning color_meaning(std::string_view name) {
 }
 
 meaning vertex_meaning(std::string_view name) {
-    constexpr std::pair<std::string_view, meaning> names[] = {
-        {"x", meaning::x},         {"y", meaning::y},         {"z", meaning::z},
-        {"nx", meaning::normal_x}, {"ny", meaning::normal_y}, {"nz", meaning::normal_z}};
+    constexpr std::pair<std::string_view, meaning> names[] = {{"x", meaning::x},
+                                                              {"y", meaning::y},
+                                                              {"z", meaning::z},
+                                                              {"nx", meaning::normal_x},
+                                                              {"ny", meaning::normal_y},
+                                                              {"nz", meaning::normal_z},
+                                                              {"s", meaning::place_u},
+                                                              {"t", meaning::place_v},
+                                                              {"u", meaning::place_u},
+                                                              {"v", meaning::place_v},
+                                                              {"texture_u", meaning::place_u},
+                                                              {"texture_v", meaning::place_v}};
     const auto found = std::ranges::find(names, name, &std::pair<std::string_view, meaning>::first);
     return found == std::end(names) ? color_meaning(name) : found->second;
 }
@@ -51,6 +60,7 @@ meaning vertex_meaning(std::string_view name) {
 meaning face_meaning(std::string_view name, bool is_list) {
     if (is_list)
         return name == "vertex_indices" || name == "vertex_index" ? meaning::corners
+               : name == "texcoord"                               ? meaning::places
                                                                   : meaning::nothing;
     return color_meaning(name);
 }
@@ -84,7 +94,10 @@ bool header::read() {
                    text_.fail("the text ends after end_header");
         }
         if (word == "comment" || word == "obj_info") {
-            text_.name_in_line();
+            constexpr std::string_view before = "TextureFile ";
+            if (const std::string_view said = text_.name_in_line();
+                said.starts_with(before) && picture_.empty())
+                picture_ = said.substr(said.find_first_not_of(' ', before.size()));
             continue;
         }
         const bool well = word == "format"     ? read_format(has_format)
@@ -173,7 +186,8 @@ bool header::read_property_line() {
         p.means = vertex_meaning(text_.token());
     else if (e.kind == row_kind::face || (e.kind == row_kind::strip && is_list))
         p.means = face_meaning(text_.token(), is_list);
-    if (p.means != meaning::nothing && e.has(p.means))
+    const bool is_of_strip = e.kind == row_kind::strip && p.means == meaning::places;
+    if (is_of_strip || (p.means != meaning::nothing && e.has(p.means)))
         p.means = meaning::nothing;
     if (p.means == meaning::nothing && e.kind != row_kind::other && !is_measure(text_.token()))
         text_.note_once("the property " + quoted(text_.token()) + " is skipped");

@@ -25,7 +25,22 @@ inline bool is_whole(number_type type) {
 }
 
 /// The meaning of a property to us. Properties without one are read and thrown away.
-enum class meaning { nothing, x, y, z, normal_x, normal_y, normal_z, red, green, blue, corners };
+enum class meaning {
+    nothing,
+    x,
+    y,
+    z,
+    normal_x,
+    normal_y,
+    normal_z,
+    red,
+    green,
+    blue,
+    place_u, ///< from the left of a picture
+    place_v, ///< from its bottom
+    corners, ///< list of a face
+    places   ///< list of place_u and place_v of each corner
+};
 
 struct property {
     meaning means = meaning::nothing;
@@ -68,6 +83,9 @@ public:
     /// The element of that kind, or null. Expects: not `other`.
     const element* find(row_kind kind) const;
 
+    /// The picture that a comment names, as MeshLab writes them; empty without one.
+    std::string_view picture() const { return picture_; }
+
     /// The byte order of a binary file; nothing for a text.
     std::optional<std::endian> order() const { return order_; }
 
@@ -83,6 +101,7 @@ private:
     std::vector<element> elements_;
     std::unordered_set<std::string_view> names_; ///< names of the elements
     std::optional<std::endian> order_;
+    std::string_view picture_;
 };
 
 } // namespace l3d_detail::ply

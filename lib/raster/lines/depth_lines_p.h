@@ -7,15 +7,26 @@
 #include "raster/surface_rasterizer.h"
 #include "tool_2d/pixels.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace l3d_detail {
 
-/// An end of a chord. Units: pixels from the picture's left upper corner; 1 / distance.
+/// An end of a chord. Units: pixels from the picture's left upper corner; a depth as the depth
+/// buffer has it.
 struct depth_point {
-    double x = 0, y = 0, inv_w = 0;
+    double x = 0, y = 0, depth = 0;
+};
+
+/// The meaning of depths: 1 / distance, or base + step distance in a parallel projection.
+struct depth_law {
+    double focal; ///< pixels for each world unit, at distance 1 or in a parallel projection
+    double base = 0, step = 0; ///< as l3d_shading has them; step is 0 in perspective
+
+    /// The change of depth from a place to one that is a pixel's size farther.
+    double per_pixel(double depth) const { return (step == 0 ? depth : std::abs(step)) / focal; }
 };
 
 /// Gathers what the chords of one line cover, and then paints it. So a pixel that several chords
@@ -28,11 +39,12 @@ class depth_lines {
 public:
     /// Begins a line.
     /// Lives:   borrows the depth until paint().
-    /// Units:   width and error in pixels; focal in pixels per world unit at distance 1. `error` is
-    ///          how far the surfaces and the line may be off along their normals.
+    /// Units:   width and error in pixels. `error` is how far the surfaces and the line may be off
+    ///          along their normals.
     struct line {
         const l3d_depth_buffer& depth;
-        double width, error, focal;
+        double width, error;
+        depth_law law;
         bool smooth;
     };
 
@@ -44,7 +56,7 @@ public:
 
 private:
     struct cell {
-        float cover = 0, inv_w = 0;
+        float cover = 0, depth = 0;
     };
 
     std::vector<cell> cells_; ///< all of the picture, 0 outside of the line

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// png_levels: the numbers of a PNG file, all of their bits.
+#ifndef L3D_TOOL_2D_PNG_LEVELS_P_H
+#define L3D_TOOL_2D_PNG_LEVELS_P_H
+
+#include "tool_2d/pixels.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A picture of numbers.
+struct png_levels {
+    l3d_size size;
+    std::vector<double> means; ///< means of red, green and blue, row by row; white is 1
+};
+
+/// The levels of a PNG file's bytes as they are in the file: alpha and gamma mean nothing.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, as l3d_decoded_image has them.
+png_levels decoded_png_levels(const std::string& bytes, const std::string& path,
+                              std::int64_t most_pixels);
+
+} // namespace l3d_detail
+
+#endif
