@@ -49,7 +49,8 @@ struct painted_pixels {
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
-        // A pixel that covers 2^33 pictures shows their mean. They have 2^60 pixels at most, whose square is a float.
+        // A pixel that covers 2^33 pictures shows their mean. They have 2^60 pixels at most, whose
+        // square is a float.
         const auto way = [](double w) {
             return static_cast<float>(std::clamp(w, -0x1p33, 0x1p33));
         };
