@@ -142,6 +142,9 @@ TEST(obj_file, says_what_is_wrong_with_a_curve) {
     EXPECT_EQ(complaint_after("cstype rat bspline\ndeg 1\nv 1 2 3 -1\ncurv 0 1 1 5\n"
                               "parm u 0 0 1 1\nend\n"),
               "name:10: the weight of vertex 5, a control point, is not positive");
+    EXPECT_EQ(complaint_after("cstype rat bspline\ndeg 1\nv 1 2 3 2e12\ncurv 0 1 1 5\n"
+                              "parm u 0 0 1 1\nend\n"),
+              "name:10: the weight of vertex 5, a control point, is beyond 1e12");
     EXPECT_EQ(
         read_after("cstype taylor\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\nl 1\n").notes,
         (std::vector<std::string>{"name:7: curves that are neither bezier nor bspline are skipped",

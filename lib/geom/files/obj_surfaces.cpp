@@ -224,6 +224,9 @@ bool obj_surfaces::weights_of(const std::vector<double>& weights, std::vector<do
         if (is_rational_ && !(weight > 0))
             return text_.fail("the weight of vertex " + std::to_string(i + 1) +
                               ", a control point, is not positive");
+        if (is_rational_ && !(weight <= l3d_bpt_largest_coordinate))
+            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
+                              ", a control point, is beyond 1e12");
         if (is_rational_)
             of_points.push_back(weight);
     }
