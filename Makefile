@@ -27,7 +27,7 @@ uses_stability       := base geom tool_2d raster scene dice pipeline compare
 uses_models          := base geom tool_2d raster scene dice
 
 # What a layer links from outside.
-links_tool_2d := -lpng -ljpeg -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb -lXau -lxkbcommon
+links_tool_2d := -lpng -ljpeg -lXext -lX11-xcb -lX11 -lxcb-randr -lxcb-shm -lxcb-xinput -lxcb -lXau -lxkbcommon
 links_raster  := -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
 
 include config.mk

@@ -29,7 +29,8 @@ FUZZ_LIMITS  ?= -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=64 -max_len=4096
 # Debian packages, each with its proof: a header, a library or a program that must be there.
 PACKAGES_build  := $(if $(findstring clang,$(CXX)),clang:clang++,g++:$(CXX)) libpng-dev:png.h libjpeg62-turbo-dev:jpeglib.h libx11-dev:X11/Xlib.h \
     libxext-dev:X11/extensions/XShm.h libx11-xcb-dev:X11/Xlib-xcb.h \
-    libxcb-randr0-dev:xcb/randr.h libxkbcommon-dev:xkbcommon/xkbcommon-compose.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
+    libxcb-randr0-dev:xcb/randr.h libxcb-shm0-dev:xcb/shm.h libxcb-xinput-dev:xcb/xinput.h \
+    libxkbcommon-dev:xkbcommon/xkbcommon-compose.h libxau-dev:X11/Xauth.h libgl-dev:GL/glext.h libcli11-dev:CLI/CLI.hpp \
     nlohmann-json3-dev:nlohmann/json.hpp \
     libglm-dev:glm/glm.hpp libhwy-dev:hwy/highway.h libfreetype-dev:freetype2/ft2build.h \
     libharfbuzz-dev:harfbuzz/hb.h libfribidi-dev:fribidi/fribidi.h libfontconfig-dev:fontconfig/fontconfig.h

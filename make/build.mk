@@ -93,7 +93,7 @@ $(OUT)/lib/geom/teapot.o: $(OUT)/data/teapot.bpt.inc
 # Any file as the numbers of its bytes, to be included between braces.
 $(OUT)/%.bytes: %
 	$(Q)mkdir -p $(@D); od -An -v -tu1 $< | sed 's/[0-9]\+/&,/g' > $@
-$(OUT)/lib/tool_2d/x11_window/x11_icon.o: $(OUT)/packaging/desktop/icon.png.bytes
+$(OUT)/lib/tool_2d/x11/x11_window.o: $(OUT)/packaging/desktop/icon.png.bytes
 
 # A layer of headers alone has no object that the packages come before.
 $(OUT)/libl3d_%.a: $$(objects_$$*) $(OUT)/list/% | packages-build

@@ -187,51 +187,55 @@ TEST(x11_image_sparing, coarse_pictures_show_means_of_squares) {
     }
 }
 
-TEST(x11_image_sparing, what_stands_still_beside_what_moves_stays_fine) {
-    const xvfb server("1100x800x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto window = open_window(large);
+/// A random picture that was sent, coarse.
+class x11_sent_picture : public testing::Test {
+protected:
+    void SetUp() override {
+        L3D_REQUIRE_SERVER(server_);
+        window_ = open_window(large);
+        image_ = make_x11_image_sparing(*window_, large);
+        put_part(*window_, *image_, pixels_, l3d_whole(large));
+    }
+
+    const xvfb server_{"1100x800x24"};
+    std::unique_ptr<x11_window> window_;
+    std::unique_ptr<x11_image> image_;
+    l3d_image picture_ = random_picture(large, 5);
+    const l3d_pixels pixels_ = picture_.pixels();
+};
+
+TEST_F(x11_sent_picture, what_stands_still_beside_what_moves_stays_fine) {
     const onlooker other;
-    const auto image = make_x11_image_sparing(*window, large);
-    auto picture = random_picture(large, 5);
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
-    rest(*window, *image);
+    rest(*window_, *image_);
     // Two parts that move; between them nothing does.
     auto wanted = random_picture(large, 5);
     auto moved = random_picture(large, 6);
     auto squares = in_squares(moved.pixels(), 2);
     for (const l3d_pixel_box& part : {l3d_pixel_box{64, 64, 192, 192}, {320, 256, 448, 384}}) {
         for (int y = part.top; y < part.bottom; ++y) {
-            std::ranges::copy(l3d_row(moved.pixels(), y, part),
-                              l3d_row(picture.pixels(), y, part).begin());
+            std::ranges::copy(l3d_row(moved.pixels(), y, part), l3d_row(pixels_, y, part).begin());
             std::ranges::copy(l3d_row(squares.pixels(), y, part),
                               l3d_row(wanted.pixels(), y, part).begin());
         }
     }
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
-    EXPECT_EQ(wrong_pixels(other, wanted.pixels(), window->info()), 0);
-    rest(*window, *image);
-    EXPECT_EQ(wrong_pixels(other, picture.pixels(), window->info()), 0);
+    put_part(*window_, *image_, pixels_, l3d_whole(large));
+    EXPECT_EQ(wrong_pixels(other, wanted.pixels(), window_->info()), 0);
+    rest(*window_, *image_);
+    EXPECT_EQ(wrong_pixels(other, pixels_, window_->info()), 0);
 }
 
 /// Without a rest: the next pictures, in which little changes, have room for it.
-TEST(x11_image_sparing, what_has_come_to_rest_becomes_fine_beside_what_moves) {
-    const xvfb server("1100x800x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto window = open_window(large);
-    const auto image = make_x11_image_sparing(*window, large);
-    auto picture = random_picture(large, 5);
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+TEST_F(x11_sent_picture, what_has_come_to_rest_becomes_fine_beside_what_moves) {
     const auto pieces = 4 * large.width * large.height / 80'000 + 1;
-    for (int i = 0; i < 2 * pieces && image->next_look() != x11_image::time_point::max(); ++i) {
+    for (int i = 0; i < 2 * pieces && image_->next_look() != x11_image::time_point::max(); ++i) {
         const l3d_pixel_box part{320, 256, 352, 272};
         for (int y = part.top; y < part.bottom; ++y)
-            for (std::uint32_t& word : l3d_row(picture.pixels(), y, part))
+            for (std::uint32_t& word : l3d_row(pixels_, y, part))
                 word ^= 0xFFFFFF;
-        put_part(*window, *image, picture.pixels(), part);
+        put_part(*window_, *image_, pixels_, part);
     }
-    EXPECT_EQ(image->next_look(), x11_image::time_point::max());
-    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+    EXPECT_EQ(image_->next_look(), x11_image::time_point::max());
+    EXPECT_EQ(wrong_pixels(onlooker(), pixels_, window_->info()), 0);
 }
 
 /// Changes at random all that lies beside a box.
@@ -255,21 +259,15 @@ int wrong_pixels_in(const l3d_pixels& picture, const l3d_pixel_box& box, const x
 }
 
 /// More moves beside than has room even with a sixteenth of the pixels.
-TEST(x11_image_sparing, what_has_come_to_rest_becomes_fine_however_much_moves) {
-    const xvfb server("1100x800x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto window = open_window(large);
-    const auto image = make_x11_image_sparing(*window, large);
-    auto picture = random_picture(large, 5);
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+TEST_F(x11_sent_picture, what_has_come_to_rest_becomes_fine_however_much_moves) {
     const l3d_pixel_box resting{800, 96, 992, 496}; // whole tiles
-    EXPECT_GT(wrong_pixels_in(picture.pixels(), resting, *window), 1000);
+    EXPECT_GT(wrong_pixels_in(pixels_, resting, *window_), 1000);
     const auto puts = static_cast<unsigned>(6 * resting.area() / 20'000);
     for (unsigned i = 0; i < puts; ++i) {
-        draw_beside(picture.pixels(), resting, 100 + i);
-        put_part(*window, *image, picture.pixels(), l3d_whole(large));
+        draw_beside(pixels_, resting, 100 + i);
+        put_part(*window_, *image_, pixels_, l3d_whole(large));
     }
-    EXPECT_EQ(wrong_pixels_in(picture.pixels(), resting, *window), 0);
+    EXPECT_EQ(wrong_pixels_in(pixels_, resting, *window_), 0);
 }
 
 /// A panel: a ground, and something on it in every third row.
@@ -280,30 +278,24 @@ void draw_text(const l3d_pixels& picture, const l3d_pixel_box& box, unsigned see
             word = y % 24 < 8 ? static_cast<std::uint32_t>(random() & 0xFFFFFF) : 0x12161B;
 }
 
-TEST(x11_image_sparing, text_is_fine_at_once_and_stays_so_while_all_else_moves) {
-    const xvfb server("1100x800x24");
-    L3D_REQUIRE_SERVER(server);
-    const auto window = open_window(large);
-    const auto image = make_x11_image_sparing(*window, large);
-    auto picture = random_picture(large, 5);
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
+TEST_F(x11_sent_picture, text_is_fine_at_once_and_stays_so_while_all_else_moves) {
     const l3d_pixel_box text{101, 53, 301, 203}; // across cells and tiles
-    image->set_text({text});
-    draw_text(picture.pixels(), text, 7);
+    image_->set_text({text});
+    draw_text(pixels_, text, 7);
     for (unsigned i = 0; i < 5; ++i) {
-        image->set_text({text});
-        draw_beside(picture.pixels(), text, 100 + i);
-        put_part(*window, *image, picture.pixels(), l3d_whole(large));
-        EXPECT_EQ(wrong_pixels_in(picture.pixels(), text, *window), 0) << i;
+        image_->set_text({text});
+        draw_beside(pixels_, text, 100 + i);
+        put_part(*window_, *image_, pixels_, l3d_whole(large));
+        EXPECT_EQ(wrong_pixels_in(pixels_, text, *window_), 0) << i;
     }
-    rest(*window, *image);
-    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+    rest(*window_, *image_);
+    EXPECT_EQ(wrong_pixels(onlooker(), pixels_, window_->info()), 0);
     // Where text goes away, the picture below moves again.
-    image->set_text({});
-    draw_random(picture.pixels(), 8);
-    put_part(*window, *image, picture.pixels(), l3d_whole(large));
-    rest(*window, *image);
-    EXPECT_EQ(wrong_pixels(onlooker(), picture.pixels(), window->info()), 0);
+    image_->set_text({});
+    draw_random(pixels_, 8);
+    put_part(*window_, *image_, pixels_, l3d_whole(large));
+    rest(*window_, *image_);
+    EXPECT_EQ(wrong_pixels(onlooker(), pixels_, window_->info()), 0);
 }
 
 TEST_F(x11_image_network, much_text_goes_alone_and_its_ground_costs_nothing) {

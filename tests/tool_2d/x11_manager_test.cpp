@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -271,68 +272,66 @@ void resize(const onlooker& other, unsigned width, unsigned height) {
     XSync(other.display(), False);
 }
 
-TEST(x11_sync, tells_when_the_new_size_is_shown) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const manager theirs;
-    const auto screen = make();
-    const onlooker other;
-    drop_events(*screen);
-    EXPECT_EQ(counted(other), 0);
+class x11_sync_managed : public testing::Test {
+protected:
+    void SetUp() override {
+        L3D_REQUIRE_SERVER(server_);
+        manager_.emplace();
+        screen_ = make();
+        other_.emplace();
+        drop_events(*screen_);
+    }
+
+    const xvfb server_{"301x207x24"};
+    std::optional<manager> manager_;
+    std::unique_ptr<l3d_screen> screen_;
+    std::optional<onlooker> other_;
+};
+
+TEST_F(x11_sync_managed, tells_when_the_new_size_is_shown) {
+    EXPECT_EQ(counted(*other_), 0);
     constexpr long number = (5L << 32) + 7;
-    announce(other, number);
-    resize(other, 97, 61);
-    screen->wait(patience);
-    show_for_certain(*screen);
-    EXPECT_EQ(counted(other), 0) << "those were pictures of the old size";
-    EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, (l3d_size{97, 61}));
-    screen->wait(1ms);
-    EXPECT_EQ(counted(other), 0) << "nothing was drawn yet";
-    show_for_certain(*screen);
-    EXPECT_EQ(counted(other), number);
-    show_for_certain(*screen);
-    announce(other, number + 4);
-    show_for_certain(*screen);
-    EXPECT_EQ(counted(other), number) << "no size has followed yet";
+    announce(*other_, number);
+    resize(*other_, 97, 61);
+    screen_->wait(patience);
+    show_for_certain(*screen_);
+    EXPECT_EQ(counted(*other_), 0) << "those were pictures of the old size";
+    EXPECT_EQ(next(*screen_, l3d_event_type::resize)->size, (l3d_size{97, 61}));
+    screen_->wait(1ms);
+    EXPECT_EQ(counted(*other_), 0) << "nothing was drawn yet";
+    show_for_certain(*screen_);
+    EXPECT_EQ(counted(*other_), number);
+    show_for_certain(*screen_);
+    announce(*other_, number + 4);
+    show_for_certain(*screen_);
+    EXPECT_EQ(counted(*other_), number) << "no size has followed yet";
 }
 
-TEST(x11_sync, of_several_sizes_the_last_counts) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const manager theirs;
-    const auto screen = make();
-    const onlooker other;
-    drop_events(*screen);
-    announce(other, 3);
-    resize(other, 97, 61);
-    EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, (l3d_size{97, 61}));
-    announce(other, 9);
-    resize(other, 131, 59);
-    screen->show();
-    EXPECT_NE(counted(other), 9);
-    EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, (l3d_size{131, 59}));
-    EXPECT_NE(counted(other), 9);
-    show_for_certain(*screen);
-    EXPECT_EQ(counted(other), 9);
+TEST_F(x11_sync_managed, of_several_sizes_the_last_counts) {
+    announce(*other_, 3);
+    resize(*other_, 97, 61);
+    EXPECT_EQ(next(*screen_, l3d_event_type::resize)->size, (l3d_size{97, 61}));
+    announce(*other_, 9);
+    resize(*other_, 131, 59);
+    screen_->show();
+    EXPECT_NE(counted(*other_), 9);
+    EXPECT_EQ(next(*screen_, l3d_event_type::resize)->size, (l3d_size{131, 59}));
+    EXPECT_NE(counted(*other_), 9);
+    show_for_certain(*screen_);
+    EXPECT_EQ(counted(*other_), 9);
 }
 
 /// The manager must not wait for a picture that a resting program has no reason to draw.
-TEST(x11_sync, a_size_that_is_the_old_one_is_shown_already) {
-    const xvfb server("301x207x24");
-    L3D_REQUIRE_SERVER(server);
-    const manager theirs;
-    const auto screen = make();
-    const onlooker other;
-    drop_events(*screen);
-    announce(other, 3);
-    XMoveWindow(other.display(), other.window(), 31, 17);
-    XSync(other.display(), False);
+TEST_F(x11_sync_managed, a_size_that_is_the_old_one_is_shown_already) {
+    announce(*other_, 3);
+    XMoveWindow(other_->display(), other_->window(), 31, 17);
+    XSync(other_->display(), False);
     const auto deadline = std::chrono::steady_clock::now() + patience;
-    while (counted(other) != 3 && std::chrono::steady_clock::now() < deadline) {
-        screen->wait(1ms);
-        drop_events(*screen);
+    while (counted(*other_) != 3 && std::chrono::steady_clock::now() < deadline) {
+        screen_->wait(1ms);
+        drop_events(*screen_);
     }
-    EXPECT_EQ(counted(other), 3);
+    EXPECT_EQ(counted(*other_), 3);
 }
 
 TEST(x11_sync, is_not_offered_to_nobody) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // x11_palette: the largest palette in maps that no server here has, and what is near enough.
-#include "tool_2d/x11/x11_palette_p.h"
+#include "tool_2d/x11/x11_colormap_p.h"
 
 #include <gtest/gtest.h>
 

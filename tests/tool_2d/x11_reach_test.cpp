@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Displays of other hosts: that one that never answers does not hold us up.
-#include "tool_2d/x11/x11_reach_p.h"
+#include "tool_2d/x11/x11_diagnosis_p.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include "onlooker_x11.h"
 
 #include "tool_2d/x11_window/x11_resolution_p.h"
-#include "tool_2d/x11_window/x11_scale_p.h"
 #include "tool_2d/x11/x11_visual_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
@@ -243,26 +242,22 @@ std::string settings_text(bool is_low_first, std::int32_t dots) {
     return text;
 }
 
-std::optional<double> dpi_of(const std::string& text) {
-    return xsettings_dpi({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
 TEST(x11_resolution, reads_settings_in_either_order_of_bytes) {
     for (const bool is_low_first : {true, false}) {
-        EXPECT_EQ(dpi_of(settings_text(is_low_first, 144 * 1024)), 144);
-        EXPECT_EQ(dpi_of(settings_text(is_low_first, 98304 + 512)), 96.5);
-        EXPECT_EQ(dpi_of(settings_text(is_low_first, -1)), std::nullopt);
+        EXPECT_EQ(xsettings_dpi(settings_text(is_low_first, 144 * 1024)), 144);
+        EXPECT_EQ(xsettings_dpi(settings_text(is_low_first, 98304 + 512)), 96.5);
+        EXPECT_EQ(xsettings_dpi(settings_text(is_low_first, -1)), std::nullopt);
     }
 }
 
 TEST(x11_resolution, settings_that_are_cut_off_say_nothing) {
     const std::string whole = settings_text(true, 144 * 1024);
     for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_EQ(dpi_of(whole.substr(0, size)), std::nullopt) << size;
+        EXPECT_EQ(xsettings_dpi(whole.substr(0, size)), std::nullopt) << size;
     for (std::size_t at = 0; at < whole.size(); ++at) {
         std::string broken = whole;
         broken[at] = static_cast<char>(0xFF);
-        dpi_of(broken); // says whatever it says, and reads nothing beyond the end
+        xsettings_dpi(broken); // says whatever it says, and reads nothing beyond the end
     }
 }
 

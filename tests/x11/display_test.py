@@ -59,10 +59,7 @@ def expect_death(command, proxy, number, opening):
     wanted, what = 6, "request %d" % number
     # Xlib loses what it had begun when the display dies while it is opened.
     sanitizer = {"ASAN_OPTIONS": "detect_leaks=0"} if opening else {}
-    # It reads an answer that never came from its stack, where a linker that binds names late leaves
-    # what is no answer.
-    bound = environment(proxy.display, LD_BIND_NOW="1", **sanitizer)
-    with started(command, bound) as process:
+    with started(command, environment(proxy.display, **sanitizer)) as process:
         wait_for(lambda: not proxy.is_listening or process.poll() is not None, what)
         start = time.monotonic()
         status, out, said = harness.ended(process)

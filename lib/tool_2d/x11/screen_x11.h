@@ -12,34 +12,21 @@ namespace l3d_detail {
 class x11_connection;
 }
 
-/// The base of the factories of windows. It keeps the connection on which service() asked, and
-/// create() goes on with it. Connecting takes as long as all else together.
+/// Makes windows. It keeps the connection on which service() asked, and create() goes on with it if
+/// DISPLAY still names that display: connecting takes as long as all else together.
+///
+/// A screen belongs to the thread that made it.
 class l3d_screen_factory_x11 : public l3d_screen_factory {
 public:
-    l3d_screen_factory_x11();
     ~l3d_screen_factory_x11() override;
 
 protected:
-    void keep(std::unique_ptr<l3d_detail::x11_connection> connection) const;
+    explicit l3d_screen_factory_x11(bool shares_memory);
 
-    /// The kept connection if DISPLAY still names it, else a new one.
-    /// Errors:  null, with one line in `why` that gives the value of DISPLAY.
-    std::unique_ptr<l3d_detail::x11_connection> connect(std::string& why) const;
-
-private:
-    void do_release() const override;
-
-    mutable std::unique_ptr<l3d_detail::x11_connection> kept_;
-};
-
-/// Makes windows whose pixels travel over the connection (XPutImage): any display, remote too.
-///
-/// A screen belongs to the thread that made it.
-class l3d_screen_factory_ximage final : public l3d_screen_factory_x11 {
 private:
     /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
-    ///          has no usable visual; display_lost.
-    /// Cost:    one connection.
+    ///          has no usable visual; display_lost; partly if memory cannot be shared as it should.
+    /// Cost:    one connection; one small segment where memory is shared.
     l3d_service do_service() const override;
 
     /// Errors:  null: no display, no usable visual, no memory, display lost.
@@ -48,23 +35,23 @@ private:
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 
+    void do_release() const override;
     void do_diagnose(l3d_probes& probes) const override;
+
+    bool shares_memory_;
+    mutable std::unique_ptr<l3d_detail::x11_connection> kept_;
+};
+
+/// Makes windows whose pixels travel over the connection (XPutImage): any display, remote too.
+struct l3d_screen_factory_ximage final : l3d_screen_factory_x11 {
+    l3d_screen_factory_ximage() : l3d_screen_factory_x11(false) {}
 };
 
 /// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): a
 /// local display, the fast way. Where sharing fails, now or later, the same window gets its pixels
 /// over the connection, and the screen has a remark.
-class l3d_screen_factory_xshm final : public l3d_screen_factory_x11 {
-private:
-    /// Errors:  partly if memory cannot be shared; else as l3d_screen_factory_ximage.
-    /// Cost:    one connection, and one small segment.
-    l3d_service do_service() const override;
-
-    /// Errors, Lives, Cost: as l3d_screen_factory_ximage.
-    std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
-                                          l3d_service& refusal) const override;
-
-    void do_diagnose(l3d_probes& probes) const override;
+struct l3d_screen_factory_xshm final : l3d_screen_factory_x11 {
+    l3d_screen_factory_xshm() : l3d_screen_factory_x11(true) {}
 };
 
 #endif

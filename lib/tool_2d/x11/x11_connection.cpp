@@ -2,10 +2,7 @@
 // x11_connection: opening, error handlers, sleeping.
 #include "tool_2d/x11/x11_connection_p.h"
 
-#include "tool_2d/x11/x11_reach_p.h"
-#include "tool_2d/x11/x11_refusal_p.h"
-#include "tool_2d/x11/x11_reply_p.h"
-#include "tool_2d/x11_window/x11_room_p.h"
+#include "tool_2d/x11/x11_diagnosis_p.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,8 +17,25 @@
 #include <unistd.h>
 
 #include <X11/Xlib-xcb.h>
+#include <X11/Xlibint.h> // after all others: it has macros of common names
+#undef min
+#undef max
 
 namespace l3d_detail {
+namespace {
+
+/// Empties Xlib's buffer, which nobody will read. The first request after one of XCB's may find the
+/// server gone while Xlib makes room for it; libX11 1.8 then has extensions write to a null
+/// pointer, as `a_server_may_die_between_two_libraries` shows.
+/// Expects: Xlib has just called the handler of broken connections for this display.
+void make_x11_room(Display* display) {
+    display->bufptr = display->buffer;
+    // Without the connection, Xlib takes its buffer for empty. It has at least this size.
+    if (display->bufmax == display->buffer)
+        display->bufmax = display->buffer + BUFSIZE;
+}
+
+} // namespace
 
 /// The state of the process-wide handlers, which Xlib calls without any argument of ours.
 struct x11_handlers {
@@ -90,6 +104,7 @@ constexpr std::chrono::milliseconds longest_leave{200};
 /// Opens a display and survives a server that dies meanwhile: XOpenDisplay would end the process,
 /// and has no display yet for an exit handler. The jump out of it leaks Xlib's half-made display,
 /// once.
+/// `a_server_may_die_at_any_byte` fails without it.
 Display* open_display(const char* name, bool& lost) {
     if (!can_reach_x11_host(name, longest_connect))
         return nullptr;

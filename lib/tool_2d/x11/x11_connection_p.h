@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -16,15 +17,17 @@ namespace l3d_detail {
 /// The reason for no screen if the display was lost during the question.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
+/// The owner of a reply that xcb read; these come from malloc.
+struct x11_reply_freer {
+    void operator()(void* reply) const { std::free(reply); }
+};
+template <class Reply> using unique_reply = std::unique_ptr<Reply, x11_reply_freer>;
+
 /// The way in which the server gets our memory.
-struct x11_sharing {
-    enum class way {
-        unproven, ///< nobody knows
-        files,    ///< as files that are handed over
-        segments, ///< as segments of System V
-    };
-    way by = way::unproven;
-    int opcode = 0; ///< the extension's opcode, where files are handed over
+enum class x11_sharing {
+    unproven, ///< nobody knows
+    files,    ///< as files that are handed over
+    segments, ///< as segments of System V
 };
 
 /// Owns a Display.
@@ -56,8 +59,8 @@ public:
     bool is_local() const { return local_; }
 
     /// The proven way by which the server attaches our memory, and not others'.
-    const x11_sharing& sharing() const { return sharing_; }
-    void set_sharing(const x11_sharing& sharing) { sharing_ = sharing; }
+    x11_sharing sharing() const { return sharing_; }
+    void set_sharing(x11_sharing sharing) { sharing_ = sharing; }
 
     /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
     bool lost() const { return lost_; }
@@ -102,7 +105,7 @@ private:
     bool local_ = false;
     std::size_t writable_size_ = 0;
     bool lost_ = false;
-    x11_sharing sharing_;
+    x11_sharing sharing_ = x11_sharing::unproven;
     unsigned long trap_serial_ = 0; ///< first request whose errors are asked for; 0: none
     int trapped_error_ = 0;
     // Two pictures may be under way; the rest is room for errors that nobody asks about.

@@ -2,8 +2,6 @@
 // The lines of --diagnose about an X11 display.
 #include "tool_2d/x11/x11_diagnosis_p.h"
 
-#include "tool_2d/x11/x11_extension_p.h"
-#include "tool_2d/x11/x11_refusal_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
 #include "tool_2d/x11/x11_visual_p.h"
 
@@ -83,7 +81,7 @@ l3d_probe probe_manager(const x11_connection& connection) {
 l3d_probe probe_extension(const x11_connection& connection) {
     int major = 0, minor = 0, pixmaps = 0;
     // Asked for the version of a missing extension, Xlib would print a line of its own.
-    if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) != 0 &&
+    if (XShmQueryExtension(connection.display()) != 0 &&
         XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0)
         return {"MIT-SHM",
                 "version " + std::to_string(major) + "." + std::to_string(minor),
@@ -112,9 +110,8 @@ l3d_probe probe_sharing(x11_connection& connection) {
     std::string why;
     const auto visual = choose_x11_visual(connection, why);
     if (visual && x11_shm_segment::make(connection, visual->visual, visual->layout, 1, why)) {
-        probe.result += connection.sharing().by == x11_sharing::way::files
-                            ? ", in files that it is handed"
-                            : ", in segments of System V";
+        probe.result += connection.sharing() == x11_sharing::files ? ", in files that it is handed"
+                                                                   : ", in segments of System V";
         return probe;
     }
     return {probe.what, why + "; pictures go over the wire", verdict::limited,
@@ -151,13 +148,9 @@ std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
 
 } // namespace
 
-void diagnose_x11_display(l3d_probes& probes) {
-    diagnose_connection(probes);
-}
-
-void diagnose_x11_shm(l3d_probes& probes) {
+void diagnose_x11(l3d_probes& probes, bool with_shared_memory) {
     const auto connection = diagnose_connection(probes);
-    if (!connection)
+    if (!connection || !with_shared_memory)
         return;
     probes.push_back(probe_extension(*connection));
     probes.push_back(probe_sharing(*connection));

@@ -6,12 +6,50 @@
 #include "tool_2d/pixels.h"
 #include "tool_2d/x11/x11_window_p.h"
 
+#include <cassert>
 #include <chrono>
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
+#include <X11/Xutil.h>
+
 namespace l3d_detail {
+
+/// Frees Xlib's part of an image; pixels and segment are ours.
+struct ximage_freer {
+    void operator()(XImage* image) const {
+        image->data = nullptr;
+        image->obdata = nullptr;
+        XDestroyImage(image);
+    }
+};
+using unique_ximage = std::unique_ptr<XImage, ximage_freer>;
+
+/// An image of the display's own pixels that has none yet.
+///
+/// Shape:   rows as short as the server allows, which Xlib sends uncopied.
+/// Errors:  std::bad_alloc.
+inline unique_ximage make_ximage(Display* display, Visual* visual, const l3d_pixel_layout& layout,
+                                 l3d_size size) {
+    unique_ximage image(XCreateImage(display, visual, static_cast<unsigned>(layout.depth), ZPixmap,
+                                     0, nullptr, static_cast<unsigned>(size.width),
+                                     static_cast<unsigned>(size.height), layout.scanline_pad, 0));
+    if (!image)
+        throw std::bad_alloc();
+    assert(image->bits_per_pixel == layout.bits_per_pixel);
+    return image;
+}
+
+inline std::size_t ximage_row_size(const XImage& image) {
+    return static_cast<std::size_t>(image.bytes_per_line);
+}
+
+inline std::size_t ximage_size(const XImage& image) {
+    return ximage_row_size(image) * static_cast<std::size_t>(image.height);
+}
 
 /// The buffers in which the pictures of one window travel, for one size of it.
 class x11_image {

@@ -5,7 +5,6 @@
 #include "tool_2d/pixel_writer_p.h"
 #include "tool_2d/x11_window/x11_echo_p.h"
 #include "tool_2d/x11/x11_shm_segment_p.h"
-#include "tool_2d/x11/x11_ximage_p.h"
 
 #include <algorithm>
 #include <array>

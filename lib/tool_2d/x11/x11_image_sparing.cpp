@@ -6,7 +6,6 @@
 #include "tool_2d/x11_window/x11_echo_p.h"
 #include "tool_2d/x11/x11_enlarger_p.h"
 #include "tool_2d/x11/x11_tiles_p.h"
-#include "tool_2d/x11/x11_ximage_p.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,8 +2,7 @@
 // x11_shm_segment: files and System V memory, and the proof that two programs see the same.
 #include "tool_2d/x11/x11_shm_segment_p.h"
 
-#include "tool_2d/x11/x11_extension_p.h"
-#include "tool_2d/x11/x11_ximage_p.h"
+#include "tool_2d/x11/x11_image_p.h"
 
 #include <algorithm>
 #include <array>
@@ -19,18 +18,13 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/shm.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <X11/Xlib-xcb.h>
-#include <X11/Xproto.h>
-#include <X11/extensions/shmproto.h>
-#include <xcb/xcbext.h>
+#include <xcb/shm.h>
 
 namespace l3d_detail {
 namespace {
-
-using way = x11_sharing::way;
 
 // Linux attaches a segment by its number even after its name was removed; others may not.
 #ifdef __linux__
@@ -62,7 +56,7 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
         why = "L3D_NO_SHM is set";
     else if (!connection.is_local())
         why = "the X server is reached over a network";
-    else if (ask_for_extension([&] { return XShmQueryExtension(connection.display()); }) == 0)
+    else if (XShmQueryExtension(connection.display()) == 0)
         why = connection.lost() ? x11_server_went_away : "the X server does not have MIT-SHM";
     else
         return false;
@@ -116,19 +110,6 @@ bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& co
     return false;
 }
 
-/// Has the server attach a file, which is closed here once it is sent. Xlib has no such request.
-void hand_over(xcb_connection_t* xcb, int opcode, XID segment, int file) {
-    xShmAttachFdReq request{};
-    request.shmReqType = X_ShmAttachFd;
-    request.shmseg = static_cast<CARD32>(segment);
-    request.readOnly = xTrue;
-    // The first two parts are the library's.
-    std::array<iovec, 3> parts{};
-    parts[2] = {&request, sizeof request};
-    const xcb_protocol_request_t kind{1, nullptr, static_cast<std::uint8_t>(opcode), 1};
-    xcb_send_request_with_fds(xcb, 0, &parts[2], &kind, 1, &file);
-}
-
 } // namespace
 
 std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connection, Visual* visual,
@@ -137,11 +118,11 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
     if (is_hopeless(connection, why))
         return nullptr;
     std::string why_no_file;
-    if (connection.sharing().by != way::segments) {
+    if (connection.sharing() != x11_sharing::segments) {
         auto segment = by_file(connection, size, why_no_file);
         if (segment)
             return segment;
-        if (connection.sharing().by == way::files || connection.lost()) {
+        if (connection.sharing() == x11_sharing::files || connection.lost()) {
             why = connection.lost() ? x11_server_went_away : why_no_file;
             return nullptr;
         }
@@ -156,21 +137,14 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
 std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connection,
                                                           std::size_t size, std::string& why) {
     std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection));
-    if (connection.sharing().by == way::files)
-        return segment->attach_file(size, connection.sharing().opcode, why) ? std::move(segment)
-                                                                            : nullptr;
-    int opcode = 0, first_event = 0, first_error = 0;
-    const bool is_told = ask_for_extension([&] {
-                             return XQueryExtension(connection.display(), SHMNAME, &opcode,
-                                                    &first_event, &first_error);
-                         }) != 0 &&
-                         !connection.lost();
+    if (connection.sharing() == x11_sharing::files)
+        return segment->attach_file(size, why) ? std::move(segment) : nullptr;
     x11_error_trap trap(connection);
-    if (!is_told || !segment->attach_file(size, opcode, why))
+    if (!segment->attach_file(size, why))
         return nullptr;
     const int error = trap.sync();
     if (error == 0 && !connection.lost()) {
-        connection.set_sharing({way::files, opcode});
+        connection.set_sharing(x11_sharing::files);
         return segment;
     }
     if (connection.lost())
@@ -186,18 +160,18 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_system_v(x11_connection& co
                                                               std::size_t size, std::string& why) {
     const auto row = make_ximage(connection.display(), visual, layout, {proof_width, 1});
     std::unique_ptr<x11_shm_segment> segment(new x11_shm_segment(connection));
-    if (attaches_nameless && connection.sharing().by == way::segments)
+    if (attaches_nameless && connection.sharing() == x11_sharing::segments)
         return segment->attach(size, why) ? std::move(segment) : nullptr;
     x11_error_trap trap(connection);
     if (!segment->attach(std::max(size, proof_size), why) ||
         !server_sees(*segment, *row, connection, trap, why))
         return nullptr;
     segment->forget_name();
-    connection.set_sharing({way::segments, 0});
+    connection.set_sharing(x11_sharing::segments);
     return segment;
 }
 
-bool x11_shm_segment::attach_file(std::size_t size, int opcode, std::string& why) {
+bool x11_shm_segment::attach_file(std::size_t size, std::string& why) {
     rlimit largest{};
     if (getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur < size) {
         // Above the limit the kernel would send a signal, which ends programs.
@@ -225,7 +199,7 @@ bool x11_shm_segment::attach_file(std::size_t size, int opcode, std::string& why
     info_.readOnly = True;
     auto* const xcb = XGetXCBConnection(connection_.display());
     info_.shmseg = xcb_generate_id(xcb);
-    hand_over(xcb, opcode, info_.shmseg, file);
+    xcb_shm_attach_fd(xcb, static_cast<xcb_shm_seg_t>(info_.shmseg), file, 1); // closes it here
     return true;
 }
 

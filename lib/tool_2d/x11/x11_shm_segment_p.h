@@ -59,7 +59,7 @@ private:
                                                         std::size_t size, std::string& why);
 
     /// Errors:  false, with one line in `why`.
-    bool attach_file(std::size_t size, int opcode, std::string& why);
+    bool attach_file(std::size_t size, std::string& why);
     /// Errors:  false, with one line in `why`.
     bool attach(std::size_t size, std::string& why);
     void forget_name();

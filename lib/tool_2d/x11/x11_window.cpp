@@ -2,14 +2,16 @@
 // x11_window: attributes and properties.
 #include "tool_2d/x11/x11_window_p.h"
 
-#include "tool_2d/x11_window/x11_icon_p.h"
-#include "tool_2d/x11_window/x11_scale_p.h"
+#include "tool_2d/x11_window/x11_resolution_p.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
+#include <png.h>
 #include <unistd.h>
 
 #include <X11/Xatom.h>
@@ -37,6 +39,29 @@ l3d_service too_large(l3d_size size, int scale) {
             "the X server does not make a window of " + std::to_string(size.width) + "x" +
                 std::to_string(size.height) +
                 (scale == 1 ? "" : " at scale " + std::to_string(scale))};
+}
+
+constexpr unsigned char icon_file[] = {
+#include "packaging/desktop/icon.png.bytes"
+};
+
+/// The library's own picture for desktops, as _NET_WM_ICON has it: width, height, and 0xAARRGGBB
+/// for each pixel from the top left on, in longs, whatever their size.
+/// Source: Extended Window Manager Hints, 1.3.
+std::vector<long> icon() {
+    png_image picture{};
+    picture.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&picture, icon_file, sizeof icon_file) == 0)
+        return {};
+    picture.format = PNG_FORMAT_RGBA;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(picture));
+    if (png_image_finish_read(&picture, nullptr, bytes.data(), 0, nullptr) == 0)
+        return {};
+    std::vector<long> words{static_cast<long>(picture.width), static_cast<long>(picture.height)};
+    for (std::size_t i = 0; i < bytes.size(); i += 4)
+        words.push_back(static_cast<long>(bytes[i + 3]) << 24 | static_cast<long>(bytes[i]) << 16 |
+                        static_cast<long>(bytes[i + 1]) << 8 | static_cast<long>(bytes[i + 2]));
+    return words;
 }
 
 } // namespace
@@ -155,8 +180,7 @@ void x11_window::set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const {
         set_machine(); // Without it the number of the process means nothing.
     const long process = getpid();
     set_property(net_wm_pid, XA_CARDINAL, 32, &process, 1);
-    // Width, height, and alpha, red, green and blue of each pixel: longs, whatever their size.
-    const auto words = x11_icon();
+    const auto words = icon();
     set_property(net_wm_icon, XA_CARDINAL, 32, words.data(), words.size());
 }
 

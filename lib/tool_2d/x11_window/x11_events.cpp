@@ -2,8 +2,6 @@
 // x11_events: keys, pointer, window.
 #include "tool_2d/x11_window/x11_events_p.h"
 
-#include "tool_2d/x11_window/x11_key_p.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

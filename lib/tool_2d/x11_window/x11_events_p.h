@@ -6,7 +6,7 @@
 #include "tool_2d/event.h"
 #include "tool_2d/x11_window/x11_echo_p.h"
 #include "tool_2d/x11_window/x11_pointer_p.h"
-#include "tool_2d/x11_window/x11_text_p.h"
+#include "tool_2d/x11_window/x11_keys_p.h"
 #include "tool_2d/x11/x11_window_p.h"
 
 #include <array>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstdint>
-#include <memory>
 
 #include <X11/Xlib-xcb.h>
 
@@ -14,10 +13,6 @@ namespace {
 
 // A manager that holds the pointer itself, as while keys switch windows, soon lets it go.
 constexpr std::chrono::milliseconds between_tries{100};
-
-struct reply_freer {
-    void operator()(xcb_grab_pointer_reply_t* reply) const { std::free(reply); }
-};
 
 } // namespace
 
@@ -69,7 +64,7 @@ void x11_pointer::look_after() {
 bool x11_pointer::take(const XEvent& event) {
     if (!echo_.take(event))
         return false;
-    const std::unique_ptr<xcb_grab_pointer_reply_t, reply_freer> reply(
+    const unique_reply<xcb_grab_pointer_reply_t> reply(
         xcb_grab_pointer_reply(xcb_, asked_, nullptr));
     is_held_ = reply && reply->status == XCB_GRAB_STATUS_SUCCESS;
     if (!is_held_)

@@ -1,32 +1,45 @@
 // SPDX-License-Identifier: MIT
-// x11_resolution: dots an inch from two sources.
+// x11_resolution: the resource Xft.dpi, and the setting Xft/DPI.
 #include "tool_2d/x11_window/x11_resolution_p.h"
 
-#include "tool_2d/x11/x11_reply_p.h"
-
-#include "tool_2d/x11_window/x11_scale_p.h"
-
-#include <bit>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
 #include <memory>
 #include <string>
-#include <string_view>
+#include <type_traits>
 
-#include <X11/Xatom.h>
-#include <X11/Xlib-xcb.h>
+#include <X11/Xresource.h>
 
 namespace l3d_detail {
 namespace {
 
-// Limit of a text of settings, in words: desktops have some kilobytes.
-constexpr std::uint32_t longest_text = 1 << 16;
+struct database_freer {
+    void operator()(XrmDatabase database) const { XrmDestroyDatabase(database); }
+};
+using unique_database = std::unique_ptr<std::remove_pointer_t<XrmDatabase>, database_freer>;
+
+constexpr double usual_dpi = 96;
+
+double resource_dpi(std::string_view resources) {
+    XrmInitialize();
+    const unique_database database(XrmGetStringDatabase(std::string(resources).c_str()));
+    char* type = nullptr;
+    XrmValue value{};
+    double dpi = usual_dpi;
+    // The value is text that ends with a zero, which is counted. Not read by the locale's rules.
+    if (XrmGetResource(database.get(), "Xft.dpi", "Xft.Dpi", &type, &value) != 0)
+        std::from_chars(value.addr, value.addr + std::strlen(value.addr), dpi);
+    return dpi;
+}
 
 /// Reads numbers one by one; after a missing one, all others count as missing.
 class settings_reader {
 public:
-    explicit settings_reader(std::span<const std::uint8_t> text) : rest_(text) {
-        // The first byte is 0 for the low byte first.
-        const bool is_low_first = !text.empty() && text[0] == 0;
-        is_swapped_ = is_low_first != (std::endian::native == std::endian::little);
+    /// The first byte is 0 for the low byte first.
+    explicit settings_reader(std::string_view text)
+        : rest_(text), is_low_first_(!text.empty() && text[0] == 0) {
         skip(4);
     }
 
@@ -37,9 +50,9 @@ public:
     std::uint32_t number(std::size_t bytes) {
         const auto found = take(bytes);
         std::uint32_t value = 0;
-        const bool is_low_first = (std::endian::native == std::endian::little) != is_swapped_;
         for (std::size_t i = 0; i < found.size(); ++i)
-            value = value << 8 | found[is_low_first ? found.size() - 1 - i : i];
+            value = value << 8 |
+                    static_cast<std::uint8_t>(found[is_low_first_ ? found.size() - 1 - i : i]);
         return value;
     }
 
@@ -47,34 +60,31 @@ public:
     std::string_view text(std::size_t bytes) {
         const auto found = take(bytes);
         skip((4 - bytes % 4) % 4);
-        return {reinterpret_cast<const char*>(found.data()), found.size()};
-    }
-
-private:
-    std::span<const std::uint8_t> take(std::size_t bytes) {
-        if (!is_whole_ || bytes > rest_.size()) {
-            is_whole_ = false;
-            return {};
-        }
-        const auto found = rest_.first(bytes);
-        rest_ = rest_.subspan(bytes);
         return found;
     }
 
-    std::span<const std::uint8_t> rest_;
-    bool is_swapped_ = false;
+private:
+    std::string_view take(std::size_t bytes) {
+        is_whole_ = is_whole_ && bytes <= rest_.size();
+        const auto found = rest_.substr(0, is_whole_ ? bytes : 0);
+        rest_.remove_prefix(found.size());
+        return found;
+    }
+
+    std::string_view rest_;
+    bool is_low_first_;
     bool is_whole_ = true;
 };
 
-std::span<const std::uint8_t> bytes_of(const xcb_get_property_reply_t* reply) {
-    if (reply == nullptr || reply->format != 8)
-        return {};
-    return {static_cast<const std::uint8_t*>(xcb_get_property_value(reply)), reply->value_len};
+/// This is 1 also for dots that are no number.
+double fineness_of(double dpi) {
+    const double wanted = dpi / usual_dpi;
+    return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
 }
 
 } // namespace
 
-std::optional<double> xsettings_dpi(std::span<const std::uint8_t> text) {
+std::optional<double> xsettings_dpi(std::string_view text) {
     enum type : std::uint32_t { whole_number, words, color };
     constexpr double units = 1024;
     settings_reader reader(text);
@@ -99,115 +109,24 @@ std::optional<double> xsettings_dpi(std::span<const std::uint8_t> text) {
     return {};
 }
 
-x11_resolution::x11_resolution(const x11_window& window)
-    : window_(window), xcb_(XGetXCBConnection(window.display())), echo_(window) {}
-
-/// Asks the next question.
-void x11_resolution::proceed() {
-    if (window_.connection().lost())
-        return;
-    is_due_ = !window_.connection().wait_writable({});
-    if (is_due_)
-        return;
-    if (stage_ == stage::unwatched)
-        ask_names();
-    else if (stage_ == stage::named)
-        find();
-    else if (stage_ == stage::found)
-        read();
-    echo_.ask();
+double x11_fineness(std::string_view settings, std::string_view resources) {
+    const auto dpi = xsettings_dpi(settings);
+    return fineness_of(dpi ? *dpi : resource_dpi(resources));
 }
 
-void x11_resolution::ask_names() {
-    stage_ = stage::naming;
-    const std::array<std::string, name_count> texts{
-        "_XSETTINGS_S" + std::to_string(window_.connection().screen()), "_XSETTINGS_SETTINGS",
-        "MANAGER"};
-    for (std::size_t i = 0; i < name_count; ++i)
-        names_[i] =
-            xcb_intern_atom(xcb_, 0, static_cast<std::uint16_t>(texts[i].size()), texts[i].data());
+double x11_fineness(const x11_connection& connection) {
+    const char* const resources = XResourceManagerString(connection.display());
+    return x11_fineness({}, resources == nullptr ? "" : resources);
 }
 
-void x11_resolution::hear_names() {
-    for (std::size_t i = 0; i < name_count; ++i) {
-        const unique_reply<xcb_intern_atom_reply_t> reply(
-            xcb_intern_atom_reply(xcb_, names_[i], nullptr));
-        atoms_[i] = reply ? reply->atom : 0;
-    }
-}
-
-void x11_resolution::find() {
-    stage_ = stage::finding;
-    again_ = false;
-    owner_ = xcb_get_selection_owner(xcb_, atoms_[selection]);
-}
-
-void x11_resolution::read() {
-    stage_ = stage::reading;
-    if (manager_ != 0) {
-        XSelectInput(window_.display(), manager_, PropertyChangeMask | StructureNotifyMask);
-        settings_ = xcb_get_property(xcb_, 0, static_cast<xcb_window_t>(manager_), atoms_[settings],
-                                     XCB_GET_PROPERTY_TYPE_ANY, 0, longest_text);
-    }
-    resources_ = xcb_get_property(xcb_, 0, static_cast<xcb_window_t>(window_.connection().root()),
-                                  XA_RESOURCE_MANAGER, XA_STRING, 0, longest_text);
-}
-
-double x11_resolution::hear() {
-    const unique_reply<xcb_get_property_reply_t> text(
-        manager_ == 0 ? nullptr : xcb_get_property_reply(xcb_, settings_, nullptr));
-    const unique_reply<xcb_get_property_reply_t> resources(
-        xcb_get_property_reply(xcb_, resources_, nullptr));
-    stage_ = stage::watching;
-    if (const auto dpi = xsettings_dpi(bytes_of(text.get())))
-        return x11_fineness_of_dpi(*dpi);
-    const auto bytes = bytes_of(resources.get());
-    return x11_fineness_of(std::string(bytes.begin(), bytes.end()).c_str());
-}
-
-std::optional<double> x11_resolution::take(const XEvent& event) {
-    if (!echo_.take(event)) {
-        again_ = again_ || concerns_us(event);
-        if (again_ && stage_ == stage::watching) {
-            stage_ = stage::named;
-            proceed();
-        }
-        return {};
-    }
-    if (stage_ == stage::naming) {
-        hear_names();
-        stage_ = stage::named;
-    } else if (stage_ == stage::finding) {
-        const unique_reply<xcb_get_selection_owner_reply_t> owner(
-            xcb_get_selection_owner_reply(xcb_, owner_, nullptr));
-        manager_ = owner ? owner->owner : 0;
-        stage_ = stage::found;
-    } else {
-        const double fineness = hear();
-        if (again_) {
-            stage_ = stage::named;
-            proceed();
-        }
-        return fineness;
-    }
-    proceed();
-    return {};
-}
-
-bool x11_resolution::concerns_us(const XEvent& event) const {
-    const auto root = window_.connection().root();
-    switch (event.type) {
-    case PropertyNotify:
-        return (event.xproperty.window == root && event.xproperty.atom == XA_RESOURCE_MANAGER) ||
-               (is_foreign(event) && event.xproperty.atom == atoms_[settings]);
-    case DestroyNotify:
-        return is_foreign(event);
-    case ClientMessage:
-        return event.xclient.window == root && event.xclient.message_type == atoms_[manager] &&
-               static_cast<xcb_atom_t>(event.xclient.data.l[1]) == atoms_[selection];
-    default:
-        return false;
-    }
+l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request) {
+    if (request.scale != 0)
+        return request.size;
+    const double fits =
+        static_cast<double>(largest_x11_side) / std::max(request.size.width, request.size.height);
+    const double factor = std::clamp(fits, 1.0, x11_fineness(connection));
+    return {static_cast<int>(std::lround(request.size.width * factor)),
+            static_cast<int>(std::lround(request.size.height * factor))};
 }
 
 } // namespace l3d_detail

@@ -9,10 +9,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <utility>
 
-#include <xcb/xcb.h>
+#include <xcb/xinput.h>
 
 namespace l3d_detail {
 
@@ -46,18 +45,16 @@ private:
     /// A wheel's name: its device, and its number there.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
-        double increment = 1;       ///< how far a notch is
-        std::optional<double> last; ///< nothing: the pointer was elsewhere
+        double increment = 0;       ///< how far a notch is; 0: the axis is no wheel
+        std::optional<double> last; ///< its place; nothing: the pointer was elsewhere
     };
 
     void proceed();
-    void search();
     void ask();
     void hear();
-    void select(std::uint32_t mask);
-    unsigned send(std::span<std::uint8_t> request, std::uint8_t kind, bool has_reply) const;
-    void add_wheels(std::uint16_t device, std::span<const std::uint8_t> classes);
-    std::optional<x11_turn> take_motion(std::span<const std::uint8_t> message);
+    void select(std::uint8_t mask);
+    void add_wheels(const xcb_input_xi_device_info_t& device);
+    x11_turn take_motion(const xcb_input_motion_event_t& event);
 
     const x11_window& window_;
     xcb_connection_t* xcb_;
@@ -65,9 +62,8 @@ private:
     stage stage_ = stage::unasked;
     bool is_due_ = true;
     std::uint8_t opcode_ = 0; ///< 0: the server has no such extension
-    xcb_query_extension_cookie_t extension_{};
-    unsigned version_ = 0, devices_ = 0; ///< numbers of the requests
-    std::uint32_t mask_ = 0;             ///< the events that we listen to
+    xcb_input_xi_query_device_cookie_t devices_{};
+    std::uint8_t mask_ = 0; ///< the events that we listen to
     std::map<name, wheel> wheels_;
 };
 

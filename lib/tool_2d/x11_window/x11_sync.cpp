@@ -2,8 +2,6 @@
 // x11_sync: one counter.
 #include "tool_2d/x11_window/x11_sync_p.h"
 
-#include "tool_2d/x11/x11_extension_p.h"
-
 #include <array>
 
 #include <X11/Xatom.h>
@@ -13,8 +11,7 @@ namespace l3d_detail {
 x11_sync::x11_sync(const x11_window& window) : window_(window) {
     Display* display = window.display();
     int first_event = 0, first_error = 0, major = 0, minor = 0;
-    const auto ask = [&] { return XSyncQueryExtension(display, &first_event, &first_error); };
-    if (!window.was_managed() || ask_for_extension(ask) == 0 ||
+    if (!window.was_managed() || XSyncQueryExtension(display, &first_event, &first_error) == 0 ||
         XSyncInitialize(display, &major, &minor) == 0)
         return;
     constexpr std::array names{"_NET_WM_SYNC_REQUEST", "_NET_WM_SYNC_REQUEST_COUNTER"};

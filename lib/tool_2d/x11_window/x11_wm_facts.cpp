@@ -2,23 +2,25 @@
 // x11_wm_facts: questions without waiting, and facts from their answers.
 #include "tool_2d/x11_window/x11_wm_facts_p.h"
 
-#include "tool_2d/x11/x11_reply_p.h"
+#include "tool_2d/x11_window/x11_resolution_p.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include <X11/Xatom.h>
 #include <X11/Xlib-xcb.h>
 #include <X11/Xutil.h>
 
 namespace l3d_detail {
 namespace {
 
-// Limit of a property, in words: the standard has about a hundred names of states and abilities.
-constexpr std::uint32_t longest_property = 1024;
+// Limit of a property, in words: texts of settings have some kilobytes.
+constexpr std::uint32_t longest_property = 1 << 16;
 
 bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
     return std::ranges::find(list, wanted) != list.end();
@@ -37,7 +39,8 @@ bool is_elsewhere(const std::vector<std::uint32_t>& desktop,
 
 x11_wm_facts::x11_wm_facts(const x11_window& window)
     : window_(window), xcb_(XGetXCBConnection(window.display())),
-      echo_(window), facts_{.managed = window.was_managed()} {}
+      echo_(window), facts_{.managed = window.was_managed(),
+                            .fineness = x11_fineness(window.connection())} {}
 
 void x11_wm_facts::ask() {
     if (window_.connection().lost())
@@ -60,17 +63,21 @@ void x11_wm_facts::ask() {
 }
 
 void x11_wm_facts::ask_names() {
-    constexpr std::array<std::string_view, name_count> texts{"_NET_WM_STATE",
-                                                             "_NET_WM_STATE_FULLSCREEN",
-                                                             "_NET_WM_STATE_HIDDEN",
-                                                             "WM_STATE",
-                                                             "_NET_WM_DESKTOP",
-                                                             "_NET_CURRENT_DESKTOP",
-                                                             "_NET_NUMBER_OF_DESKTOPS",
-                                                             "_NET_SUPPORTED",
-                                                             "_NET_SUPPORTING_WM_CHECK",
-                                                             "_NET_WM_PID",
-                                                             "_NET_WM_ICON"};
+    const std::array<std::string, name_count> texts{
+        "_NET_WM_STATE",
+        "_NET_WM_STATE_FULLSCREEN",
+        "_NET_WM_STATE_HIDDEN",
+        "WM_STATE",
+        "_NET_WM_DESKTOP",
+        "_NET_CURRENT_DESKTOP",
+        "_NET_NUMBER_OF_DESKTOPS",
+        "_NET_SUPPORTED",
+        "_NET_SUPPORTING_WM_CHECK",
+        "_XSETTINGS_SETTINGS",
+        "_NET_WM_PID",
+        "_NET_WM_ICON",
+        "_XSETTINGS_S" + std::to_string(window_.connection().screen()),
+        "MANAGER"};
     stage_ = stage::naming;
     for (std::size_t i = 0; i < name_count; ++i)
         names_[i] =
@@ -120,6 +127,11 @@ void x11_wm_facts::ask_facts() {
     question_.state = ask_property(window, net_wm_state);
     question_.wm_state = ask_property(window, wm_state);
     question_.desktop = ask_property(window, net_wm_desktop);
+    question_.settings_owner = xcb_get_selection_owner(xcb_, atoms_[xsettings_selection]);
+    if (settings_ != 0)
+        question_.settings = ask_property(settings_, xsettings);
+    question_.resources =
+        xcb_get_property(xcb_, 0, root, XA_RESOURCE_MANAGER, XA_STRING, 0, longest_property);
     // Known since the names were heard.
     const auto* const randr = xcb_get_extension_data(xcb_, &xcb_randr_id);
     question_.has_randr = randr != nullptr && randr->present != 0;
@@ -146,6 +158,33 @@ std::vector<l3d_pixel_box> x11_wm_facts::hear_monitors() {
     return monitors;
 }
 
+/// The fineness changes only once the settings of the present manager are there.
+void x11_wm_facts::hear_settings() {
+    const auto hear_text = [this](xcb_get_property_cookie_t cookie) {
+        return unique_reply<xcb_get_property_reply_t>(
+            xcb_get_property_reply(xcb_, cookie, nullptr));
+    };
+    const auto text_of = [](const unique_reply<xcb_get_property_reply_t>& reply) {
+        return !reply || reply->format != 8
+                   ? std::string_view()
+                   : std::string_view(static_cast<const char*>(xcb_get_property_value(reply.get())),
+                                      reply->value_len);
+    };
+    const unique_reply<xcb_get_selection_owner_reply_t> owner(
+        xcb_get_selection_owner_reply(xcb_, question_.settings_owner, nullptr));
+    const auto settings = settings_ == 0 ? nullptr : hear_text(question_.settings);
+    const auto resources = hear_text(question_.resources);
+    const Window named = owner ? owner->owner : 0;
+    if (named == settings_) {
+        facts_.fineness = x11_fineness(text_of(settings), text_of(resources));
+        return;
+    }
+    settings_ = named;
+    if (named != 0)
+        XSelectInput(window_.display(), named, PropertyChangeMask | StructureNotifyMask);
+    again_ = true;
+}
+
 void x11_wm_facts::hear_facts() {
     const unique_reply<xcb_get_window_attributes_reply_t> root(
         xcb_get_window_attributes_reply(xcb_, question_.root, nullptr));
@@ -159,6 +198,7 @@ void x11_wm_facts::hear_facts() {
     const auto state = hear_property(question_.state);
     const auto icon = hear_property(question_.wm_state);
     const auto desktop = hear_property(question_.desktop);
+    hear_settings();
     facts_.monitors = hear_monitors();
 
     const Window named = check.empty() ? 0 : check.front();
@@ -201,19 +241,24 @@ bool x11_wm_facts::take(const XEvent& event) {
 }
 
 bool x11_wm_facts::is_foreign(const XEvent& event) const {
-    return event.xany.window != 0 &&
-           (event.xany.window == window_.connection().root() || event.xany.window == check_);
+    const Window about = event.xany.window;
+    return about != 0 &&
+           (about == window_.connection().root() || about == check_ || about == settings_);
 }
 
 bool x11_wm_facts::concerns_us(const XEvent& event) const {
     switch (event.type) {
     case PropertyNotify:
-        return std::ranges::count(std::span(atoms_).first(watched_count), event.xproperty.atom) !=
-               0;
+        return event.xproperty.atom == XA_RESOURCE_MANAGER ||
+               std::ranges::count(std::span(atoms_).first(watched_count), event.xproperty.atom) !=
+                   0;
     case ReparentNotify: // by a manager that comes or goes
         return true;
     case DestroyNotify:
-        return event.xdestroywindow.window == check_;
+        return event.xdestroywindow.window == check_ || event.xdestroywindow.window == settings_;
+    case ClientMessage: // a manager of settings has come
+        return event.xclient.message_type == atoms_[manager] &&
+               static_cast<xcb_atom_t>(event.xclient.data.l[1]) == atoms_[xsettings_selection];
     case ConfigureNotify: // the monitors have changed
         return event.xany.window == window_.connection().root();
     case VisibilityNotify:

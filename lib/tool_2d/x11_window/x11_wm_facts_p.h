@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_wm_facts: the state of our window by the window manager and the server.
+// x11_wm_facts: the state of our window by the window manager, the server and the settings.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 
@@ -23,10 +23,11 @@ struct x11_facts {
     bool fullscreen = false; ///< the manager says that our window is; without such a manager: false
     bool away = false; ///< nobody can see ours: minimised, on another workspace, or not viewable
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
+    double fineness = 1; ///< as x11_fineness has it, by a manager of settings or the resources
 };
 
 /// Keeps the facts up to date by properties that others write: of our window, of the root, and of
-/// the window by which a manager shows that it lives.
+/// the windows by which managers of windows and of settings show that they live.
 ///
 /// Each change asks for all of it anew, in one go. The last request is an event to ourselves. So
 /// nobody waits for a reply: when the event comes, the replies are there.
@@ -43,9 +44,12 @@ public:
         net_number_of_desktops,
         net_supported,
         net_supporting_wm_check,
+        xsettings,
         watched_count, ///< others write those above
         net_wm_pid = watched_count,
         net_wm_icon,
+        xsettings_selection,
+        manager,
         name_count
     };
 
@@ -82,6 +86,8 @@ private:
         xcb_get_window_attributes_cookie_t root, window;
         xcb_get_property_cookie_t check, checked, supported, current_desktop, desktops;
         xcb_get_property_cookie_t state, wm_state, desktop;
+        xcb_get_property_cookie_t settings, resources;
+        xcb_get_selection_owner_cookie_t settings_owner;
         xcb_randr_get_monitors_cookie_t monitors;
         Window asked_check = 0; ///< the window whose property `checked` is
         bool has_randr = false;
@@ -92,6 +98,7 @@ private:
     void ask_facts();
     void hear_facts();
     std::vector<l3d_pixel_box> hear_monitors();
+    void hear_settings();
     xcb_get_property_cookie_t ask_property(Window window, name property) const;
     std::vector<std::uint32_t> hear_property(xcb_get_property_cookie_t cookie) const;
     bool concerns_us(const XEvent& event) const;
@@ -106,7 +113,8 @@ private:
     std::array<xcb_intern_atom_cookie_t, name_count> names_{};
     std::array<xcb_atom_t, name_count> atoms_{};
     question question_{};
-    Window check_ = 0; ///< shows that the manager lives
+    Window check_ = 0;    ///< shows that the manager lives
+    Window settings_ = 0; ///< whose property has the settings; 0: there is none
 };
 
 } // namespace l3d_detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// x11_text: the characters that keys type.
-#ifndef L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
-#define L3D_TOOL_2D_X11_WINDOW_X11_TEXT_P_H
+// x11_keys: which key an event of the keyboard means, whatever the layout, and the text it types.
+#ifndef L3D_TOOL_2D_X11_WINDOW_X11_KEYS_P_H
+#define L3D_TOOL_2D_X11_WINDOW_X11_KEYS_P_H
 
 #include <memory>
 #include <string>
@@ -13,6 +13,11 @@ struct xkb_compose_table;
 struct xkb_compose_state;
 
 namespace l3d_detail {
+
+/// The key of an event, by its own group and level. Caps Lock makes no other keys. On a Greek or
+/// Cyrillic layout the keys that type letters are Latin letters, even where they type a sign. ASCII
+/// or an l3d_key; 0 for a key that is none of ours.
+int key_of(XKeyEvent event);
 
 /// Turns presses of keys into text, dead keys and the key Compose included.
 ///
