@@ -47,12 +47,14 @@ longest_pipeline := lit_doubts.hold_for_highlights_of_two_lights_on_four_models:
     leaving_out.of_dicing_of_thousands_of_tiny_patches_covers_the_exact_picture_within_the_bound:$\
     leaving_out.of_random_bodies_backs_loses_nothing_of_the_exact_picture:$\
     shapes/exact_shapes.are_drawn_within_their_bounds_at_any_zoom/0:$\
+    shapes/exact_shapes.are_drawn_within_their_bounds_at_any_zoom/3:$\
     lit_picture.by_a_headlight_is_that_of_a_light_of_the_world
 longest_dice := pictures.large_ones_are_exact_within_the_bound_too:$\
     watertight/fixed.tilings_cut_again_and_again_cover_every_pixel
 longest_raster := draw_path.has_exact_areas_where_a_row_has_hundreds_of_edges:MesaLife.AHundredCyclesEndClean
 longest_compare := method_picture.a_tessellations_outline_is_within_its_bound
 longest_reference := box_image.of_the_teapot_is_what_many_samples_say
+longest_geom := nurbs.places_and_derivatives_are_those_of_exact_rationals_at_100000_places
 longest_tool_2d := screen_x11_loss.a_server_may_die_at_any_byte
 judge = $(if $(dry_run),: $(1),\
         rm -f $(1); $(MAKE) $(call jobs,2) -k $(2) $(1) || true; awk -f tests/lint/summary.awk $(1))

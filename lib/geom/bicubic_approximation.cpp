@@ -93,6 +93,13 @@ std::vector<double> product_weights(int m, int n) {
     return result;
 }
 
+net<double> along_axis(const net<vector>& of, const vector& axis) {
+    net<double> result(of.m, of.n);
+    std::ranges::transform(of.c, result.c.begin(),
+                           [&](const vector& value) { return l3d_dot(value, axis); });
+    return result;
+}
+
 /// A product of two nets, for what `times` makes of two coefficients.
 template <class V, class A, class B, class Times>
 net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
@@ -264,22 +271,35 @@ void bounds::find_normal_error(const turned& of, const net<double>& w, const net
     const double length = l3d_length(mean);
     if (!(length > 0))
         return;
-    double least = length;
-    for (const vector& n : normals.c)
-        least = std::min(least, l3d_dot(n, mean) / length);
+    const vector axis = mean / length;
+    double least = length, across = 0;
+    for (const vector& n : normals.c) {
+        const double along = l3d_dot(n, axis);
+        least = std::min(least, along);
+        across = std::max(across, l3d_length(n - axis * along));
+    }
     const double size_u = bound_of(bu), size_v = bound_of(bv);
     least -= 64 * unit * (size_u + size_b_) * (size_v + size_b_); // differences and products round
-    const net<vector> of_u = of.has_pole ? d.over_v() : d;
     const double factor = of.has_pole ? d.n : 1;
-    const double e = error;
-    const double e_u = (bound_of(of_u) + factor * noise_) / least_w_;
     const double wu = bound_of(w.by_u()) + 2 * w.m * weight_noise_;
     const double wv = bound_of(w.by_v()) + 2 * w.n * weight_noise_;
-    const double du = (bound_of(of_u.by_u()) + 2 * d.m * factor * noise_ + e_u * wu) / least_w_;
-    const double dv = (bound_of(d.by_v()) + 2 * d.n * noise_ + e * wv) / least_w_;
+    // Bounds of the derivatives of E, or of its part along a direction.
+    const auto slopes = [&](const auto& of_u, const auto& of_v) {
+        const double e_u = (bound_of(of_u) + factor * noise_) / least_w_;
+        const double e_v = (bound_of(of_v) + noise_) / least_w_;
+        return std::array{(bound_of(of_u.by_u()) + 2 * d.m * factor * noise_ + e_u * wu) / least_w_,
+                          (bound_of(of_v.by_v()) + 2 * d.n * noise_ + e_v * wv) / least_w_};
+    };
+    const net<vector> of_u = of.has_pole ? d.over_v() : d;
+    const auto [du, dv] = slopes(of_u, d);
+    const auto [up_u, up_v] = slopes(along_axis(of_u, axis), along_axis(d, axis));
     const double off = size_u * dv + du * size_v + du * dv;
-    if (least > 0 && off < least)
-        normal_error = 2 * std::sin(std::asin(off / least) / 2) * (1 + 8 * unit);
+    if (!(least > 0 && off < least))
+        return;
+    const double turn = (across + 64 * unit * size_u * size_v) / least;
+    const double tilt = size_u * (up_v + turn * dv) + size_v * (up_u + turn * du) + du * dv;
+    const double angle = std::min(std::asin(off / least), std::atan(tilt / (least - off)));
+    normal_error = 2 * std::sin(angle / 2) * (1 + 8 * unit);
 }
 
 } // namespace

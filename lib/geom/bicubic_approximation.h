@@ -16,16 +16,13 @@
 struct l3d_rational_piece {
     using point = l3d_vector<double, 4>;
 
-    /// Products with lesser weights would be too small for a double to keep their digits.
-    static constexpr double least_weight = 1e-100;
-
     int degree_u = 1, degree_v = 1;
     std::vector<point> points;
     /// How far rounding may have moved a coordinate, and a weight, of any point.
     double noise = 0, weight_noise = 0;
 
-    /// Expects: degrees from 1 to 15, as many points as they say, weights from
-    ///          least_weight to 1e12.
+    /// Expects: degrees from 1 to 15, as many points as they say, weights that l3d_is_weight
+    ///          accepts.
     explicit l3d_rational_piece(const l3d_patch_points& patch);
 
     const point& at(int row, int column) const {

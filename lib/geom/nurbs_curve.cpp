@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "geom/bezier_patch.h"
-#include "geom/bicubic_approximation.h"
 #include "geom/spline_lines_p.h"
 
 #include <algorithm>
@@ -33,8 +32,7 @@ std::string l3d_detail::points_complaint(const std::vector<l3d_vector<double, 3>
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(points[i][k]) <= l3d_bpt_largest_coordinate))
                 return name + " is not finite, or beyond 1e12";
-        if (!weights.empty() && !(weights[i] >= l3d_rational_piece::least_weight &&
-                                  weights[i] <= l3d_bpt_largest_coordinate))
+        if (!weights.empty() && !l3d_is_weight(weights[i]))
             return name + " has the weight " + std::to_string(weights[i]) +
                    ", which is not from 1e-100 to 1e12";
     }

@@ -153,20 +153,17 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
-    // Curved models get a part of both tolerances. Their errors of places fall with the fourth
-    // power of the number of patches along a side, and those of normals with the third, so that a
-    // larger part would save little.
-    constexpr double share = 0.125, share_of_shade = 0.25;
     stages_->curved = scene_.choose_levels(
         {.camera = camera_,
          .size = target.size(),
-         .places_px = settings_.tolerance * share,
-         .normals = settings_.shade_tolerance * share_of_shade / lambert_levels});
+         .places_px = settings_.tolerance * l3d_curved_share,
+         .normals = settings_.shade_tolerance * l3d_curved_share_of_shade / lambert_levels});
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
-    stages_->view = stages_->transform.view(settings_.tolerance * (is_curved ? 1 - share : 1));
+    stages_->view =
+        stages_->transform.view(settings_.tolerance * (is_curved ? 1 - l3d_curved_share : 1));
     stages_->view.shade_tolerance =
-        settings_.shade_tolerance * (is_curved ? 1 - share_of_shade : 1);
+        settings_.shade_tolerance * (is_curved ? 1 - l3d_curved_share_of_shade : 1);
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;
@@ -278,6 +275,11 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     untouched_ = true;
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
+    report_.curved_px = stages_->curved.places_px;
+    report_.dice.bound_px += report_.curved_px;
+    report_.dice.coarsest.bound_px += report_.curved_px;
+    report_.dice.depth_bound_px += report_.curved_px;
+    report_.dice.normal_off += stages_->curved.normals;
     if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0 &&
         now.shading.lighting.point_count == 0 && !scene_.has_pictures()) {
         if (now.shading.is_lit(scene_.materials()))
@@ -365,6 +367,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
                  .light = of_frame.light,
                  .bound_px = report_.dice.bound_px,
                  .depth_bound_px = report_.dice.depth_bound_px,
+                 .curved = stages_->curved,
                  .has_levels = has_levels,
                  .lighting = of_frame.lighting,
                  .fog = settings_.fog,

@@ -101,6 +101,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
                    }));
         const l3d_patch_model& drawn = instances_[i].model();
         result.places_px = std::max(result.places_px, seen.pixels(drawn.surface_error()));
+        result.places = std::max(result.places, seen.stretch * drawn.surface_error());
         result.normals = std::max(result.normals, seen.turn * drawn.normal_error());
     }
     return result;

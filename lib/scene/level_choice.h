@@ -6,6 +6,11 @@
 #include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
+/// Curved models get a part of both tolerances. Their errors of places fall with the fourth power
+/// of the number of patches along a side, and those of normals with the third, so that a larger
+/// part would save little.
+inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.25;
+
 /// A picture, and how far its curved models may be off in it.
 struct l3d_level_view {
     const l3d_camera& camera;
@@ -18,6 +23,7 @@ struct l3d_level_view {
 struct l3d_curved_error {
     double places_px = 0; ///< error of places, and of depth along the drawn normal; in pixels
     double normals = 0;   ///< distance of unit normals
+    double places = 0;    ///< error of places in the world's unit
 };
 
 #endif

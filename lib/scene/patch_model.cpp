@@ -76,8 +76,7 @@ std::string complaint_of(const l3d_patch_points& patch) {
             if (!(std::abs(patch.points[i][k]) <= l3d_bpt_largest_coordinate))
                 return point +
                        l3d_detail::formatted(": %c is not finite, or beyond 1e12", "xyz"[k]);
-        if (!patch.weights.empty() && !(patch.weights[i] >= l3d_rational_piece::least_weight &&
-                                        patch.weights[i] <= l3d_bpt_largest_coordinate))
+        if (!patch.weights.empty() && !l3d_is_weight(patch.weights[i]))
             return point +
                    l3d_detail::formatted(" has the weight %g, which is not from 1e-100 to 1e12",
                                          patch.weights[i]);

@@ -5,14 +5,39 @@
 #include "bench/surface_error.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
+#include "scene/level_choice.h"
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 namespace {
+
+/// The patches that stand for a model in a cell.
+struct seen_model {
+    l3d_patch_scene scene;
+    double off = 0;  ///< how far these are from the model at most, in pixels
+    double rest = 0; ///< of the tolerance
+
+    seen_model(const l3d_patch_model& model, const bench_cell& cell, double tolerance,
+               double shade_tolerance)
+        : scene(model), rest(tolerance) {
+        if (!model.is_curved())
+            return;
+        off = scene
+                  .choose_levels({.camera = cell.view->camera,
+                                  .size = cell.size,
+                                  .places_px = l3d_curved_share * tolerance,
+                                  .normals = l3d_curved_share_of_shade * shade_tolerance /
+                                             l3d_level_of_cosine})
+                  .places_px;
+        rest = (1 - l3d_curved_share) * tolerance;
+    }
+    const l3d_patch_model& model() const { return scene.instances()[0].model(); }
+};
 
 struct measured {
     double error, bound;
@@ -20,9 +45,10 @@ struct measured {
 
 /// Measures what the pipeline would draw.
 measured measure_ours(const l3d_patch_model& model, const bench_cell& cell, double tolerance) {
-    const l3d_patch_scene scene(model);
+    const seen_model seen(model, cell, tolerance, l3d_afd_settings().shade_tolerance);
+    const l3d_patch_scene& scene = seen.scene;
     const l3d_image_transform transform(cell.view->camera, cell.size, scene);
-    const l3d_dice_view view = transform.view(tolerance);
+    const l3d_dice_view view = transform.view(seen.rest);
     surface_error error(cell.view->camera, cell.size);
     l3d_scene_culling culling;
     culling.begin(scene, transform.matrix(), view);
@@ -34,9 +60,9 @@ measured measure_ours(const l3d_patch_model& model, const bench_cell& cell, doub
          batch = culling.next(nothing_is_hidden)) {
         dicer.dice(scene, culling, batch);
         for (std::size_t i = 0; i < batch.size(); ++i)
-            add_pieces(error, model.patches()[batch[i].patch], dicer.pieces(i), view);
+            add_pieces(error, seen.model().patches()[batch[i].patch], dicer.pieces(i), view);
     }
-    return {error.largest(), dicer.counts().bound_px};
+    return {error.largest() + seen.off, dicer.counts().bound_px + seen.off};
 }
 
 /// The largest tolerance that does. The error does not grow evenly with it, so all are tried, a
@@ -56,20 +82,26 @@ void plan_ours(const l3d_patch_model& model, bench_cell& cell) {
 
 void plan(const l3d_patch_model& model, bench_cell& cell) {
     plan_ours(model, cell);
-    const mesh_wish wish{model, cell.view->camera, cell.size, cell.error, l3d_afd_settings().light};
+    // The peers' meshes have exact shades: their patches need not be as many as ours.
+    const seen_model seen(model, cell, cell.error, std::numeric_limits<double>::infinity());
+    const mesh_wish wish{seen.model(), cell.view->camera, cell.size, cell.error - seen.off,
+                         l3d_afd_settings().light};
     for (const auto& make : {adaptive_mesh, thinned_mesh})
-        if (const peer_mesh& mesh = cell.meshes.emplace_back(make(wish)); mesh.error > cell.error)
+        if (peer_mesh& mesh = cell.meshes.emplace_back(make(wish));
+            (mesh.error += seen.off) > cell.error)
             throw std::runtime_error("the " + mesh.kind + " mesh errs too much");
 }
 
 } // namespace
 
-std::vector<bench_cell> planned_cells(const l3d_patch_model& model, std::span<const l3d_size> sizes,
+std::vector<bench_cell> planned_cells(const l3d_patch_model& model,
+                                      std::span<const bench_view> views,
+                                      std::span<const l3d_size> sizes,
                                       std::span<const double> errors) {
     std::vector<bench_cell> cells;
     for (const l3d_size size : sizes)
         for (const double error : errors)
-            for (const bench_view& view : bench_views) {
+            for (const bench_view& view : views) {
                 bench_cell& cell = cells.emplace_back();
                 cell.view = &view;
                 cell.size = size;

@@ -24,7 +24,9 @@ struct bench_cell {
 };
 
 /// All views at each size and error. Cost: all processors, some seconds a cell.
-std::vector<bench_cell> planned_cells(const l3d_patch_model& model, std::span<const l3d_size> sizes,
+std::vector<bench_cell> planned_cells(const l3d_patch_model& model,
+                                      std::span<const bench_view> views,
+                                      std::span<const l3d_size> sizes,
                                       std::span<const double> errors);
 
 #endif

@@ -11,10 +11,12 @@
 // each pixel (lambert) or, as the peers do, each vertex (gouraud).
 #include "bench/bench_cell.h"
 #include "bench/peer_timing.h"
+#include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -27,7 +29,7 @@
 namespace {
 
 struct options {
-    bool quick = false;
+    bool quick = false, hull = false;
     std::string csv;
 
     /// What is not known is for the other benchmarks, which are run with the same arguments.
@@ -37,6 +39,8 @@ struct options {
             constexpr std::string_view csv_option = "--csv=";
             if (argument == "--quick")
                 quick = true;
+            else if (argument == "--hull")
+                hull = true;
             else if (argument.starts_with(csv_option))
                 csv = argument.substr(csv_option.size());
         }
@@ -146,11 +150,45 @@ std::vector<bench_cell> with_one_mesh(std::vector<bench_cell> cells, std::size_t
     return cells;
 }
 
-void run(const options& wanted) {
+/// A ship's hull of 20 by 20 rational patches of degree 5 by 5, from the deck at one side round the
+/// keel to the other. It is 8 units long and pointed at both ends.
+l3d_patch_model hull() {
+    constexpr std::size_t along = 25;
+    const l3d_bspline_direction direction = l3d_bspline_direction::clamped(5, along);
+    std::vector<l3d_nurbs_surface::vector> points;
+    std::vector<double> weights;
+    for (std::size_t row = 0; row < along; ++row)
+        for (std::size_t column = 0; column < along; ++column) {
+            const double u = 2.0 * static_cast<double>(column) / (along - 1) - 1;
+            const double v = 2.0 * static_cast<double>(row) / (along - 1) - 1;
+            const double full = 1 - std::pow(u, 4), flare = 0.6 + 0.5 * u * u;
+            const double up = std::pow(std::abs(v), 1.5);
+            points.push_back({4 * u * (0.85 + 0.15 * up), 1.6 * up - 0.8 + 0.3 * u * u,
+                              std::copysign(full * std::pow(std::abs(v), flare), v)});
+            weights.push_back(1 + 0.3 * std::cos(5 * u) * std::cos(3 * v));
+        }
+    return l3d_patch_model::from_surfaces(
+        std::array{l3d_nurbs_surface(direction, direction, points, weights)});
+}
+
+constexpr l3d_vector<double, 3> above{0.0, 1.0, 0.0};
+const std::array<bench_view, 2> hull_views{{
+    {"abeam", {{2.5, 2.0, 9.5}, {0.0, 0.0, 0.0}, above, 45, 0.1, 1e13}},
+    {"bow", {{7.5, 1.5, 3.5}, {1.5, 0.1, 0.0}, above, 45, 0.1, 1e13}},
+}};
+
+l3d_patch_model teapot() {
     std::string why;
     const auto model = l3d_patch_model::from_bpt(l3d_teapot_bpt(), "teapot.bpt", why);
     if (!model)
         throw std::runtime_error(why);
+    return *model;
+}
+
+void run(const options& wanted) {
+    const l3d_patch_model model = wanted.hull ? hull() : teapot();
+    const std::span<const bench_view> views =
+        wanted.hull ? std::span<const bench_view>(hull_views) : bench_views;
     std::vector<l3d_size> sizes{{640, 480}, {1024, 768}, {1920, 1080}};
     if (wanted.quick)
         sizes = {{1024, 768}};
@@ -161,11 +199,11 @@ void run(const options& wanted) {
     std::printf("l3d %s against %s; medians of frames, a few in turn; load before: %.1f\n",
                 l3d_real_name(), peer_names().c_str(), load);
     constexpr std::array errors{0.5, 0.25, 0.1};
-    const auto planned = planned_cells(*model, sizes, errors);
+    const auto planned = planned_cells(model, views, sizes, errors);
     for (std::size_t kind = 0; kind < planned.front().meshes.size(); ++kind) {
         const auto cells = with_one_mesh(planned, kind);
         for (const int threads : {1, 2}) {
-            const auto times = compare(*model, cells, threads);
+            const auto times = compare(model, cells, threads);
             print(cells, times, threads);
             if (csv)
                 write_csv(csv, cells, times, threads);
@@ -181,7 +219,8 @@ void run(const options& wanted) {
 
 } // namespace
 
-/// Usage: peers_bench [--quick] [--csv=path].
+/// Usage: peers_bench [--quick] [--hull] [--csv=path]. The hull of a ship is drawn instead of the
+/// teapot.
 int main(int argc, char** argv) try {
     run(options(argc, argv));
 } catch (const std::exception& error) {

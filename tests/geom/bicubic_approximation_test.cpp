@@ -144,7 +144,7 @@ TEST(bicubic_approximation, converges_with_the_fourth_power_and_at_poles_too) {
         std::printf("depth %d: error %.3g of %.3g, normals %.3g of %.3g\n", depth,
                     static_cast<double>(m.error), by.error, static_cast<double>(m.normal_error),
                     by.normal_error);
-        if (depth > 3) {
+        if (depth > 4) {
             EXPECT_NEAR(last / by.error, 16, 3);
             EXPECT_NEAR(last_normal / by.normal_error, 8, 3);
         }

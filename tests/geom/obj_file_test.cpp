@@ -141,10 +141,10 @@ TEST(obj_file, says_what_is_wrong_with_a_curve) {
               "name:9: the text ends in a curve, before its end");
     EXPECT_EQ(complaint_after("cstype rat bspline\ndeg 1\nv 1 2 3 -1\ncurv 0 1 1 5\n"
                               "parm u 0 0 1 1\nend\n"),
-              "name:10: the weight of vertex 5, a control point, is not positive");
+              "name:10: the weight of vertex 5, a control point, is not from 1e-100 to 1e12");
     EXPECT_EQ(complaint_after("cstype rat bspline\ndeg 1\nv 1 2 3 2e12\ncurv 0 1 1 5\n"
                               "parm u 0 0 1 1\nend\n"),
-              "name:10: the weight of vertex 5, a control point, is beyond 1e12");
+              "name:10: the weight of vertex 5, a control point, is not from 1e-100 to 1e12");
     EXPECT_EQ(
         read_after("cstype taylor\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\nl 1\n").notes,
         (std::vector<std::string>{"name:7: curves that are neither bezier nor bspline are skipped",
@@ -248,34 +248,18 @@ TEST(obj_surface, is_rational_if_its_weights_differ) {
     const l3d_patch_points rational = read(unequal + std::string(statements)).patches.at(0);
     EXPECT_EQ(rational.points[3], (point{3, 2, 5}));
     EXPECT_EQ(rational.weights, (std::vector<double>{1, 1, 1, 0.5}));
-    for (const char* const wrong : {"0", "-1"})
-        EXPECT_EQ(complaint("v 1 2 3\nv 3 2 3\nv 1 2 5\nv 3 2 5 " + std::string(wrong) + "\n" +
-                            std::string(statements)),
-                  "name:10: the weight of vertex 4, a control point, is not positive");
 }
 
 TEST(obj_surface, says_where_and_what_is_wrong) {
     const std::string head = "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\n"; // lines 5 to 7
-    const std::string end = "parm v 0 0 1 1\nend\n";
     EXPECT_EQ(complaint_after("surf 0 1 0 1 1"), "name:5: a surface before cstype");
     EXPECT_EQ(complaint_after("cstype taylor\ndeg 1 1\nsurf 0 1 0 1 1"),
               "name:7: a surface that is neither bezier nor bspline");
     EXPECT_EQ(complaint_after("cstype nurbs"), "name:5: 'nurbs' is no type of curve or surface");
     EXPECT_EQ(complaint_after("cstype bezier\ndeg 3\nsurf 0 1 0 1 1"),
               "name:7: a surface before deg with two degrees");
-    EXPECT_EQ(complaint_after("deg 1 16"), "name:5: '16', a degree, is not in 1 to 15");
     EXPECT_EQ(complaint_after(head), "name:8: the text ends in a surface, before its end");
     EXPECT_EQ(complaint_after(head + head), "name:10: a surface begins before the last one's end");
-    EXPECT_EQ(complaint_after(head + "parm u 0 0 1\n" + end),
-              "name:10: parm u has fewer knots than twice the degree and 2");
-    EXPECT_EQ(complaint_after(head + "parm u 0 0 1 0.5\n"),
-              "name:8: '0.5', a parameter, is less than the one before");
-    EXPECT_EQ(complaint_after(head + "parm u 0 0 0.5 0.5\n" + end),
-              "name:10: parm u does not cover the range of surf");
-    EXPECT_EQ(complaint_after(head + "parm u 0 0 .4 .4 1 1\n" + end),
-              "name:10: parm u has a knot more often than the degree");
-    EXPECT_EQ(complaint_after(head + "parm u 0 0 .4 1 1\n" + end),
-              "name:10: the surface has 4 control points; its parameters ask for 3 by 2");
     EXPECT_EQ(complaint_after("cstype bezier\ndeg 1 1\nsurf 1 1 0 1 1 2 3 4\n"),
               "name:7: the range of a parameter is empty");
 }

@@ -7,6 +7,7 @@
 #include "geom/nurbs_surface.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory.h"
+#include "scene/level_choice.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -177,9 +178,31 @@ l3d_camera random_camera(const std::string& shape, double zoom, bool is_near,
 }
 
 struct sums {
-    std::int64_t judged = 0, drawn = 0, shaded = 0, holes = 0, far = 0, shades = 0, unproven = 0,
-                 unbounded = 0;
-    real worst_depth = 0, worst_shade = 0; ///< of their bounds
+    std::int64_t judged = 0, drawn = 0, covered = 0, mapped = 0, holes = 0, far = 0, shades = 0,
+                 unproven = 0, unbounded = 0;
+    real worst_depth = 0, worst_shade = 0, worst_map = 0; ///< of their bounds
+    std::vector<real> maps;                               ///< bounds of the map of doubt
+};
+
+/// What is seen around a place of the picture, at eight places of a circle.
+struct surroundings {
+    bool is_inside = true; ///< all of them show the shape, or none does
+    real turn = 0;         ///< the most that their normals differ from the middle's
+
+    surroundings(const std::string& shape, const view& v, real x, real y, real radius, real hit,
+                 const place& n) {
+        for (int k = 0; k < 8; ++k) {
+            const real angle = k * std::numbers::pi_v<real> / 4;
+            const place ray = v.ray(x + radius * std::cos(angle), y + radius * std::sin(angle));
+            const real other = first_hit(shape, v.eye, ray);
+            is_inside = is_inside && (other > 0) == (hit > 0);
+            if (hit <= 0 || other <= 0)
+                continue;
+            const place d = normal_of(shape, v.eye + ray * other) + n * -1;
+            turn = std::max(turn, std::sqrt(dot(d, d)));
+        }
+    }
+    bool is_smooth() const { return is_inside && turn < 0.2L; }
 };
 
 void judge(const std::string& shape, const view& v, l3d_pipeline_afd& pipeline, sums& sum) {
@@ -197,25 +220,10 @@ void judge(const std::string& shape, const view& v, l3d_pipeline_afd& pipeline, 
             const real hit = first_hit(shape, v.eye, ray);
             // What is within the bound of an outline or of a crease is not judged: there, the rays
             // around it meet nothing, or a plane that is another one.
-            const real round = bound + 0.05L;
             const place n = hit > 0 ? normal_of(shape, v.eye + ray * hit) : place{};
-            bool is_inside = true, is_smooth = true;
-            real turn = 0;
-            for (int k = 0; k < 8; ++k) {
-                const real angle = k * 0.7853981634L;
-                const place other_ray =
-                    v.ray(x + 0.5L + round * std::cos(angle), y + 0.5L + round * std::sin(angle));
-                const real other = first_hit(shape, v.eye, other_ray);
-                is_inside = is_inside && (other > 0) == (hit > 0);
-                if (hit <= 0 || other <= 0)
-                    continue;
-                const place m = normal_of(shape, v.eye + other_ray * other);
-                const place d = m + n * -1;
-                turn = std::max(turn, std::sqrt(dot(d, d)));
-            }
+            const surroundings near(shape, v, x + 0.5L, y + 0.5L, bound + 0.05L, hit, n);
             const real slope = hit > 0 ? -dot(n, ray) / std::sqrt(dot(ray, ray)) : 1;
-            is_smooth = turn < 0.2L && slope > 0.05L;
-            if (!is_inside || !is_smooth)
+            if (!near.is_smooth() || slope <= 0.05L)
                 continue;
             ++sum.judged;
             const real inv_w =
@@ -229,18 +237,30 @@ void judge(const std::string& shape, const view& v, l3d_pipeline_afd& pipeline, 
             // Of the place, what is across the surface; the surface bends within the bound.
             const real off =
                 std::abs(distance_of(shape, v.eye + ray * (1 / inv_w))) * v.focal / hit;
-            const real bent = turn * (bound + depth_bound) / slope;
+            const real bent = near.turn * (bound + depth_bound) / slope;
             const real allowed = depth_bound + bent;
             sum.worst_depth = std::max(sum.worst_depth, off / allowed);
             sum.far += off > allowed;
             const real level = 25.5L + 229.5L * std::max(real{0}, dot(n, light));
             const real drawn = words[static_cast<std::size_t>(y * v.size.width + x)] & 0xff;
-            if (report.dice.unproven_quads > 0)
-                continue; // the bound of shade does not cover them, wherever they are
-            ++sum.shaded;
-            const real shade_allowed = report.dice.shade_bound + 229.5L * turn;
-            sum.worst_shade = std::max(sum.worst_shade, std::abs(drawn - level) / shade_allowed);
-            sum.shades += std::abs(drawn - level) > shade_allowed;
+            const real shade_off = std::abs(drawn - level);
+            // The frame's bound of shade leaves out quads whose normals are not proven, wherever
+            // they are. The map of doubt has a bound of each pixel, for the mean of its square.
+            if (report.dice.unproven_quads == 0) {
+                ++sum.covered;
+                const real most = report.dice.shade_bound + 229.5L * near.turn;
+                sum.worst_shade = std::max(sum.worst_shade, shade_off / most);
+                sum.shades += shade_off > most;
+            }
+            const surroundings square(shape, v, x + 0.5L, y + 0.5L, std::numbers::sqrt2_v<real> / 2,
+                                      hit, n);
+            if (square.is_smooth()) {
+                ++sum.mapped;
+                sum.maps.push_back(pipeline.error_map()->at(x, y));
+                const real most = sum.maps.back() + 229.5L * square.turn;
+                sum.worst_map = std::max(sum.worst_map, shade_off / most);
+                sum.shades += shade_off > most;
+            }
         }
     sum.unproven += report.dice.unproven_quads;
 }
@@ -263,7 +283,7 @@ void exact_shapes::draw(int views) {
         for (const double tolerance : {0.25, 0.05}) {
             l3d_afd_settings settings = hard_edged();
             settings.tolerance = tolerance;
-            settings.depth = true;
+            settings.depth = settings.error_map = true;
             settings.threads = 1;
             l3d_pipeline_afd pipeline(l3d_memory_canvas(v.size), model, v.camera, settings);
             pipeline.draw_event();
@@ -281,14 +301,17 @@ void exact_shapes::draw(int views) {
                             pipeline.report().dice.shade_bound);
         }
     }
-    std::printf(
-        "%s: %ld pixels judged, %ld drawn, shade judged in %ld; depth at most %.2Lf, shade at most "
-        "%.2Lf of what is allowed; %ld quads unproven; %ld frames without a bound\n",
-        shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn),
-        static_cast<long>(sum.shaded), sum.worst_depth, sum.worst_shade,
-        static_cast<long>(sum.unproven), static_cast<long>(sum.unbounded));
+    std::ranges::nth_element(sum.maps, sum.maps.begin() + std::ssize(sum.maps) / 2);
+    std::printf("%s: %ld pixels judged, %ld drawn; depth at most %.2Lf of what is allowed; shade "
+                "judged by its bound in %ld, at most %.2Lf, and by the map of doubt in %ld, at "
+                "most %.2Lf; that has a median of %.2Lf levels; %ld quads unproven; %ld frames "
+                "without a bound\n",
+                shape.c_str(), static_cast<long>(sum.judged), static_cast<long>(sum.drawn),
+                sum.worst_depth, static_cast<long>(sum.covered), sum.worst_shade,
+                static_cast<long>(sum.mapped), sum.worst_map, sum.maps[sum.maps.size() / 2],
+                static_cast<long>(sum.unproven), static_cast<long>(sum.unbounded));
     EXPECT_GT(sum.drawn, 100 * views);
-    EXPECT_GT(3 * sum.shaded, sum.drawn);
+    EXPECT_GT(10 * sum.mapped, 9 * sum.drawn);
     // One of five views is a millionth of the radius away: its two frames may have no bound.
     EXPECT_LE(5 * sum.unbounded, 2 * views);
     EXPECT_EQ(sum.holes, 0);
@@ -378,6 +401,26 @@ TEST(curved_seams, of_closed_surfaces_seen_from_inside_leave_no_pixel_uncovered)
             EXPECT_EQ(holes, 0) << trial << ", " << part;
         }
     }
+}
+
+TEST(curved_bounds, of_a_frame_are_those_of_its_patches_and_how_far_these_are_off) {
+    const l3d_patch_model model = l3d_patch_model::from_surfaces(*l3d_exact_shape("sphere"));
+    const view v(l3d_camera{.eye = {1.0, 2.0, 3.0}, .target = {0.0, 0.0, 0.0}});
+    l3d_afd_settings settings = hard_edged();
+    l3d_pipeline_afd curved(l3d_memory_canvas(v.size), model, v.camera, settings);
+    curved.draw_event();
+    const l3d_frame_report report = curved.report();
+    EXPECT_GT(report.curved_px, 0);
+    const auto drawn = curved.scene().instances()[0].model().patches();
+    std::string why;
+    const auto patches = l3d_patch_model::checked({drawn.begin(), drawn.end()}, "patches", why);
+    ASSERT_TRUE(patches) << why;
+    settings.tolerance *= 1 - l3d_curved_share;
+    l3d_pipeline_afd plain(l3d_memory_canvas(v.size), *patches, v.camera, settings);
+    plain.draw_event();
+    EXPECT_EQ(report.dice.bound_px, plain.report().dice.bound_px + report.curved_px);
+    EXPECT_EQ(report.dice.depth_bound_px, plain.report().dice.depth_bound_px + report.curved_px);
+    EXPECT_EQ(plain.report().curved_px, 0);
 }
 
 TEST_P(exact_shapes, are_drawn_within_their_bounds_at_any_zoom) {

@@ -142,16 +142,15 @@ std::optional<library_case> library_case::of(const test_case& c, std::string& wh
         return std::nullopt;
     result.model = *std::move(model);
     if (result.model.is_curved()) {
-        constexpr double share = 0.125; // as in l3d_pipeline_afd
         l3d_patch_scene scene(result.model);
         result.curved_px = scene
                                .choose_levels({.camera = result.camera,
                                                .size = result.size,
-                                               .places_px = share * c.tolerance,
+                                               .places_px = l3d_curved_share * c.tolerance,
                                                .normals = std::numeric_limits<double>::infinity()})
                                .places_px;
         result.model = scene.instances()[0].model();
-        result.dice_tolerance = (1 - share) * c.tolerance;
+        result.dice_tolerance = (1 - l3d_curved_share) * c.tolerance;
     }
     return result;
 }

@@ -87,7 +87,7 @@ facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
     const double distance = l3d_length(middle) + reach;
     const double off = normals.most_along * along + normals.most_across * reach +
                        result.longest * (point_off + rounding * distance) +
-                       p.of->normal_off * distance;
+                       (p.of->normal_off + p.of->turned * result.longest) * distance;
     result.least -= off;
     result.most += off;
     return result;

@@ -37,6 +37,7 @@ struct l3d_doubt_patch {
     double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
     double near = 0;                  ///< nothing nearer is drawn
     double normal_off = 0;            ///< error of its normals, whose length is that of the model's
+    double turned = 0;                ///< distance of its unit normals from the surface's
     const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
     bool one_sided = false;

@@ -110,11 +110,12 @@ cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const v
     const vector across = light - seen.axis * along;
     const auto [low_q, high_q] = std::minmax_element(q.begin(), q.end());
     const double least_q = *low_q, most_q = *high_q;
-    const double known_to = 4 * piece.of->normal_off / least_q + rounding;
+    const double turned = piece.of->turned,
+                 known_to = 4 * piece.of->normal_off / least_q + rounding;
     if (!(known_to < least_cosine))
         return;
     const double rho = seen.most_slope + known_to;
-    slope = rho;
+    slope = rho + turned;
     std::array<double, order * order> t;
     double least_r = infinite, most_r = -infinite;
     for (std::size_t i = 0; i < t.size(); ++i) {
@@ -139,12 +140,12 @@ cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const v
     line.in_u = r.in_u * middle;
     line.in_v = r.in_v * middle;
     const double largest = std::max(std::abs(along + least_r), std::abs(along + most_r));
-    off = r_off + largest * (1 - middle) + known_to;
+    off = r_off + largest * (1 - middle) + known_to + turned;
     const auto scaled = [&](double value, bool is_least) {
         return value * ((value > 0) == is_least ? shortest : 1);
     };
-    least = std::max(-1.0, scaled(along + least_r, true) - known_to);
-    most = std::min(1.0, scaled(along + most_r, false) + known_to);
+    least = std::max(-1.0, scaled(along + least_r, true) - known_to - turned);
+    most = std::min(1.0, scaled(along + most_r, false) + known_to + turned);
 }
 
 /// Turns a linear function of the parameters into one of the place.

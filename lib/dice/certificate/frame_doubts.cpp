@@ -21,11 +21,16 @@ constexpr double rounding = 1e-4;
 /// show another one. Units: pixels.
 constexpr double most_searched = 2;
 
+/// The rows of a matrix from the world, as seen from the eye, to (x, y, w).
+std::array<vector, 3> rows(const l3d_matrix<double>& m) {
+    const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
+    return {row(0), row(1), row(3)};
+}
+
 /// The columns of the inverse of the matrix from the world, as seen from the eye, to (x, y, w).
 /// Source: Cramer's rule.
 std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
-    const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
-    const vector x = row(0), y = row(1), w = row(3);
+    const auto [x, y, w] = rows(m);
     const double part = 1 / l3d_dot(x, l3d_cross<double>(y, w));
     return {l3d_cross<double>(y, w) * part, l3d_cross<double>(w, x) * part,
             l3d_cross<double>(x, y) * part};
@@ -88,6 +93,9 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         normal_rounding + (view.is_parallel() ? std::hypot(window.width(), window.height()) /
                                                     std::max(view.focal, 1.0)
                                               : 0);
+    const auto [x, y, w] = rows(frame.to_image);
+    const double most_xy = std::max(l3d_length(x), l3d_length(y)) * frame.curved.places;
+    const double most_w = l3d_length(w) * frame.curved.places;
     std::uint32_t index = 0;
     for (const l3d_patch_instance& instance : frame.scene.instances()) {
         const l3d_patch_model& model = instance.model();
@@ -96,13 +104,15 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         const double back = determinant_of(instance.placement()) < 0 ? -1 : 1;
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
+            const bool is_curved = model.is_curved();
             placed p;
             p.of = {.instance = index,
                     .patch = static_cast<std::uint32_t>(i),
-                    .error_xy = frame.view.error_xy * share,
-                    .error_w = frame.view.error_w * share,
+                    .error_xy = frame.view.error_xy * share + (is_curved ? most_xy : 0),
+                    .error_w = frame.view.error_w * share + (is_curved ? most_w : 0),
                     .near = frame.view.near_of(share),
                     .normal_off = off_of_normals * longest_normal(instance),
+                    .turned = is_curved ? frame.curved.normals : 0,
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};

@@ -9,6 +9,7 @@
 #include "geom/matrix.h"
 #include "raster/parallel/workers.h"
 #include "scene/dice_view.h"
+#include "scene/level_choice.h"
 #include "scene/patch_scene.h"
 
 #include <cstddef>
@@ -26,6 +27,7 @@ struct l3d_doubted_frame {
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Bounds of places and of depth; infinite if there is none. Units: pixels.
     double bound_px, depth_bound_px;
+    l3d_curved_error curved{}; ///< how far the patches of curved models are off
     /// Whether the frame shows Lambert's levels of one white light, without highlights and fog;
     /// else `lighting` counts.
     bool has_levels = true;

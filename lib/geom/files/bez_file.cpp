@@ -3,6 +3,7 @@
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -111,8 +112,8 @@ private:
         double weight = 0;
         if (!real(weight, "a weight"))
             return false;
-        if (weight == 0)
-            return text_.fail("the weight of a control point is 0");
+        if (!text_.is_weight(std::abs(weight), "the weight of a control point"))
+            return false;
         weights.push_back(weight);
         if (weight != weights.front() && std::min(weight, weights.front()) < 0)
             return text_.fail("patch " + std::to_string(patches_.size()) +
@@ -122,7 +123,7 @@ private:
             if (!text_.is_coordinate(value))
                 return false;
         }
-        return text_.is_coordinate(weight);
+        return true;
     }
 
     text_cursor& text_;

@@ -221,12 +221,10 @@ bool obj_surfaces::takes(std::size_t bytes) {
 bool obj_surfaces::weights_of(const std::vector<double>& weights, std::vector<double>& of_points) {
     for (const std::uint32_t i : indices_) {
         const double weight = i < weights.size() ? weights[i] : 1;
-        if (is_rational_ && !(weight > 0))
-            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
-                              ", a control point, is not positive");
-        if (is_rational_ && !(weight <= l3d_bpt_largest_coordinate))
-            return text_.fail("the weight of vertex " + std::to_string(i + 1) +
-                              ", a control point, is beyond 1e12");
+        if (is_rational_ &&
+            !text_.is_weight(weight, "the weight of vertex " + std::to_string(i + 1) +
+                                         ", a control point,"))
+            return false;
         if (is_rational_)
             of_points.push_back(weight);
     }

@@ -45,11 +45,8 @@ bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& 
             for (double& value : p)
                 if (!text.coordinate(value))
                     return false;
-            if (is_rational && !(text.coordinate(patch.weights.emplace_back())))
+            if (is_rational && !text.weight(patch.weights.emplace_back()))
                 return false;
-            if (is_rational && !(patch.weights.back() > 0))
-                return text.fail("a weight is " + l3d_detail::quoted(text.token()) +
-                                 ", not positive");
         }
     }
     return !text.next() || text.fail(l3d_detail::quoted(text.token()) + " follows the last of " +

@@ -33,6 +33,12 @@ inline constexpr int l3d_bpt_largest_degree = 15;
 /// coordinates from 1e12 on; the reader can say in which line they are.
 inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 
+/// Whether a number may be the weight of a control point. Products with a lesser one would be too
+/// small for a double to keep their digits.
+constexpr bool l3d_is_weight(double w) {
+    return w >= 1e-100 && w <= 1e12;
+}
+
 /// Reads patches: their number, then for each its two degrees and its points, u fastest.
 ///
 /// The word `rational` after the two degrees, in their line, says that each point has a fourth
@@ -40,9 +46,9 @@ inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 /// Numbers stand apart by white space of any kind and amount, whatever the locale. A # begins a
 /// comment, which ends with its line.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". A number may be missing, malformed,
-///          NaN, infinite or out of range; a degree may be outside 1 to 15, a weight not positive.
-///          The count may not be positive, or more than the text can hold. Something may follow the
-///          last patch.
+///          NaN, infinite or out of range; a degree may be outside 1 to 15, a weight outside 1e-100
+///          to 1e12. The count may not be positive, or more than the text can hold. Something may
+///          follow the last patch.
 /// Cost: memory in proportion to the text, whatever the counts in it promise.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>

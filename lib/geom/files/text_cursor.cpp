@@ -255,6 +255,11 @@ bool text_cursor::coordinate(double& value) {
     return number(value, "a coordinate") && is_coordinate(value);
 }
 
+bool text_cursor::weight(double& value) {
+    return number(value, "a weight") &&
+           is_weight(value, quoted(token_) + ", a weight" + place() + ",");
+}
+
 bool text_cursor::is_finite(double value, const char* what, std::string_view digits) {
     return std::isfinite(value) ||
            fail(shown(value, digits) + ", " + what + place() + ", is not finite");
@@ -265,6 +270,10 @@ bool text_cursor::is_coordinate(double value, std::string_view digits) {
         return false;
     return std::abs(value) <= l3d_bpt_largest_coordinate ||
            fail(shown(value, digits) + ", a coordinate" + place() + ", is beyond 1e12");
+}
+
+bool text_cursor::is_weight(double value, const std::string& what) {
+    return l3d_is_weight(value) || fail(what + " is not from 1e-100 to 1e12");
 }
 
 bool text_cursor::is_in(std::int64_t value, const char* what, std::int64_t least,

@@ -101,11 +101,13 @@ public:
     bool integer(std::int64_t& value, const char* what);
     bool integer_in(std::int64_t& value, const char* what, std::int64_t least, std::int64_t most);
     bool coordinate(double& value);
+    bool weight(double& value);
 
     /// Checks a number that was found in another way. `digits` is its text, if that is not the
     /// current token.
     bool is_finite(double value, const char* what, std::string_view digits = {});
     bool is_coordinate(double value, std::string_view digits = {});
+    bool is_weight(double value, const std::string& what);
     bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);
 
     /// The current token as a number; `digits` is the part of it that must be one.
