@@ -43,6 +43,9 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS) $(FONT)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_python := $(PACKAGES_build) python3-dev:Python.h
+PACKAGES_wheel  := python3-build:pyproject-build python3-setuptools:/usr/lib/python3/dist-packages/setuptools \
+    python3-wheel:/usr/lib/python3/dist-packages/wheel python3-venv:/usr/share/doc/python3-venv \
+    python3-numpy:/usr/lib/python3/dist-packages/numpy mypy:mypy
 PACKAGES_bare   := debootstrap:debootstrap
 PACKAGES_package := $(PACKAGES_build) build-essential:/usr/share/build-essential/list debhelper:dh lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The Python module: it comes in by the front door, as programs do, and links the shared library.
 
-.PHONY: python python-package python-wheel
+.PHONY: python python-package wheel test-python install-python
 
 # A package of Python: the module, the library beside it, and what editors and type checkers read.
 PYTHON_PACKAGE  := $(OUT)/python/l3d
@@ -13,6 +13,21 @@ objects_python  := $(call objects,$(wildcard python/*.cpp))
 python: packages-python ## the Python module, in a folder to be put into PYTHONPATH
 	+@$(call build,python-package)
 	@echo $(OUT)/python
+
+wheel: packages-python packages-wheel ## a file for `pip install`, with the library inside, into build/.../python/dist
+	+@$(call build,python-package)
+	+@$(again) $(OUT)/python/pyproject.toml $(OUT)/python/setup.py
+	$(Q)cd $(OUT)/python && rm -rf dist build && $(PYTHON) -m build --no-isolation --wheel > wheel.log 2>&1 || \
+	    { cat wheel.log; exit 1; }
+	@ls $(OUT)/python/dist/*.whl
+
+test-python: packages-python packages-test packages-wheel ## the tests of the Python module
+	+@$(call judge,$(PYTHON_LOGS))
+
+# Beside the module lies the library; packages that have it elsewhere give an empty python_run_path.
+PYTHONDIR ?= $(PREFIX)/lib/python3/dist-packages
+install-python: python-package
+	$(Q)$(call put,644,$(PYTHONDIR)/l3d,$(PYTHON_MODULE) $(PYTHON_PACKAGE)/$(SONAME) $(PYTHON_TEXTS))
 
 python-package: $(PYTHON_MODULE) $(PYTHON_PACKAGE)/$(SONAME) $(PYTHON_TEXTS)
 
@@ -35,5 +50,17 @@ $(PYTHON_PACKAGE)/$(SONAME): $(SHARED)
 
 $(PYTHON_TEXTS): $(PYTHON_PACKAGE)/%: python/l3d/%
 	$(Q)mkdir -p $(@D); cp $< $@
+
+$(OUT)/python/pyproject.toml: python/pyproject.toml.in $(OUT)/flags
+	$(Q)sed 's|@version@|$(VERSION)|' $< > $@
+$(OUT)/python/setup.py: python/setup.py
+	$(Q)cp $< $@
+
+$(OUT)/log/python/%.log: tests/python/% python-package FORCE
+	$(call say,TEST,$<)
+	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_PYTHON=$(abspath $(OUT)/python) \
+	    timeout --foreground $(TEST_TIMEOUT) $(PYTHON) $<)
+# It builds in the folder of the package, of which others take copies.
+$(OUT)/log/python/wheel_test.py.log: $(OUT)/python/pyproject.toml $(OUT)/python/setup.py
 
 -include $(wildcard $(objects_python:.o=.d))

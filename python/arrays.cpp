@@ -3,6 +3,7 @@
 #include "arrays.h"
 
 #include "arguments.h"
+#include "types.h"
 
 #include <bit>
 #include <cmath>

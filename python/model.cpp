@@ -7,6 +7,7 @@
 #include <l3d/height_field.h>
 #include <l3d/plugin_loader.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 
@@ -19,6 +20,9 @@ using polygons_model = l3d_polygon_model;
 
 static_assert(sizeof(vector_3d) == 3 * sizeof(double));
 static_assert(sizeof(l3d_patch_model::patch) == 48 * sizeof(double));
+
+/// The least weight that l3d_patch_model::from_patches takes.
+constexpr double least_weight = 1e-100;
 
 l3d_any_model named_model(const std::string& name) {
     if (name == "teapot")
@@ -91,6 +95,8 @@ reference from_patches(arguments& a) {
         array.expect(
             {static_cast<int>(shape[0]), static_cast<int>(shape[1]), static_cast<int>(shape[2])});
         weights = array.doubles(farthest);
+        if (std::ranges::any_of(weights, [](double weight) { return weight < least_weight; }))
+            throw value_error(a.what("weights") + ": they must be above 0");
     }
     if (shape[1] == 4 && shape[2] == 4 && weights.empty())
         return made(bicubic_model(points));
@@ -197,6 +203,8 @@ reference from_surfaces(arguments& a) {
     const auto surfaces = is_a<l3d_nurbs_surface>(given)
                               ? std::vector{value_of<l3d_nurbs_surface>(given)}
                               : list_of<l3d_nurbs_surface>(given, a.what("surfaces"));
+    if (surfaces.empty())
+        throw value_error(a.what("surfaces") + ": there are none");
     return made(l3d_any_model(l3d_patch_model::from_surfaces(surfaces)));
 }
 

@@ -5,7 +5,7 @@
 
 #include <l3d/placement_2d.h>
 
-#include <cmath>
+#include <fstream>
 
 namespace python {
 
@@ -201,7 +201,7 @@ reference make_font(arguments& a) {
     std::string why;
     const auto font = l3d_font::load(file, why);
     if (!font)
-        throw file_failure{file, why, true};
+        throw file_failure{file, why, !std::ifstream(file).good()};
     return made(*font);
 }
 

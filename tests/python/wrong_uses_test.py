@@ -122,7 +122,7 @@ l3d.Scene(box)                                          Error      polygons
 l3d.draw()                                              TypeError  needs 'what'
 l3d.draw(None)                                          TypeError  needs 'what'
 l3d.draw("teapot")                                      TypeError  Model or a Scene
-l3d.draw(teapot, 640)                                   TypeError  sequence
+l3d.draw(teapot, 640)                                   Error      shape 2
 l3d.draw(teapot, (640, 0))                              Error      at least 1
 l3d.draw(teapot, (640, 480, 3))                         Error      shape 2
 l3d.draw(teapot, (20000, 10))                           Error      16384
@@ -149,7 +149,7 @@ l3d.draw(teapot, small, shade="draft", inspection_direction=(0, 0, 0))  Error  d
 l3d.draw(box, small, tolerance=1)                       Error      patches
 l3d.draw(box, small, shade="zebra")                     Error      lambert
 l3d.draw(box, small, style="dots")                      Error      hidden_lines
-l3d.View(teapot, small).change(threads=2)               TypeError  threads
+l3d.View(teapot, small).change(threads=2)               Error      threads
 l3d.View(teapot, small).pick("a", 0)                    TypeError  number
 setattr(l3d.View(teapot, small), "camera", 3)           TypeError  Camera
 setattr(view.camera, "eye", view.camera.target) or view.draw()   Error  eye
