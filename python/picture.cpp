@@ -77,10 +77,10 @@ reference words(const picture& self) {
 }
 
 reference report(const picture& self) {
-    if (self.report.empty())
+    if (!self.report)
         return dictionary().get();
     const reference json = reference::taken(PyImport_ImportModule("json"));
-    return reference::taken(PyObject_CallMethod(json.get(), "loads", "s", self.report.c_str()));
+    return reference::taken(PyObject_CallMethod(json.get(), "loads", "s", self.report().c_str()));
 }
 
 reference map_of(const picture& self, const std::shared_ptr<const std::vector<float>>& numbers) {

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,7 +45,8 @@ struct scene {
 struct picture {
     std::shared_ptr<l3d_image> image;
     bool is_transparent = false; ///< the words' highest bytes count
-    std::string report{};        ///< a line of JSON; empty for pictures that are no frames
+    /// Makes a line of JSON, which takes longer than some frames; null for pictures that are none.
+    std::function<std::string()> report{};
     std::shared_ptr<const std::vector<float>> depth{}, doubts{}; ///< null without
     array_view rgb{};                                            ///< what the buffer protocol shows
 };

@@ -54,8 +54,14 @@ private:
     l3d_screen_info info_;
 };
 
-using patches_pipeline = std::unique_ptr<l3d_pipeline_afd>;
-using polygons_pipeline = std::unique_ptr<l3d_pipeline_zbuffer>;
+/// A pipeline that tells of a frame without a look at all of its pixels.
+template <class Pipeline> class reporting final : public Pipeline {
+public:
+    using Pipeline::last_report;
+    using Pipeline::Pipeline;
+};
+using patches_pipeline = std::unique_ptr<reporting<l3d_pipeline_afd>>;
+using polygons_pipeline = std::unique_ptr<reporting<l3d_pipeline_zbuffer>>;
 
 /// Asks Python whether the user wants an end, as by Ctrl+C.
 bool is_interrupted() {
@@ -112,8 +118,8 @@ void begin(view& of, PyObject* drawn, const l3d_patch_scene& scene, const argume
     read_look(a, settings, curves);
     auto screen = std::make_unique<image_screen>(size);
     of.screen = screen.get();
-    auto pipeline = std::make_unique<l3d_pipeline_afd>(canvas_on(std::move(screen)), scene,
-                                                       camera_of(a), settings);
+    auto pipeline = std::make_unique<reporting<l3d_pipeline_afd>>(canvas_on(std::move(screen)),
+                                                                  scene, camera_of(a), settings);
     pipeline->curves() = std::move(curves);
     of.pipeline = std::move(pipeline);
     of.drawn = reference::shared(drawn);
@@ -128,8 +134,8 @@ void begin(view& of, PyObject* drawn, const l3d_polygon_model& model, const argu
     const l3d_camera camera = camera_of(a);
     if (const std::string why = camera.complaint(); !why.empty())
         throw value_error(why);
-    of.pipeline = std::make_unique<l3d_pipeline_zbuffer>(canvas_on(std::move(screen)), model,
-                                                         camera, settings);
+    of.pipeline = std::make_unique<reporting<l3d_pipeline_zbuffer>>(canvas_on(std::move(screen)),
+                                                                    model, camera, settings);
     of.drawn = reference::shared(drawn);
 }
 
@@ -211,15 +217,16 @@ picture frame_of(view& self) {
         [&](auto& pipeline) {
             if (self.screen->renew())
                 pipeline->resize_event(self.screen->image()->size());
-            std::string report;
             {
                 const unlocked while_drawing;
                 pipeline->draw_event();
-                report = pipeline->report().json();
             }
-            picture result =
-                picture_of(self.screen->image(), pipeline->settings().background.is_none());
-            result.report = std::move(report);
+            const auto image = self.screen->image();
+            picture result = picture_of(image, pipeline->settings().background.is_none());
+            result.report = [image, report = pipeline->last_report()]() mutable {
+                report.hash = l3d_hash(image->pixels());
+                return report.json();
+            };
             add_maps(*pipeline, result);
             return result;
         },
