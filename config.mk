@@ -47,7 +47,8 @@ PACKAGES_wheel  := python3-build:pyproject-build python3-setuptools:/usr/lib/pyt
     python3-wheel:/usr/lib/python3/dist-packages/wheel python3-venv:/usr/share/doc/python3-venv \
     python3-numpy:/usr/lib/python3/dist-packages/numpy mypy:mypy
 PACKAGES_bare   := debootstrap:debootstrap
-PACKAGES_package := $(PACKAGES_build) build-essential:/usr/share/build-essential/list debhelper:dh lintian:lintian
+PACKAGES_package := $(PACKAGES_python) build-essential:/usr/share/build-essential/list debhelper:dh \
+    dh-python:dh_python3 lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
