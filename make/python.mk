@@ -8,7 +8,6 @@ PYTHON_PACKAGE  := $(OUT)/python/l3d
 PYTHON_TEXTS    := $(addprefix $(PYTHON_PACKAGE)/,__init__.py __init__.pyi py.typed)
 PYTHON_MODULE   := $(PYTHON_PACKAGE)/_l3d.abi3.so
 PYTHON_HEADERS   = $(shell $(PYTHON) -c 'import sysconfig; print(sysconfig.get_path("include"))')
-objects_python  := $(call objects,$(wildcard python/*.cpp))
 
 python: packages-python ## the Python module, in a folder to be put into PYTHONPATH
 	+@$(call build,python-package)

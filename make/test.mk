@@ -19,7 +19,8 @@ $(foreach l,$(tested),$(eval objects_tests/$(l) := \
     $(foreach h,$(filter-out reference,$(l)) $(helped_$(l)),$(call helpers,$(h))) \
     $(patsubst %,$(OUT)/%.o,$(call parts,$(l),$(sort $(wildcard tests/$(l)/*_test.cpp))))))
 UNITS     := $(patsubst unit_%,$(OUT)/%.cpp,$(filter unit_%,$(.VARIABLES)))
-OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))))
+OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))) \
+             $(if $(filter python,$(WITH)),$(objects_python)))
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)

@@ -15,6 +15,7 @@ include_paths = $(if $(filter apps/% python/%,$(1)),-I$(OUT)/include) \
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
+objects_python    := $(call objects,$(wildcard python/*.cpp))
 objects_compare   := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
 helpers            = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
 objects_reference := $(call helpers,reference)

@@ -191,7 +191,7 @@ PyGetSetDef attribute(const char* name, const char* doc) {
     return {name, call_getter<T, Get>, call_setter<T, Set>, doc, nullptr};
 }
 
-// What C++ returns, for Python.
+// Values of C++ as objects of Python.
 
 reference number(double value);
 reference number(std::int64_t value);

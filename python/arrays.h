@@ -19,7 +19,7 @@ namespace python {
 ///
 /// Lives: shares what holds the numbers.
 struct array_view {
-    std::shared_ptr<const void> keeps; ///< what holds the numbers
+    std::shared_ptr<const void> keeps; ///< the owner of the numbers
     const void* data = nullptr;        ///< the number at index 0, 0, ...
     const char* format = "B";          ///< as Python's module struct has it
     Py_ssize_t item = 1;               ///< bytes of a number
@@ -32,7 +32,7 @@ struct array_view {
                          std::initializer_list<std::size_t> shape);
 };
 
-/// What Py_bf_getbuffer does for an object that has this view.
+/// Answers Py_bf_getbuffer for an object that has this view.
 int export_view(const array_view& view, PyObject* self, Py_buffer* buffer, int flags) noexcept;
 
 /// The view as a memoryview.
@@ -78,10 +78,10 @@ private:
 
     std::string what_;
     std::vector<std::size_t> shape_;
-    std::vector<double> flat_; ///< of sequences
+    std::vector<double> flat_; ///< the numbers of sequences
     Py_buffer buffer_{};
     bool is_buffer_ = false;
-    char code_ = 'd'; ///< of the numbers in the buffer
+    char code_ = 'd'; ///< the format of the numbers in the buffer
 };
 
 template <class Number> constexpr const char* format_of() {

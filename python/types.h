@@ -48,7 +48,7 @@ struct picture {
     /// Makes a line of JSON, which takes longer than some frames; null for pictures that are none.
     std::function<std::string()> report{};
     std::shared_ptr<const std::vector<float>> depth{}, doubts{}; ///< null without
-    array_view rgb{};                                            ///< what the buffer protocol shows
+    array_view rgb{}; ///< the array that the buffer protocol shows
 };
 /// The picture of an image that nobody changes from now on.
 picture picture_of(std::shared_ptr<l3d_image> image, bool is_transparent);
@@ -75,7 +75,7 @@ using python_types = std::tuple<array_view, l3d_material, l3d_camera, light, l3d
                                 l3d_nurbs_curve, l3d_nurbs_surface, scene, picture, view_owner,
                                 l3d_path, l3d_gradient, l3d_font, canvas_owner>;
 
-/// What the module knows of its own: the types in the order of python_types, and two exceptions.
+/// The module's own objects: the types in the order of python_types, and two exceptions.
 struct module_state {
     std::array<PyTypeObject*, std::tuple_size_v<python_types>> types;
     PyObject *error, *file_error;

@@ -185,7 +185,7 @@ void follow(view& self) {
     self.changes = now.changes;
 }
 
-/// What else than pixels a frame of patches has.
+/// Adds the maps that a frame of patches has beside its pixels.
 void add_maps(const l3d_pipeline_afd& pipeline, picture& to) {
     if (pipeline.settings().depth)
         to.depth = std::make_shared<const std::vector<float>>(pipeline.distances());

@@ -113,11 +113,11 @@ def check_two_threads_draw_the_same_bits():
 
 
 def check_one_view_in_two_threads_is_refused_or_draws():
-    view = l3d.View(teapot, (1024, 768), error_map=True)
+    view = l3d.View(teapot, (160, 120), error_map=True)
     said = []
 
     def work():
-        for _ in range(10):
+        for _ in range(3):
             try:
                 view.camera.orbit(0.01)
                 view.draw()
@@ -140,7 +140,7 @@ def memory():
 
 def check_ten_thousand_frames_take_no_memory():
     count = int(os.environ.get("L3D_FRAMES", 10000))
-    view = l3d.View(l3d.Scene(teapot), (64, 48), depth=True)
+    view = l3d.View(l3d.Scene(teapot), (32, 24), depth=True, threads=1)
     sizes = []
     for frame in range(count):
         view.camera.orbit(0.001)
