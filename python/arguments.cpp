@@ -252,6 +252,11 @@ reference text(std::string_view value) {
         PyUnicode_DecodeUTF8(value.data(), static_cast<Py_ssize_t>(value.size()), "replace"));
 }
 
+reference sides(l3d_size size) {
+    return reference::taken(PyTuple_Pack(2, number(std::int64_t{size.width}).get(),
+                                         number(std::int64_t{size.height}).get()));
+}
+
 reference numbers(std::span<const double> values) {
     reference result = reference::taken(PyTuple_New(static_cast<Py_ssize_t>(values.size())));
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -28,6 +28,9 @@ inline constexpr double farthest = 1e12;
 /// The farthest place of a picture that the rasterizers tell from others: 2^30 pixels.
 inline constexpr double farthest_pixel = 0x1p30;
 
+/// The largest angle that l3d_path::arc_to takes, in radians.
+inline constexpr double most_radians = 1000;
+
 /// Each of these reads one value. `what` begins the sentence of a type_error or value_error.
 double number_of(PyObject* value, const std::string& what,
                  double least = -std::numeric_limits<double>::max(),
@@ -197,6 +200,7 @@ reference number(double value);
 reference number(std::int64_t value);
 reference flag(bool value);
 reference text(std::string_view value);
+reference sides(l3d_size size);
 reference numbers(std::span<const double> values);
 inline reference numbers(const vector_3d& v) {
     return numbers(std::array{v[0], v[1], v[2]});

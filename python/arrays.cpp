@@ -102,7 +102,7 @@ number_array::~number_array() {
 
 void number_array::flatten(PyObject* from, std::size_t depth) {
     constexpr std::size_t most_axes = 6;
-    if (PyFloat_Check(from) || PyLong_Check(from)) {
+    if (PyNumber_Check(from) != 0 && PySequence_Check(from) == 0) {
         if (depth != shape_.size())
             throw value_error(what_ + ": its rows have different lengths");
         flat_.push_back(PyFloat_AsDouble(from));

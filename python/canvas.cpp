@@ -141,7 +141,6 @@ reference draw_image(canvas_owner& self, arguments& a) {
         size = numbers_of(value, a.what("size"), 2, farthest_pixel);
     if (!(size[0] > 0 && size[1] > 0))
         throw value_error(a.what("size") + ": a width and height above 0 are wanted");
-    constexpr double most_radians = 1000;
     l3d_placed_image placed{image.image->pixels()};
     placed.place =
         l3d_placement_2d::image_in_box(own, at.x, at.y, size[0], size[1])
@@ -156,18 +155,13 @@ reference draw_text(canvas_owner& self, arguments& a) {
     a.are("Canvas.draw_text", "at text color size font |");
     const l3d_point_2d at = a.point("at");
     const std::string words = text_of(a.need("text"), a.what("text"));
-    constexpr int largest_letter = 4096; // as for a font
-    const int size =
-        a.find("size")
-            ? static_cast<int>(whole_of(a.find("size"), a.what("size"), 1, largest_letter))
-            : 14;
     if (!a.find("font") && !self->font) {
         std::string why; // the built-in face is as good as none
         self->font = l3d_font::of_system(why);
     }
     const l3d_font& font = a.find("font") ? a.object<l3d_font>("font") : *self->font;
     font.draw(self->rasterizer, static_cast<int>(at.x), static_cast<int>(at.y), words,
-              a.color("color", 0), size);
+              a.color("color", 0), letters_of(a));
     return a.self();
 }
 
@@ -195,8 +189,7 @@ reference png(canvas_owner& self, arguments& a) {
 }
 
 reference size(const canvas_owner& self) {
-    return reference::taken(PyTuple_Pack(2, number(std::int64_t{self->image->size().width}).get(),
-                                         number(std::int64_t{self->image->size().height}).get()));
+    return sides(self->image->size());
 }
 
 } // namespace

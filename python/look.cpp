@@ -17,15 +17,6 @@ void refuse(const arguments& a, std::initializer_list<const char*> names, const 
             throw value_error(a.what(name) + ": " + why);
 }
 
-l3d_light_color light_color_of(PyObject* value, const std::string& what) {
-    constexpr double brightest = 1e6;
-    const auto numbers = numbers_of(value, what, 3, brightest);
-    if (*std::ranges::min_element(numbers) < 0)
-        throw value_error(what + ": no light takes light away");
-    return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
-            static_cast<float>(numbers[2])};
-}
-
 l3d_background background_of(PyObject* value, const std::string& what) {
     const bool is_pair = PyTuple_Check(value) && PyTuple_Size(value) == 2;
     if (!is_pair)
@@ -114,6 +105,15 @@ l3d_space_curve curve_of(PyObject* value, const std::string& what) {
 }
 
 } // namespace
+
+l3d_light_color light_color_of(PyObject* value, const std::string& what) {
+    constexpr double brightest = 1e6;
+    const auto numbers = numbers_of(value, what, 3, brightest);
+    if (*std::ranges::min_element(numbers) < 0)
+        throw value_error(what + ": no light takes light away");
+    return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
+            static_cast<float>(numbers[2])};
+}
 
 void read_look(const arguments& a, l3d_afd_settings& settings,
                std::vector<l3d_space_curve>& curves) {

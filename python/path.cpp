@@ -13,8 +13,6 @@ namespace {
 
 // ---- paths --------------------------------------------------------------------------------------
 
-constexpr double most_radians = 1000; // that l3d_path::arc_to takes
-
 reference make_path(arguments& a) {
     a.are("Path", "");
     return made(l3d_path());
@@ -191,8 +189,6 @@ reference radial(arguments& a) {
 
 // ---- fonts --------------------------------------------------------------------------------------
 
-constexpr int largest_letter = 4096; // pixels: a letter takes its square in bytes
-
 reference make_font(arguments& a) {
     a.are("Font", "file |");
     if (!a.find("file"))
@@ -209,11 +205,6 @@ reference of_system(arguments& a) {
     a.are("Font.system", "");
     std::string why; // the built-in face is as good as none
     return made(l3d_font::of_system(why));
-}
-
-int letters_of(const arguments& a) {
-    PyObject* value = a.find("size");
-    return value ? static_cast<int>(whole_of(value, a.what("size"), 1, largest_letter)) : 14;
 }
 
 reference width(l3d_font& self, arguments& a) {
@@ -239,6 +230,12 @@ reference font_name(const l3d_font& self) {
 }
 
 } // namespace
+
+int letters_of(const arguments& a) {
+    constexpr int largest = 4096, usual = 14; // pixels; a letter takes its square in bytes
+    PyObject* value = a.find("size");
+    return value ? static_cast<int>(whole_of(value, a.what("size"), 1, largest)) : usual;
+}
 
 PyTypeObject* add_path_type(PyObject* module) {
     using p = l3d_path;

@@ -68,8 +68,7 @@ reference png(picture& self, arguments& a) {
 }
 
 reference size(const picture& self) {
-    return reference::taken(PyTuple_Pack(2, number(std::int64_t{self.image->size().width}).get(),
-                                         number(std::int64_t{self.image->size().height}).get()));
+    return sides(self.image->size());
 }
 
 reference words(const picture& self) {

@@ -35,6 +35,9 @@ namespace python {
 /// A light beside the first one.
 using light = std::variant<l3d_far_light, l3d_point_light>;
 
+/// Red, green and blue of a light: numbers of at least 0, where 1 is white.
+l3d_light_color light_color_of(PyObject* value, const std::string& what);
+
 /// A scene, and how often it was changed: views take it anew when that number differs.
 struct scene {
     l3d_patch_scene instances;
@@ -66,6 +69,9 @@ using view_owner = std::unique_ptr<view>;
 /// The picture that a scene, a model or a view shows in a notebook.
 picture shown_picture(const l3d_any_model& model);
 picture shown_picture(const scene& of);
+
+/// The argument "size" of a text, in pixels.
+int letters_of(const arguments& a);
 
 /// Pixels to be drawn on in two dimensions.
 class canvas;

@@ -111,15 +111,7 @@ reference camera_text(const l3d_camera& self) {
 reference make_light(arguments& a) {
     a.are("Light", "| direction position color reach");
     l3d_light_color color{1, 1, 1};
-    constexpr double brightest = 1e6;
-    if (PyObject* value = a.find("color")) {
-        const auto numbers = numbers_of(value, a.what("color"), 3, brightest);
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (numbers[i] < 0)
-                throw value_error("Light: color: no light takes light away");
-            color[i] = static_cast<float>(numbers[i]);
-        }
-    }
+    a.read("color", color, light_color_of);
     if ((a.find("direction") != nullptr) == (a.find("position") != nullptr))
         throw type_error("Light needs either a direction or a position");
     if (PyObject* value = a.find("position")) {

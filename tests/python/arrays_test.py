@@ -86,6 +86,15 @@ def check_maps():
     expect(doubts[0, 0] < 0.01 and doubts.max() >= picture.report["color_error_bound"])
 
 
+def check_numbers_of_numpy_within_lists():
+    eye = [numpy.float32(1), numpy.int64(2), 3]
+    expect(l3d.Camera(eye).eye == (1, 2, 3))
+    rows = list(numpy.eye(4))
+    scene = l3d.Scene(l3d.Model.load("teapot"))
+    scene.place(0, rows)
+    expect(l3d.Material(tuple(numpy.uint8([1, 2, 3]))).color == 0x010203)
+
+
 def check_heights_and_curves():
     heights = numpy.full((4, 5), 1.0)
     heights[0, 0] = numpy.nan

@@ -4,6 +4,7 @@
 
 import os
 import resource
+import signal
 import tempfile
 import threading
 
@@ -130,6 +131,19 @@ def check_one_view_in_two_threads_is_refused_or_draws():
     for thread in threads:
         thread.join()
     expect(said and all("another thread" in text for text in said), len(said))
+
+
+def check_ctrl_c_ends_a_long_frame():
+    view = l3d.View(teapot, (640, 480), error_map=True, tolerance=0.01)  # seconds
+    timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        view.draw()
+        raise AssertionError("the frame was drawn to its end")
+    except KeyboardInterrupt:
+        pass
+    picture = view.change(error_map=False).draw()
+    expect(bytes(picture) == bytes(l3d.draw(teapot, (640, 480), tolerance=0.01)))
 
 
 def memory():
