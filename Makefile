@@ -11,6 +11,7 @@ uses_dice     := base geom tool_2d raster scene
 uses_pipeline := base geom tool_2d raster scene dice
 uses_system   := base geom tool_2d raster scene dice pipeline
 uses_apps     := $(LAYERS)
+uses_python   := $(LAYERS)
 
 # compare/ holds the methods that ours is measured against. It lies beside the library, on top of
 # all layers, and only these use it.
@@ -39,6 +40,7 @@ include make/lab.mk
 include make/test.mk
 include make/lint.mk
 include packaging/install.mk
+include make/python.mk
 
 # A change of a list of objects makes anew what is linked of them.
 $(foreach list,$(filter objects_%,$(.VARIABLES)),$(call remember,$(OUT)/list/$(list:objects_%=%),$($(list))))

@@ -18,6 +18,7 @@ FREETYPE     ?= /usr/include/freetype2#  where the headers of FreeType 2 are
 WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the hooks do
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
+PYTHON       ?= /usr/bin/python3#  whose headers the Python module is compiled with, and what tests run it with
 TESTS_AT_ONCE ?= 8#  how many tests are compiled together; 1 is quicker while you change a single one
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
 STRESS_TIMEOUT ?= 7200#  seconds the slow tests of one layer may take together
@@ -42,8 +43,13 @@ PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:
     parallel:parallel strace:strace locales:/usr/share/i18n/locales/de_DE libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
     libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS) $(FONT)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
+PACKAGES_python := $(PACKAGES_build) python3-dev:Python.h
+PACKAGES_wheel  := python3-build:pyproject-build python3-setuptools:/usr/lib/python3/dist-packages/setuptools \
+    python3-wheel:/usr/lib/python3/dist-packages/wheel python3-venv:/usr/share/doc/python3-venv \
+    python3-numpy:/usr/lib/python3/dist-packages/numpy mypy:mypy
 PACKAGES_bare   := debootstrap:debootstrap
-PACKAGES_package := $(PACKAGES_build) build-essential:/usr/share/build-essential/list debhelper:dh lintian:lintian
+PACKAGES_package := $(PACKAGES_python) build-essential:/usr/share/build-essential/list debhelper:dh \
+    dh-python:dh_python3 lintian:lintian
 PACKAGES_lint   := clang-format:$(CLANG_FORMAT)
 PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h

@@ -19,21 +19,25 @@ $(foreach l,$(tested),$(eval objects_tests/$(l) := \
     $(foreach h,$(filter-out reference,$(l)) $(helped_$(l)),$(call helpers,$(h))) \
     $(patsubst %,$(OUT)/%.o,$(call parts,$(l),$(sort $(wildcard tests/$(l)/*_test.cpp))))))
 UNITS     := $(patsubst unit_%,$(OUT)/%.cpp,$(filter unit_%,$(.VARIABLES)))
-OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))))
+OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))) \
+             $(if $(filter python,$(WITH)),$(objects_python)))
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
+PYTHON_LOGS := $(patsubst tests/%,$(OUT)/log/%.log,$(wildcard tests/python/*_test.py))
 STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-stress.log
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter lab,$(WITH)),$(STABILITY)) \
+             $(if $(filter python,$(WITH)),python-package) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
 LONGEST   := pipeline dice
 TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
              $(if $(filter install,$(WITH)),$(OUT)/log/installcheck.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
              $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) \
+             $(if $(filter python,$(WITH)),$(PYTHON_LOGS)) \
              $(patsubst %,$(OUT)/log/%.log,$(filter-out $(LONGEST),$(tested))) \
              $(if $(filter lab,$(WITH)),$(OUT)/log/stability.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/layers.log \
@@ -59,7 +63,7 @@ longest_tool_2d := screen_x11_loss.a_server_may_die_at_any_byte
 judge = $(if $(dry_run),: $(1),\
         rm -f $(1); $(MAKE) $(call jobs,2) -k $(2) $(1) || true; awk -f tests/lint/summary.awk $(1))
 
-test: packages-test $(if $(filter install,$(WITH)),packages-install) ## build and run the tests; ends with "N passed, N failed"
+test: packages-test $(if $(filter install,$(WITH)),packages-install) $(if $(filter python,$(WITH)),packages-python packages-wheel) ## build and run the tests; ends with "N passed, N failed"
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	+@$(if $(filter install,$(WITH)),$(build_other) || true)
 	+@$(call judge,$(TEST_LOGS))

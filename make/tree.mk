@@ -10,11 +10,12 @@ may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),refer
 # Programs come in by the front door, as everybody's do, but for those that look inside. Sources
 # beside the library also include by paths from the top, tests by paths from tests/, too.
 looks_inside  = $(filter compare/% tests/% $(apps_with_compare:%=apps/%/%),$(1))
-include_paths = $(if $(filter apps/%,$(1)),-I$(OUT)/include) \
+include_paths = $(if $(filter apps/% python/%,$(1)),-I$(OUT)/include) \
                 $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/%,$(1)),-Ilib))
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
+objects_python    := $(call objects,$(wildcard python/*.cpp))
 objects_compare   := $(call objects,$(wildcard compare/*.cpp compare/*/*.cpp))
 helpers            = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1)/*.cpp)))
 objects_reference := $(call helpers,reference)
@@ -40,5 +41,5 @@ PUBLIC    := $(shell sed '/^\#/d' packaging/public_headers)
 DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
 HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h compare/*/*.h))
 SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
-FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h tests/*.h tests/*/*.h))
+FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h python/*.h python/*.cpp tests/*.h tests/*/*.h))
 LINTED    := $(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES))

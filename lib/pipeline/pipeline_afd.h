@@ -249,7 +249,8 @@ protected:
         return rasterizer_;
     }
 
-    /// The report of the frame before; draw_overlay of the frame that is drawn now may read it.
+    /// The report of the frame before, without the hash; draw_overlay of the frame that is drawn
+    /// now may read it.
     const l3d_frame_report& last_report() const { return report_; }
 
     /// The certified bound of what has been drawn in this frame. Units: pixels.

@@ -92,6 +92,9 @@ enum class L3D_PUBLIC l3d_alpha {
 L3D_PUBLIC void l3d_write_png(const std::string& path, const l3d_pixels& pixels,
                               l3d_alpha alpha = l3d_alpha::none);
 
+/// The bytes of such a PNG file. Errors: std::bad_alloc; l3d_error(failure) with libpng's reason.
+L3D_PUBLIC std::string l3d_encoded_png(const l3d_pixels& pixels, l3d_alpha alpha = l3d_alpha::none);
+
 /// Writes a binary PPM (P6) into an open file, for streams; pictures may follow each other.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
 L3D_PUBLIC void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels);

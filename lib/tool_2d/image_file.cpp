@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -166,17 +167,8 @@ l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int
     return image;
 }
 
-} // namespace
-
-void l3d_detail::check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
-                                  std::int64_t most_pixels) {
-    if (width > most_pixels / height)
-        throw l3d_error(l3d_exit::bad_input, path + ": " + std::to_string(width) + " by " +
-                                                 std::to_string(height) + " pixels are more than " +
-                                                 std::to_string(most_pixels));
-}
-
-void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
+void write_png(std::FILE* file, const std::string& name, const l3d_pixels& pixels,
+               l3d_alpha alpha) {
     const bool with_alpha = alpha == l3d_alpha::transparency;
     std::vector<std::uint8_t> bytes;
     bytes.reserve((rgb_bytes + (with_alpha ? 1 : 0)) * static_cast<std::size_t>(pixels.width) *
@@ -191,14 +183,44 @@ void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha 
     picture.width = static_cast<png_uint_32>(pixels.width);
     picture.height = static_cast<png_uint_32>(pixels.height);
     picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    output_file file(path);
     errno = 0;
-    if (png_image_write_to_stdio(&picture, file.get(), 0, bytes.data(), 0, nullptr) == 0) {
+    if (png_image_write_to_stdio(&picture, file, 0, bytes.data(), 0, nullptr) == 0) {
         if (errno != 0)
-            throw_write_error(path);
-        throw l3d_error(l3d_exit::failure, path + ": " + picture.message);
+            throw_write_error(name);
+        throw l3d_error(l3d_exit::failure, name + ": " + picture.message);
     }
+}
+
+} // namespace
+
+void l3d_detail::check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
+                                  std::int64_t most_pixels) {
+    if (width > most_pixels / height)
+        throw l3d_error(l3d_exit::bad_input, path + ": " + std::to_string(width) + " by " +
+                                                 std::to_string(height) + " pixels are more than " +
+                                                 std::to_string(most_pixels));
+}
+
+void l3d_write_png(const std::string& path, const l3d_pixels& pixels, l3d_alpha alpha) {
+    output_file file(path);
+    write_png(file.get(), path, pixels, alpha);
     file.commit();
+}
+
+std::string l3d_encoded_png(const l3d_pixels& pixels, l3d_alpha alpha) {
+    char* bytes = nullptr;
+    std::size_t size = 0;
+    struct memory {
+        char*& bytes;
+        ~memory() { std::free(bytes); }
+    };
+    const memory owner{bytes}; // which the stream moves as it grows
+    l3d_detail::unique_file file(open_memstream(&bytes, &size));
+    if (!file)
+        throw std::bad_alloc();
+    write_png(file.get(), "PNG", pixels, alpha);
+    file.reset();
+    return {bytes, size};
 }
 
 void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels) {

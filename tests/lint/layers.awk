@@ -32,7 +32,7 @@ function layer_of(path,    part) {
     split(path, part, "/")
     if (path ~ /^tests\/reference\//)
         return "reference"
-    return part[1] == "lib" ? part[2] : part[1] == "apps" || part[1] == "compare" ? part[1] : ""
+    return part[1] == "lib" ? part[2] : part[1] ~ /^(apps|compare|python)$/ ? part[1] : ""
 }
 
 function permitted(unit, other,    part) {

@@ -114,6 +114,16 @@ TEST_F(image_file, png_round_trip) {
                 << x << " " << y;
 }
 
+TEST_F(image_file, png_in_memory_has_the_bytes_of_a_file) {
+    auto image = random_image({37, 11});
+    for (const auto alpha : {l3d_alpha::none, l3d_alpha::transparency}) {
+        l3d_write_png(path("a.png"), image.pixels(), alpha);
+        EXPECT_EQ(l3d_encoded_png(image.pixels(), alpha), contents(path("a.png")));
+    }
+    l3d_image empty;
+    EXPECT_EQ(code_of([&] { l3d_encoded_png(empty.pixels()); }, "PNG: "), l3d_exit::failure);
+}
+
 TEST_F(image_file, same_pixels_same_bytes) {
     auto image = random_image({19, 23});
     for (const std::string end : {".png", ".ppm"}) {

@@ -168,6 +168,10 @@ protected:
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 
+    /// The report of the frame before, without the hash; draw_overlay of the frame that is drawn
+    /// now may read it.
+    const l3d_polygon_report& last_report() const { return report_; }
+
     /// For draw_overlay: draws points, lines and polygons on the picture.
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
