@@ -56,8 +56,8 @@ std::vector<std::size_t> first_patches_of(const l3d_patch_scene& scene) {
 /// The camera with the planes that the frame has, in its own units.
 l3d_camera camera_of(const l3d_method_frame& frame) {
     l3d_camera camera = frame.camera;
-    camera.near = frame.view.near / frame.view.depth_scale;
-    camera.far = frame.view.far / frame.view.depth_scale;
+    camera.near_z = frame.view.near / frame.view.depth_scale;
+    camera.far_z = frame.view.far / frame.view.depth_scale;
     return camera;
 }
 

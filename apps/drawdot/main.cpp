@@ -60,7 +60,7 @@ private:
         moved_ = false;
         if (!is_classic())
             clear(rasterizer); // smooth edges would add up
-        const std::uint32_t green = l3d_screen_info::ext_to_native(0, 255, 128);
+        const std::uint32_t green = l3d_rgb(0, 255, 128);
         const double pen = std::floor(size().height / 128.0); // seen in large windows, too
         if (pen < 2)
             return rasterizer.draw_lines(trail_, green);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // morph2d: a polygon on its way through four forms, one of them far wider than the window.
-#include <l3d/coordinate.h>
+#include <l3d/polygon_2d.h>
 #include <l3d/pipeline.h>
 #include <l3d/polygon_2d_flatshaded.h>
 #include <l3d/lesson.h>
@@ -78,7 +78,7 @@ private:
     std::size_t last_ = 0;     ///< the form that it comes from
     int right_ = 0, down_ = 0; ///< the way that the user has dragged it, in pixels
     l3d_vertex_interpolator<l3d_real> morph_;
-    l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_screen_info::ext_to_native(0, 128, 255)};
+    l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_rgb(0, 128, 255)};
     l3d_ticker ticker_;
 };
 

@@ -6,7 +6,7 @@
 #include <l3d/polygon_shapes.h>
 #include <l3d/program.h>
 #include <l3d/pipeline.h>
-#include <l3d/coordinate.h>
+#include <l3d/polygon_2d.h>
 
 #include <algorithm>
 #include <array>

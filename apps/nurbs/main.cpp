@@ -3,7 +3,6 @@
 #include "shapes.h"
 #include <l3d/afd_options.h>
 #include <l3d/camera.h>
-#include <l3d/framing.h>
 #include <l3d/material.h>
 #include <l3d/pipeline_afd_editor.h>
 #include <l3d/program.h>

@@ -4,7 +4,7 @@
 #define L3D_APPS_SPIKES_SPIKE_H
 
 #include <l3d/random.h>
-#include <l3d/moveable.h>
+#include <l3d/camera_left_handed.h>
 #include <l3d/object.h>
 
 /// The properties that spikes of one program share. Units: those of the world, per update of the

@@ -39,7 +39,7 @@ void draw_legend(const l3d_pixels& pixels, double largest) {
 
 void write_error_picture(const std::string& file, const reference::error_map& errors, l3d_size size,
                          double largest) {
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     const l3d_pixels pixels = image.pixels();
     std::size_t k = 0;
     for (int y = 0; y < size.height; ++y)

@@ -24,8 +24,8 @@ reference::vec3 vec3_of(const l3d_camera::vector& v) {
 }
 
 reference::camera camera_of(const l3d_camera& camera) {
-    return {vec3_of(camera.eye), vec3_of(camera.target), vec3_of(camera.up), camera.fov,
-            camera.near,         camera.is_parallel()};
+    return {vec3_of(camera.eye), vec3_of(camera.target), vec3_of(camera.up),
+            camera.fov,          camera.near_z,          camera.is_parallel()};
 }
 
 std::vector<reference::patch> patches_of(const l3d_patch_model& model) {

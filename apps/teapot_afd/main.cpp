@@ -2,7 +2,7 @@
 // teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
 #include "compare/method_option.h"
 #include <l3d/afd_options.h>
-#include <l3d/framing.h>
+#include <l3d/camera.h>
 #include <l3d/part_options.h>
 #include <l3d/program.h>
 #include <l3d/viewer.h>

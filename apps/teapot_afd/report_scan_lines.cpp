@@ -30,7 +30,7 @@ l3d_scan_effort effort_of(const l3d_patch_model& model, const l3d_camera& camera
     l3d_patch_scene world(model);
     const l3d_image_transform to_image(camera, size, world);
     const l3d_dice_view view = to_image.view(0.25);
-    l3d_image picture(size, size.width);
+    l3d_image picture(size);
     l3d_depth_buffer depth;
     depth.resize(size);
     depth.clear();

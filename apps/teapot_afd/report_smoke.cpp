@@ -130,7 +130,7 @@ void write_smoke(const std::string& folder, bool quick) {
     const l3d_cloud cloud(side, [side](const l3d_cloud::place& at) { return smoke_at(at, side); });
     const std::vector<triangle> triangles = jet();
 
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     const l3d_pixels picture = image.pixels();
     l3d_depth_buffer depth;
     depth.resize(size);

@@ -50,7 +50,7 @@ private:
     std::uint32_t random_color() {
         const auto channel = [this] { return random_.between(0, 255); };
         const auto red = channel(), green = channel(), blue = channel();
-        return l3d_screen_info::ext_to_native(red, green, blue);
+        return l3d_rgb(red, green, blue);
     }
 
     std::uint64_t seed_;

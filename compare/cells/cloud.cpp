@@ -76,7 +76,7 @@ std::int64_t l3d_lay_over(l3d_pixels picture, const l3d_depth_buffer& depth,
             const double inv_w = double(depth.row(y)[column]);
             const auto seen = cloud.look(
                 {origin[0], origin[1], origin[2]}, {direction[0], direction[1], direction[2]},
-                camera.near, inv_w > 0 ? 1 / inv_w : std::numeric_limits<double>::infinity());
+                camera.near_z, inv_w > 0 ? 1 / inv_w : std::numeric_limits<double>::infinity());
             met += seen.cells;
             std::uint32_t& word = picture.row(y)[column];
             std::uint32_t mixed = 0;

@@ -87,7 +87,7 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
         space.view = view_;
     counts_ = {};
     next_slot_ = patches_before_ = 0;
-    counts_.near = view_.near;
+    counts_.near_z = view_.near;
     budget_left_ = view_.budget();
 }
 
@@ -227,7 +227,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     const l3d_dice_view& view = space.view;
     space.view.take_share(view_, view_.share_of(instance.reach(reach.whole)));
     if (is_pushed_away(net, view, view_.near))
-        space.counts.near = std::max(space.counts.near, view.near);
+        space.counts.near_z = std::max(space.counts.near_z, view.near);
     if (l3d_left_out(net, view, space.counts))
         return;
     if (const auto point = view.keep.dicing ? std::nullopt : l3d_point_place_of(net, view)) {

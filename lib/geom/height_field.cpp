@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_height_patches: Catmull-Rom splines along rows, then along columns.
-#include "geom/height_field.h"
+#include "geom/files/patch_file.h"
 
 #include "base/error.h"
 #include "base/formatted_p.h"

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_MATERIAL_H
 #define L3D_GEOM_MATERIAL_H
 
+#include "base/color.h"
 #include "base/public.h"
 
 #include <cstddef>
@@ -13,8 +14,8 @@
 /// Units: colours are pixel words 0x00RRGGBB, encoded as pictures are. A surface that would be grey
 ///        of level g, were it white, shows round(c g / 255) in a channel whose colour is c.
 struct L3D_PUBLIC l3d_material {
-    std::uint32_t color = 0xffffff; ///< colour of light that is scattered to all sides
-    std::uint32_t highlight = 0;    ///< colour of mirrored light; black mirrors none
+    l3d_color color = 0xffffff; ///< colour of light that is scattered to all sides
+    l3d_color highlight = 0;    ///< colour of mirrored light; black mirrors none
     /// The sharpness of highlights: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 
@@ -39,7 +40,7 @@ struct L3D_PUBLIC l3d_material {
 };
 
 /// The product of two encoded colours, channel by channel: white changes nothing.
-constexpr std::uint32_t l3d_product_of_colors(std::uint32_t a, std::uint32_t b) {
+constexpr l3d_color l3d_product_of_colors(l3d_color a, l3d_color b) {
     std::uint32_t result = 0;
     for (int shift = 16; shift >= 0; shift -= 8)
         result = result << 8 | ((a >> shift & 255) * (b >> shift & 255) + 127) / 255;

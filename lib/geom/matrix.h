@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <cmath>
+#include <numbers>
 
 /// A linear map of homogeneous points: m * v with v a column, so (a * b) * v is a * (b * v).
 ///
@@ -107,11 +108,12 @@ template <class T> l3d_matrix<T> l3d_translation(double x, double y, double z) n
 /// The map that turns about an axis through the origin, counterclockwise for one at whom the axis
 /// points.
 ///
-/// Units:   radians; the axis may have any length but zero.
+/// Units:   degrees; the axis may have any length but zero.
 /// Source:  Rodrigues' formula: R = c I + s [a]x + (1 - c) a a^T for a unit axis a.
 template <class T>
-l3d_matrix<T> l3d_rotation(const l3d_vector<double, 3>& axis, double radians) noexcept {
+l3d_matrix<T> l3d_rotation(const l3d_vector<double, 3>& axis, double degrees) noexcept {
     const l3d_vector<double, 3> a = l3d_normalized(axis);
+    const double radians = degrees * (std::numbers::pi / 180);
     const double c = std::cos(radians);
     const double s = std::sin(radians);
     l3d_matrix<T> result = l3d_identity<T>();

@@ -3,6 +3,7 @@
 #ifndef L3D_GEOM_POLYGON_MESH_H
 #define L3D_GEOM_POLYGON_MESH_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/material.h"
 #include "geom/parts.h"
@@ -55,11 +56,11 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Optional, one per vertex, of any length; zero: to be computed from the faces around.
     std::vector<vector> vertex_normals;
     /// Optional, one per vertex, 0x00RRGGBB: their light is blended over faces.
-    std::vector<std::uint32_t> vertex_colors;
+    std::vector<l3d_color> vertex_colors;
     /// Optional, one per corner: what is seen there of the picture of the face's material.
     std::vector<picture_place> picture_places;
     std::vector<l3d_mesh_picture> pictures;    ///< pictures that l3d_material::picture names
-    std::vector<std::uint32_t> face_colors;    ///< optional, one per face, 0x00RRGGBB
+    std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names
     std::vector<l3d_material> looks;           ///< optional, one per name: the look of the material

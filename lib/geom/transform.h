@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transformations as matrices: turning in degrees, scaling, inverses; l3d_point, and their
-// application to points.
+// application to points; vectors and points as text.
 #ifndef L3D_GEOM_TRANSFORM_H
 #define L3D_GEOM_TRANSFORM_H
 
@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <ios>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -332,6 +334,31 @@ std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,
     if (!inverse)
         return std::nullopt;
     return l3d_normalized(l3d_transformed(l3d_transposed(*inverse), normal));
+}
+
+namespace glm {
+
+/// Writes a vector as "(1, 2.5, -3)", in the stream's own format of numbers. Where GLM's gtx/io.hpp
+/// is included, its format holds.
+template <std::derived_from<std::ios_base> Stream, length_t N, class T, qualifier Q>
+Stream& operator<<(Stream& stream, const vec<N, T, Q>& v) {
+    for (length_t i = 0; i < N; ++i) {
+        stream << (i == 0 ? "(" : ", ");
+        if constexpr (l3d_is_fixed<T>)
+            stream << l3d_to_double(v[i]);
+        else
+            stream << v[i];
+    }
+    stream << ')';
+    return stream;
+}
+
+} // namespace glm
+
+/// Writes a point as its vector from the origin.
+template <std::derived_from<std::ios_base> Stream, class T>
+Stream& operator<<(Stream& stream, const l3d_point<T>& p) {
+    return stream << p.from_origin;
 }
 
 #endif

@@ -15,9 +15,9 @@ std::string fog_complaint(const l3d_afd_settings& settings) {
     const l3d_fog& fog = settings.fog;
     if (fog == l3d_fog())
         return "";
-    if (!(fog.near >= 0 && fog.far > fog.near && std::isfinite(fog.far)))
+    if (!(fog.from >= 0 && fog.to > fog.from && std::isfinite(fog.to)))
         return l3d_detail::formatted("fog: %f to %f are not two distances, the nearer first",
-                                     fog.near, fog.far);
+                                     fog.from, fog.to);
     if (!settings.method.is_default())
         return "fog: " + settings.method.name() + " draws without";
     if (l3d_has_scale(settings.shade))
@@ -63,9 +63,7 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return camera.complaint();
     if (!settings.method.is_default())
         return "shade: " + settings.method.name() + " has no exact derivatives to inspect";
-    const auto& direction = settings.inspection.direction;
-    const double reach =
-        l3d_length(l3d_vector<double, 3>{direction[0], direction[1], direction[2]});
+    const double reach = l3d_length(settings.inspection.direction);
     if (!(reach > 0 && reach <= largest))
         return "inspection: no direction";
     if (!(settings.inspection.scale >= 0 && settings.inspection.scale <= largest))

@@ -138,10 +138,10 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
         return 0;
     constexpr double white = 255, rounding = 0.5 + 0.5 + 0.5 + 0.01;
     const l3d_size size = stages_->view.size;
-    const double far = double{fog.far}, off = report_.dice.depth_bound_px;
+    const double far = double{fog.to}, off = report_.dice.depth_bound_px;
     const double most_off = camera_.is_parallel() ? off / camera_.scale_at_target(size)
                                                   : off * far / camera_.focal_length(size);
-    return white * most_off / (far - double{fog.near}) + rounding;
+    return white * most_off / (far - double{fog.from}) + rounding;
 }
 
 /// A pixel's shade stands for an exact point within the bound of places. A pixel is seen under the

@@ -5,7 +5,7 @@
 #include "pipeline/empty_picture_p.h"
 #include "geom/normal_net.h"
 #include "scene/camera_shading.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "scene/inspected_scene.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_control_handles: equal places become one handle; handles are found, moved and drawn.
-#include "pipeline/control_handles.h"
+#include "pipeline/pipeline_afd_editor.h"
 
 #include "raster/paths/path.h"
 
@@ -36,7 +36,7 @@ struct seen_place {
 std::optional<seen_place> seen(const l3d_matrix<double>& to_image, const l3d_handle_view& view,
                                const vector& place) {
     const auto h = to_image * l3d_vector<double, 4>(place[0], place[1], place[2], 1.0);
-    if (!(h[3] >= view.camera.near))
+    if (!(h[3] >= view.camera.near_z))
         return std::nullopt;
     return seen_place{view.size.width / 2.0 + h[0] / h[3], view.size.height / 2.0 + h[1] / h[3],
                       h[3]};
@@ -260,7 +260,7 @@ l3d_control_handles::effect l3d_control_handles::drag(const l3d_event& motion,
     // As far as the same motion moves it sidewards. Handles before the near plane would be lost.
     const double way = (std::exchange(grab_->y, motion.y) - motion.y) * distance /
                        view.camera.focal_length(view.size);
-    const bool stays = distance + way >= 2 * view.camera.near;
+    const bool stays = distance + way >= 2 * view.camera.near_z;
     return stays && move(*marked_, from + view.camera.axes().forward * way) ? effect::changed
                                                                             : effect::seen;
 }

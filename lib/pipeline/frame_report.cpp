@@ -60,7 +60,7 @@ std::string l3d_frame_report::json() const {
         times["error_map"] = time_ms.error_map;
     l3d_detail::json line = l3d_detail::head_json(*this);
     line.update({{"tolerance_px", tolerance_px},
-                 {"near", near},
+                 {"near", near_z},
                  {"time_ms", times},
                  {"patches",
                   {{"all", patches},

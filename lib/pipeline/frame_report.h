@@ -49,7 +49,7 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
 /// The report of one frame of patches.
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0; ///< the error of places that was asked for, in pixels
-    double near = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
+    double near_z = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
     l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds

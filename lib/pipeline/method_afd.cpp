@@ -98,7 +98,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     const stopwatch seeking;
     if (outlines_)
         outlines_->finish(counts_.bound_px + frame.curved_px,
-                          counts_.depth_bound_px + frame.curved_px, counts_.near);
+                          counts_.depth_bound_px + frame.curved_px, counts_.near_z);
     times.outlines += seeking.milliseconds();
 }
 

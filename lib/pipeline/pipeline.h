@@ -66,8 +66,8 @@ public:
     /// The box of the pixels that the last draw_event may have changed; the dispatcher shows no
     /// others. May reach beyond the picture.
     virtual l3d_pixel_box changed() const {
-        constexpr auto far = std::numeric_limits<std::int32_t>::max();
-        return {0, 0, far, far};
+        constexpr auto most = std::numeric_limits<std::int32_t>::max();
+        return {0, 0, most, most};
     }
 
     /// The picture that draw_event drew has been shown and stored.

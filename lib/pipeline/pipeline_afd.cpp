@@ -138,10 +138,10 @@ void l3d_pipeline_afd::draw_event() {
     report_.simd = l3d_simd_target();
     report_.size = stages_->view.size;
     report_.tolerance_px = settings_.tolerance;
-    report_.near = camera_.is_parallel()
-                       ? camera_.near
-                       : (report_.dice.near > 0 ? report_.dice.near : stages_->view.near) /
-                             stages_->view.depth_scale;
+    report_.near_z = camera_.is_parallel()
+                         ? camera_.near_z
+                         : (report_.dice.near_z > 0 ? report_.dice.near_z : stages_->view.near) /
+                               stages_->view.depth_scale;
     report_.patches = scene_.patch_count();
     stale_ = false;
 }
@@ -247,7 +247,7 @@ void l3d_pipeline_afd::keep_picture() {
     counts.depth_bound_px = report_.dice.depth_bound_px;
     counts.shade_bound = report_.dice.shade_bound;
     counts.unproven_quads = report_.dice.unproven_quads;
-    counts.near = report_.dice.near;
+    counts.near_z = report_.dice.near_z;
     counts.coarse = report_.dice.coarse;
     counts.unfinished = report_.dice.unfinished;
     counts.coarsest = report_.dice.coarsest;
@@ -340,7 +340,7 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
         now.shade_bound = std::max({now.shade_bound, kept.shade_bound, settings_.shade_tolerance});
         now.unproven_quads += kept.unproven_quads;
     }
-    now.near = std::max(now.near, kept.near);
+    now.near_z = std::max(now.near_z, kept.near_z);
     now.coarse = std::max(now.coarse, kept.coarse);
     now.coarsest = std::max(now.coarsest, kept.coarsest);
 }

@@ -1,17 +1,133 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd_editor: a viewer whose surfaces change as their control points are dragged.
+// l3d_pipeline_afd_editor: a viewer whose surfaces change as their control points, the handles,
+// are dragged.
 #ifndef L3D_PIPELINE_PIPELINE_AFD_EDITOR_H
 #define L3D_PIPELINE_PIPELINE_AFD_EDITOR_H
 
 #include "base/public.h"
-#include "pipeline/control_handles.h"
+#include "geom/nurbs_surface.h"
 #include "pipeline/pipeline_afd_viewer.h"
+#include "raster/depth_buffer.h"
+#include "raster/rasterizer_2d.h"
+#include "scene/camera.h"
+#include "tool_2d/event.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+/// The picture in which handles are seen.
+struct L3D_PUBLIC l3d_handle_view {
+    l3d_camera camera;     ///< the eye of the picture
+    l3d_size size;         ///< size of the picture, in pixels
+    double text_scale = 1; ///< lines and handles are larger by this factor: l3d_screen::text_scale
+};
+
+/// The control points of surfaces as handles, joined by the lines of their nets. A handle stands
+/// for all control points that were at one place at first: where patches meet, where a surface
+/// closes, and at a pole. These move together, and their weights change by the same factor.
+///
+/// A drag with the left button moves a handle in the plane through it that is parallel to the
+/// picture, one with the right button along the view axis: up is away from the eye. Over a handle
+/// the wheel changes the weight. All of this can be undone.
+/// Lives: a value.
+class L3D_PUBLIC l3d_control_handles {
+public:
+    /// A place in the world.
+    using vector = l3d_nurbs_surface::vector;
+
+    /// Handles of these surfaces. Cost: a look at each control point.
+    explicit l3d_control_handles(std::vector<l3d_nurbs_surface> surfaces);
+
+    /// The surfaces as they are now.
+    std::span<const l3d_nurbs_surface> surfaces() const { return surfaces_; }
+
+    /// The number of handles.
+    std::size_t count() const { return members_.size(); }
+    /// The place of a handle. Expects: handle < count().
+    const vector& place(std::size_t handle) const;
+    /// The weight of a handle's first control point. Expects: handle < count().
+    double weight(std::size_t handle) const;
+    /// The surface, row and column of a handle's first control point, from 1 on, as people read
+    /// them. Expects: handle < count().
+    std::string name(std::size_t handle) const;
+
+    /// The handle at (x, y), nearest to it; of some in about the same place the one nearest to the
+    /// eye. Nothing if none is within reach.
+    /// Units: pixels from the picture's left upper corner.
+    std::optional<std::size_t> find(double x, double y, const l3d_handle_view& view) const;
+
+    /// The handle under the pointer, or the one that is dragged; none without either.
+    std::optional<std::size_t> marked() const { return marked_; }
+
+    /// How far handles reach, as l3d_framed asks. Lives: borrows this.
+    l3d_reach reach() const;
+
+    /// Moves a handle. False, and nothing changes, beyond 1e12 from the origin.
+    /// Expects: handle < count().
+    bool move(std::size_t handle, const vector& to);
+
+    /// Multiplies the weights of a handle. False, and nothing changes, where a weight would leave
+    /// least_weight to most_weight. Expects: handle < count(), factor > 0.
+    bool scale_weight(std::size_t handle, double factor);
+    /// The least weight that scale_weight makes.
+    static constexpr double least_weight = 1e-3;
+    /// The largest one. Bounds of the error are tested up to here.
+    static constexpr double most_weight = 1e3;
+
+    /// Takes the last change back: a whole drag, or all changes of one weight. False if there is
+    /// none.
+    bool undo();
+
+    /// The effect of an event.
+    enum class effect {
+        none,    ///< it means nothing to handles
+        seen,    ///< it was for a handle; another picture is needed, of the same surfaces
+        changed, ///< the surfaces are others now
+    };
+    /// Drags handles, and marks the one under the pointer.
+    effect pointer(const l3d_event& event, const l3d_handle_view& view);
+
+    /// Draws nets and handles. Those behind a surface are pale. Without depths, none are.
+    void draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_view& view,
+              const l3d_depth_buffer* depth) const;
+
+private:
+    struct member {
+        std::size_t surface, point;
+    };
+    /// A handle as it was.
+    struct state {
+        std::size_t handle;
+        vector place;
+        std::vector<double> weights;
+    };
+    enum class change { place, weight };
+    struct grab {
+        double right, down; ///< from the pointer to the handle, in pixels
+        bool is_along_view;
+        int y; ///< the pointer's last row
+    };
+
+    double weight_of(const member& m) const;
+    void keep_for_undo(std::size_t handle, change kind);
+    effect mark(std::optional<std::size_t> handle);
+    effect press(const l3d_event& event, const l3d_handle_view& view);
+    effect drag(const l3d_event& motion, const l3d_handle_view& view);
+
+    std::vector<l3d_nurbs_surface> surfaces_;
+    std::vector<std::vector<member>> members_;             ///< the points of each handle
+    std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
+    std::optional<std::size_t> marked_;
+    std::optional<grab> grab_; ///< the hold on the marked handle
+    std::vector<state> undo_;
+    /// The change that goes on: more of it makes no further state to go back to.
+    std::optional<std::pair<std::size_t, change>> going_on_;
+};
 
 /// l3d_pipeline_afd_viewer with l3d_control_handles on its model, and keys that show them, undo and
 /// save. A panel tells the bound, times, and the handle under the pointer.

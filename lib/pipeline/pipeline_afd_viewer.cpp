@@ -6,7 +6,7 @@
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
 #include "dice/error_color.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 #include <algorithm>
 #include <array>

@@ -2,18 +2,18 @@
 // l3d_view_steering: moves of the camera.
 #include "pipeline/viewer_controls.h"
 
+#include "geom/transform.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace {
 
 using vector = l3d_camera::vector;
 
-constexpr double degree = std::numbers::pi / 180;
 /// A drag across 360 pixels is one turn.
-constexpr double drag_turn = degree;
+constexpr double drag_turn = 1; // degrees
 /// Zoom for a notch of the wheel.
 constexpr double notch_zoom = 1.1;
 /// Zoom for a pixel of a drag: 70 pixels are a factor of two.
@@ -71,10 +71,11 @@ void l3d_view_steering::turn(double around_up, double around_right) {
     camera_.orbit(around_up, around_right);
 }
 
-void l3d_view_steering::roll(double angle) {
+void l3d_view_steering::roll(double degrees) {
     leave_pole();
     const l3d_camera::frame axes = camera_.axes();
-    camera_.up = up_ = axes.up * std::cos(angle) - axes.right * std::sin(angle);
+    const l3d_turn turn = l3d_turn_by(degrees);
+    camera_.up = up_ = axes.up * turn.cosine - axes.right * turn.sine;
 }
 
 void l3d_view_steering::pan(double right, double down) {
@@ -86,7 +87,7 @@ void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
     // Places nearer than `near` are not drawn.
-    const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near;
+    const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near_z;
     if (is_seen && there.is_valid())
         camera_ = there;
 }
@@ -111,7 +112,7 @@ void l3d_view_steering::look_from_opposite() {
     if (sees_along_up())
         look_from(0, l3d_dot(camera_.eye - camera_.target, stands.up) > 0 ? -1 : 1, 0);
     else
-        camera_.orbit(std::numbers::pi, 0);
+        camera_.orbit(180, 0);
 }
 
 /// Moves the eye beside the pole, where turning has an upright direction again, and keeps the
@@ -147,7 +148,7 @@ vector l3d_view_steering::place_under(double x, double y) const {
 
 std::optional<l3d_point_2d> l3d_view_steering::position(const vector& place) const {
     const double depth = depth_of(place);
-    if (!(depth >= camera_.near) && !camera_.is_parallel())
+    if (!(depth >= camera_.near_z) && !camera_.is_parallel())
         return std::nullopt;
     const l3d_size size = screen_.pixels().size();
     const l3d_camera::frame axes = camera_.axes();

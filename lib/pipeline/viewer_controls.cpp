@@ -11,15 +11,13 @@
 #include <cassert>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <set>
 
 namespace {
 
 using l3d_detail::formatted;
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double key_turn = 5 * degree;
+constexpr double key_turn = 5; // degrees
 constexpr double zoom_factor = 1.1;
 constexpr double pan_share = 0.05; // share of the picture's smaller side
 /// The key t: a turn in six seconds.
@@ -226,7 +224,7 @@ void l3d_viewer_controls::measure(double x, double y) {
 bool l3d_viewer_controls::update(double seconds) {
     const bool turns = turntable_degrees_ != 0 && !paused_ && !first_frame_;
     if (turns)
-        steering_.turn(turntable_degrees_ * seconds * degree, 0);
+        steering_.turn(turntable_degrees_ * seconds, 0);
     first_frame_ = false;
     return rest(seconds) || turns;
 }

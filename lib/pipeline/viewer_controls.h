@@ -67,12 +67,12 @@ public:
     /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
     void set_turn_speed(double factor) { turn_speed_ = factor; }
 
-    /// Moves the eye around the target. Units: radians, about the upright axis and about the
+    /// Moves the eye around the target. Units: degrees, about the upright axis and about the
     /// picture's right.
     void turn(double around_up, double around_right);
     /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
-    /// turn() until look_from or go_home. Units: radians.
-    void roll(double angle);
+    /// turn() until look_from or go_home. Units: degrees.
+    void roll(double degrees);
     /// Moves things at the target's depth so many pixels to the right and down.
     void pan(double right, double down);
     /// Multiplies the distance from the target, unless that leads too near or too far.

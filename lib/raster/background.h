@@ -4,6 +4,7 @@
 #ifndef L3D_RASTER_BACKGROUND_H
 #define L3D_RASTER_BACKGROUND_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "tool_2d/pixels.h"
 #include "tool_2d/screen_info.h"
@@ -73,22 +74,22 @@ private:
     }
 };
 
-/// Fog, or depth cueing if its colour is black. Surfaces nearer than `near` look as without fog;
-/// those from `far` on have the fog's colour. Between the two, fog grows in proportion to the
+/// Fog, or depth cueing if its colour is black. Surfaces nearer than `from` look as without fog;
+/// those from `to` on have the fog's colour. Between the two, fog grows in proportion to the
 /// distance. By default there is none.
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
-    float near = 0;                       ///< distance at which fog begins
-    float far = 0;                        ///< distance at which fog hides everything
-    std::optional<std::uint32_t> color{}; ///< pixel word; none: that of the background in each row
+    float from = 0;                   ///< distance at which fog begins
+    float to = 0;                     ///< distance at which fog hides everything
+    std::optional<l3d_color> color{}; ///< pixel word; none: that of the background in each row
 
     /// Whether there is any.
-    bool is_on() const { return far > near; }
+    bool is_on() const { return to > from; }
 
     /// The amount of fog before a surface at that distance: 0 to 255. Expects: is_on().
     std::uint32_t amount(float distance) const {
-        const float share = (distance - near) / (far - near);
+        const float share = (distance - from) / (to - from);
         const float held = share > 0 ? (share < 1 ? share : 1.0F) : 0.0F;
         return static_cast<std::uint32_t>(255 * held + 0.5F);
     }

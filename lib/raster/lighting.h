@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,7 +28,7 @@ struct L3D_PUBLIC l3d_far_light {
 /// A light at a place. Its brightness is that of its colour everywhere, or falls with the square of
 /// the distance.
 struct L3D_PUBLIC l3d_point_light {
-    std::array<double, 3> position{}; ///< world space
+    l3d_vector<double, 3> position{0.0, 0.0, 0.0}; ///< world space
     /// The distance at which it is as bright as its colour; 0: at every distance.
     float reach = 0;
     l3d_light_color color{1, 1, 1}; ///< how bright it is
@@ -74,11 +73,11 @@ struct L3D_PUBLIC l3d_lighting {
     std::size_t point_count = 0; ///< at most most_points
 
     /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_further.
-    void add(double x, double y, double z, const l3d_light_color& of) {
-        const double length = std::sqrt(x * x + y * y + z * z);
-        lights[count++] = {{static_cast<float>(x / length), static_cast<float>(y / length),
-                            static_cast<float>(z / length)},
-                           of};
+    void add(const l3d_vector<double, 3>& towards, const l3d_light_color& of) {
+        const l3d_vector<double, 3> unit = l3d_normalized(towards);
+        lights[count++] = {
+            {static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)},
+            of};
     }
 
     /// Adds a light at a place. Expects: point_count < most_points.

@@ -5,10 +5,9 @@
 #define L3D_RASTER_PLACEMENT_2D_H
 
 #include "base/public.h"
+#include "geom/transform.h"
 #include "raster/rasterizer_2d.h"
 #include "tool_2d/pixels.h"
-
-#include <cmath>
 
 /// An affine map of the plane: the point (x, y) goes to origin + x across + y down.
 /// Units:   pixels, y down, as in l3d_rasterizer_2d.
@@ -23,9 +22,9 @@ struct L3D_PUBLIC l3d_placement_2d {
     /// A placement that stretches along both axes; (0, 0) stays.
     static l3d_placement_2d scaled(double x, double y) { return {{0, 0}, {x, 0}, {0, y}}; }
 
-    /// A placement that turns around a point, clockwise as y points down. Units: radians.
-    static l3d_placement_2d turned(double angle, l3d_point_2d around = {}) {
-        const double c = std::cos(angle), s = std::sin(angle);
+    /// A placement that turns around a point, clockwise as y points down. Units: degrees.
+    static l3d_placement_2d turned(double degrees, l3d_point_2d around = {}) {
+        const auto [c, s] = l3d_turn_by(degrees);
         return {{around.x - c * around.x + s * around.y, around.y - s * around.x - c * around.y},
                 {c, s},
                 {-s, c}};

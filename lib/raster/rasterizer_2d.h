@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_RASTERIZER_2D_H
 #define L3D_RASTER_RASTERIZER_2D_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "tool_2d/pixels.h"
 
@@ -28,7 +29,7 @@ struct L3D_PUBLIC l3d_point_2d {
 struct L3D_PUBLIC l3d_colored_point_2d {
     /// From the left and from the top of the picture, in pixels.
     double x = 0, y = 0;
-    std::uint32_t color = 0; ///< 0x00RRGGBB
+    l3d_color color = 0; ///< 0x00RRGGBB
 };
 
 /// A line between two pixels.
@@ -73,7 +74,7 @@ enum class L3D_PUBLIC l3d_blending {
 
 /// How the area inside of a path is filled.
 struct L3D_PUBLIC l3d_fill {
-    std::uint32_t color = 0x00ffffff; ///< 0x00RRGGBB
+    l3d_color color = 0x00ffffff; ///< 0x00RRGGBB
     /// Instead of the colour, colours that change from place to place. Null: the colour.
     /// Lives: borrowed while drawing.
     const l3d_gradient* gradient = nullptr;
@@ -109,21 +110,20 @@ private:
 
     virtual void do_set_target(l3d_pixels target) = 0;
     virtual void do_finish() {}
-    virtual void do_clear_buffer(std::uint32_t color) = 0;
-    virtual void do_draw_point(int x, int y, std::uint32_t color) = 0;
-    virtual void do_draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) = 0;
-    virtual void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to,
-                                          std::uint32_t color) = 0;
-    virtual void do_draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) = 0;
+    virtual void do_clear_buffer(l3d_color color) = 0;
+    virtual void do_draw_point(int x, int y, l3d_color color) = 0;
+    virtual void do_draw_lines(std::span<const l3d_line_2d> lines, l3d_color color) = 0;
+    virtual void do_draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, l3d_color color) = 0;
+    virtual void do_draw_polygon_flatshaded(l3d_outline_2d corners, l3d_color color) = 0;
     virtual void do_draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) = 0;
     virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
-                                  std::uint32_t color) = 0;
+                                  l3d_color color) = 0;
 
     /// Unless a kind of output has a way of its own, a line is drawn as a batch of one.
-    virtual void do_draw_line(int x0, int y0, int x1, int y1, std::uint32_t color);
+    virtual void do_draw_line(int x0, int y0, int x1, int y1, l3d_color color);
 
     /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
-    virtual void do_draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color);
+    virtual void do_draw_coverage(const l3d_coverage_2d& shape, l3d_color color);
 
     /// Unless a kind of output has a way of its own, a path is drawn as coverage, run by run.
     virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
@@ -131,7 +131,7 @@ private:
 
     /// Unless a kind of output has a way of its own, curves are points, and meshes are
     /// Gouraud-shaded triangles.
-    virtual void do_draw_curves(const l3d_path& path, std::uint32_t color);
+    virtual void do_draw_curves(const l3d_path& path, l3d_color color);
     virtual void do_draw_mesh(std::span<const l3d_mesh_patch> patches);
 };
 
@@ -150,24 +150,24 @@ public:
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
     /// Makes every pixel this word; without one, black.
-    void clear_buffer(std::uint32_t color = 0) { imp_.do_clear_buffer(color); }
+    void clear_buffer(l3d_color color = 0) { imp_.do_clear_buffer(color); }
 
     /// Fills whole pixels: those of the box, and no part of others.
-    void draw_box(const l3d_pixel_box& box, std::uint32_t color);
+    void draw_box(const l3d_pixel_box& box, l3d_color color);
 
     /// Sets one pixel, if it lies in the picture.
-    void draw_point(int x, int y, std::uint32_t color) { imp_.do_draw_point(x, y, color); }
+    void draw_point(int x, int y, l3d_color color) { imp_.do_draw_point(x, y, color); }
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
     /// long) lights the pixel nearest to the ideal line. If two are equally near, it lights the
     /// upper or left one. The same pixels in both directions; clipped, exactly those of them that
     /// are in the target.
-    void draw_line(int x0, int y0, int x1, int y1, std::uint32_t color) {
+    void draw_line(int x0, int y0, int x1, int y1, l3d_color color) {
         imp_.do_draw_line(x0, y0, x1, y1, color);
     }
 
     /// Draws many lines with one call across the bridge.
-    void draw_lines(std::span<const l3d_line_2d> lines, std::uint32_t color) {
+    void draw_lines(std::span<const l3d_line_2d> lines, l3d_color color) {
         imp_.do_draw_lines(lines, color);
     }
 
@@ -179,7 +179,7 @@ public:
     /// a1 + 1/2]; v is max(0, 1 - |b - b(a)|). The product is rounded to a multiple of 1/255. The
     /// same pixels in both directions. A pixel word's highest byte stays what it was.
     /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); the ends are ours.
-    void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, std::uint32_t color) {
+    void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, l3d_color color) {
         imp_.do_draw_line_antialiased(from, to, color);
     }
 
@@ -188,7 +188,7 @@ public:
     /// Polygons that share an edge cover each pixel once. A point of a picture whose pixels are
     /// sampled at their centres (as surfaces are) is half a pixel less here in x and y.
     /// Expects: convex, either winding. Fewer than three corners or no area draws nothing.
-    void draw_polygon_flatshaded(l3d_outline_2d corners, std::uint32_t color) {
+    void draw_polygon_flatshaded(l3d_outline_2d corners, l3d_color color) {
         imp_.do_draw_polygon_flatshaded(corners, color);
     }
 
@@ -202,7 +202,7 @@ public:
     }
 
     /// Fills what one outline of any form encloses; see draw_outlines.
-    void draw_polygon_complex(l3d_outline_2d outline, l3d_winding inside, std::uint32_t color) {
+    void draw_polygon_complex(l3d_outline_2d outline, l3d_winding inside, l3d_color color) {
         imp_.do_draw_outlines({&outline, 1}, inside, color);
     }
 
@@ -210,7 +210,7 @@ public:
     /// to what is right of or below it, as with convex polygons, whose pixels are the same here.
     /// One coordinate that is not a number, and nothing is drawn.
     void draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
-                       std::uint32_t color) {
+                       l3d_color color) {
         imp_.do_draw_outlines(outlines, inside, color);
     }
 
@@ -219,7 +219,7 @@ public:
     ///
     /// In a picture without background, what is covered becomes less transparent; with GL, it stays
     /// as transparent as it was.
-    void draw_coverage(const l3d_coverage_2d& shape, std::uint32_t color) {
+    void draw_coverage(const l3d_coverage_2d& shape, l3d_color color) {
         imp_.do_draw_coverage(shape, color);
     }
 
@@ -261,9 +261,7 @@ public:
     /// the curve, and those at the corner of a right angle are left out. The same pixels however
     /// much is outside.
     /// Cost:    some additions for each pixel, by adaptive forward differences.
-    void draw_curves(const l3d_path& path, std::uint32_t color) {
-        imp_.do_draw_curves(path, color);
-    }
+    void draw_curves(const l3d_path& path, l3d_color color) { imp_.do_draw_curves(path, color); }
 
     /// Fills patches with colours between those of their corners, one after another.
     ///
@@ -309,10 +307,10 @@ struct L3D_PUBLIC l3d_clip_region {
 
     /// Draws a line's part inside, between the pixels nearest to its ends.
     void draw_line(l3d_rasterizer_2d& rasterizer, l3d_point_2d from, l3d_point_2d to,
-                   std::uint32_t color) const;
+                   l3d_color color) const;
 
     /// Draws the four sides.
-    void draw_border(l3d_rasterizer_2d& rasterizer, std::uint32_t color) const;
+    void draw_border(l3d_rasterizer_2d& rasterizer, l3d_color color) const;
 };
 
 #endif

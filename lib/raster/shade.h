@@ -4,6 +4,7 @@
 #ifndef L3D_RASTER_SHADE_H
 #define L3D_RASTER_SHADE_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/material.h"
 #include "geom/vector.h"
@@ -127,7 +128,7 @@ struct L3D_PUBLIC l3d_own_shade {
 ///   It is positive where n goes along the direction.
 struct L3D_PUBLIC l3d_inspection {
     /// The direction from which `zebra` and `draft` measure angles. World space, any length but 0.
-    std::array<double, 3> direction{0, 1, 0};
+    l3d_vector<double, 3> direction{0.0, 1.0, 0.0};
 
     /// The number at the scale's end; its negative is at the beginning. 0 chooses one that suits
     /// the scene. Units: 1 / world units squared for `gaussian`, 1 / world units for `mean`,
@@ -153,7 +154,7 @@ L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, do
 /// Units: all in degrees: the angle in the middle, its changes along both sides of the square, the
 ///        width of a stripe.
 /// Expects: a positive stripe; changes of at least 0.
-L3D_PUBLIC std::uint32_t l3d_stripe_color(double angle, double across, double down, double stripe);
+L3D_PUBLIC l3d_color l3d_stripe_color(double angle, double across, double down, double stripe);
 
 /// The colours of a shade's scale, evenly spaced, as l3d_panel::add_scale takes them: from -scale
 /// to scale, or for stripes from 0 to 180 degrees.

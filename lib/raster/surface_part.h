@@ -4,6 +4,7 @@
 #ifndef L3D_RASTER_SURFACE_PART_H
 #define L3D_RASTER_SURFACE_PART_H
 
+#include "base/color.h"
 #include "base/public.h"
 
 #include <algorithm>
@@ -261,7 +262,7 @@ struct L3D_PUBLIC l3d_surface_part {
     /// Bit 4 * row + column is set for a block of the grid that need not be drawn.
     unsigned unseen = 0;
     /// The colour of everything in it in mode `error`, as a pixel word.
-    std::uint32_t error_color = 0;
+    l3d_color error_color = 0;
     /// Index of l3d_surface_rasterizer::use_materials, of all but triangles that have their own.
     std::uint32_t material = 0;
     /// Whether each quad of the grid has a material of its own: `material` and the index of its

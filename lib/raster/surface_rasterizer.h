@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SURFACE_RASTERIZER_H
 #define L3D_RASTER_SURFACE_RASTERIZER_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/material.h"
 #include "raster/background.h"
@@ -55,7 +56,7 @@ struct L3D_PUBLIC l3d_shading {
 
     /// A pixel word as it looks behind the fog, whose colour in the pixel's row is given.
     /// Expects: fog that is on; a depth > 0.
-    std::uint32_t fogged(std::uint32_t word, std::uint32_t fog_color, float depth) const {
+    std::uint32_t fogged(std::uint32_t word, l3d_color fog_color, float depth) const {
         return l3d_fog::word(word, fog_color, fog.amount(distance(depth)));
     }
 

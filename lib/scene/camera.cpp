@@ -14,9 +14,9 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// `v` turned about an axis through the origin. Units: radians.
-vector turned(const vector& v, const vector& axis, double angle) {
-    const auto m = l3d_rotation<double>(axis, angle);
+/// `v` turned about an axis through the origin. Units: degrees.
+vector turned(const vector& v, const vector& axis, double degrees) {
+    const auto m = l3d_rotation<double>(axis, degrees);
     const auto r = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
     return {r[0], r[1], r[2]};
 }
@@ -67,8 +67,8 @@ std::string l3d_camera::complaint() const {
         return "camera: up " + text_of(up) + " is zero, not finite or along the line of sight";
     if (!(fov > 0 && fov < 180))
         return "camera: fov " + text_of(fov) + " is not between 0 and 180 degrees";
-    if (!(near >= l3d_least_distance && near < far && std::isfinite(far)))
-        return "camera: near " + text_of(near) + " and far " + text_of(far) +
+    if (!(near_z >= l3d_least_distance && near_z < far_z && std::isfinite(far_z)))
+        return "camera: near " + text_of(near_z) + " and far " + text_of(far_z) +
                " are not 1e-32 <= near < far, finite";
     return "";
 }

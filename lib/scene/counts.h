@@ -83,7 +83,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
     std::int64_t failures = 0;    ///< pixels left out as an iteration did not converge
-    double near = 0;              ///< nearest w drawn, if it is not the view's near
+    double near_z = 0;            ///< nearest w drawn, if it is not the view's near
     double bound_px = 0;          ///< certified image error of all that was drawn
     std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
     std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
@@ -121,7 +121,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         coarse += other.coarse;
         unfinished += other.unfinished;
         coarsest = std::max(coarsest, other.coarsest);
-        near = std::max(near, other.near);
+        near_z = std::max(near_z, other.near_z);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         normal_off = std::max(normal_off, other.normal_off);

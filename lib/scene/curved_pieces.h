@@ -5,7 +5,7 @@
 
 #include "geom/bezier_patch.h"
 #include "geom/files/patch_file.h"
-#include "scene/laid_picture.h"
+#include "scene/patch_scene.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -22,7 +22,7 @@ class flattener {
 public:
     flattener(const l3d_camera& camera, l3d_size size, double width, double tolerance,
               const depth_law& law)
-        : near_(camera.near), far_(camera.far), law_(law), centre_x_(size.width / 2.0),
+        : near_(camera.near_z), far_(camera.far_z), law_(law), centre_x_(size.width / 2.0),
           centre_y_(size.height / 2.0),
           margin_(width / 2 + 1), // beyond the reach of smooth edges, width / 2 + 1 / 2
           tolerance_(tolerance) {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // l3d_framed: four planes through the eye that touch the model.
-#include "scene/framing.h"
+#include "scene/camera.h"
+
+#include "scene/patch_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -195,7 +197,7 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
         result.eye = result.target + arm * (part * (1 - 0x1p-40));
     // Depth is kept as 1 / distance in floats, which are as exact near the eye as far from it.
     const double near = std::min(1e-3 * (target - eye), 0.5 * (nearest - eye));
-    result.near = std::clamp(near, l3d_least_distance, camera.near);
+    result.near_z = std::clamp(near, l3d_least_distance, camera.near_z);
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
@@ -258,7 +260,7 @@ bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& re
            whole.along.holds(l3d_dot(camera.eye, axes.up), depth) && part.deepest() <= depth &&
            !is_aside(axes.right, axes, camera, whole.across.slope, reach) &&
            !is_aside(axes.up, axes, camera, whole.along.slope, reach) &&
-           depths(axes.forward, reach).nearest > depth + camera.near;
+           depths(axes.forward, reach).nearest > depth + camera.near_z;
 }
 
 l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach) {
@@ -300,9 +302,9 @@ std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size, const l3d_re
         return "without any surface";
     if (!is_parallel && depth.farthest < eye)
         return "behind the eye";
-    if (!is_parallel && depth.farthest < eye + camera.near)
+    if (!is_parallel && depth.farthest < eye + camera.near_z)
         return "nearer than the near plane";
-    if (!is_parallel && depth.nearest > eye + camera.far)
+    if (!is_parallel && depth.nearest > eye + camera.far_z)
         return "beyond the far plane";
     const double distance = l3d_length(camera.target - camera.eye);
     const auto seen = [&](const vector& side, int pixels) {

@@ -45,7 +45,7 @@ double farthest_from(const l3d_camera::vector& place, const l3d_patch_scene& sce
 
 l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size,
                                          const l3d_patch_scene& scene)
-    : size_(size), near_(camera.near), far_(camera.far) {
+    : size_(size), near_(camera.near_z), far_(camera.far_z) {
     for (int i = 0; i < 3; ++i)
         eye_terms_ += std::abs(camera.eye[i]);
     terms_ = steady_bound(scene.reach() + eye_terms_);

@@ -68,9 +68,8 @@ void l3d_inspected_scene::begin(const l3d_camera& camera, const l3d_dice_view& v
     patches_.centre_x = size.width / 2.0;
     patches_.centre_y = size.height / 2.0;
     const auto& light = shading.light;
-    const auto& direction = shading.inspection.direction;
     patches_.light = along(axes, {double{light[0]}, double{light[1]}, double{light[2]}});
-    patches_.direction = along(axes, {direction[0], direction[1], direction[2]});
+    patches_.direction = along(axes, shading.inspection.direction);
     patches_.nets.clear();
     patches_.materials.clear();
     patches_.axes = axes;

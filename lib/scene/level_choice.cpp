@@ -62,7 +62,7 @@ struct seen_instance {
         most_w = at + reach;
         focal = std::hypot(view.camera.focal_length(view.size), view.size.width / 2.0,
                            view.size.height / 2.0);
-        near = view.camera.near;
+        near = view.camera.near_z;
     }
 
     /// How many pixels a place in front of the near plane may be off that is off by `error` in the

@@ -5,7 +5,7 @@
 #include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "base/error.h"
-#include "geom/height_field.h"
+#include "geom/files/patch_file.h"
 #include "tool_2d/png_levels_p.h"
 #include "tool_2d/text_file.h"
 

@@ -2,8 +2,6 @@
 // l3d_patch_model: bounds and normal nets, once per model.
 #include "scene/patch_model.h"
 
-#include "scene/laid_picture.h"
-
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "geom/bicubic_approximation.h"

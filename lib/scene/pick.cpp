@@ -148,8 +148,8 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
         return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
     };
     const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
-    const double near = is_parallel ? -infinite : view.camera.near;
-    const double far = is_parallel ? infinite : view.camera.far;
+    const double near = is_parallel ? -infinite : view.camera.near_z;
+    const double far = is_parallel ? infinite : view.camera.far_z;
     l3d_ray_search search(
         near, far, [&](const l3d_ray_hit& hit) { return !view.one_sided || shows_front(hit); });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_SPACE_CURVE_H
 #define L3D_SCENE_SPACE_CURVE_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/matrix.h"
 #include "geom/nurbs_surface.h"
@@ -23,7 +24,7 @@ public:
     /// A line along this curve, at its own place. Units: a pixel word, 0x00RRGGBB; pixels, whatever
     /// the distance.
     /// Errors: throws l3d_error(bad_input) if the width is not above 0 and at most most_width.
-    explicit l3d_space_curve(const l3d_nurbs_curve& curve, std::uint32_t color = 0x00ffffff,
+    explicit l3d_space_curve(const l3d_nurbs_curve& curve, l3d_color color = 0x00ffffff,
                              double width = 1);
 
     /// The same line elsewhere: the placement takes the curve's points to the world.
@@ -32,7 +33,7 @@ public:
     l3d_space_curve placed(const l3d_matrix<double>& placement) const;
 
     /// The colour, 0x00RRGGBB.
-    std::uint32_t color() const { return color_; }
+    l3d_color color() const { return color_; }
     /// The width in pixels.
     double width() const { return width_; }
     /// From the curve's space to the world.

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
-#include "geom/files/surface_file.h"
+#include "geom/files/model_file.h"
 #include "system/reason_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"

@@ -10,7 +10,7 @@
 #include "system/program.h"
 #include "system/frame_writer.h"
 #include "raster/depth_buffer.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "tool_2d/image.h"
 
 #include <cmath>

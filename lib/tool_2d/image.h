@@ -31,6 +31,9 @@ class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
 
+    /// A black image with rows as long as they are wide. Expects, Errors: likewise.
+    explicit l3d_image(l3d_size size) : l3d_image(size, size.width) {}
+
     /// A black image with rows of `stride` words.
     /// Expects: width and height not negative, stride >= width.
     /// Errors:  std::bad_alloc.

@@ -116,7 +116,7 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     const auto* rgb = bytes.data();
     for (int y = 0; y < image.pixels().height; ++y) {
         for (auto& word : image.pixels().row(y)) {
-            word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
+            word = l3d_rgb(rgb[0], rgb[1], rgb[2]);
             if (with_alpha)
                 word |= static_cast<std::uint32_t>(rgb[rgb_bytes] ^ 0xff) << 24;
             rgb += rgb_bytes + (with_alpha ? 1 : 0);
@@ -153,7 +153,7 @@ l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int
     if (text.size() < at + 1 + ppm_bytes(size))
         refuse("the file ends after " + std::to_string(text.size()) + " of " +
                std::to_string(at + 1 + ppm_bytes(size)) + " bytes");
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     const char* rgb = text.data() + at + 1;
     for (int y = 0; y < size.height; ++y)
         for (auto& word : image.pixels().row(y)) {
@@ -161,7 +161,7 @@ l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int
                 const int value = std::min<int>(static_cast<unsigned char>(rgb[i]), *most);
                 return (255 * value + *most / 2) / *most;
             };
-            word = l3d_screen_info::ext_to_native(level(0), level(1), level(2));
+            word = l3d_rgb(level(0), level(1), level(2));
             rgb += rgb_bytes;
         }
     return image;

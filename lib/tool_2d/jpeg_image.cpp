@@ -103,7 +103,7 @@ l3d_image decoded_jpeg(const std::string& bytes, const std::string& path,
         must(reader.read_row(row.data()));
         const std::uint8_t* rgb = row.data();
         for (auto& word : image.pixels().row(y)) {
-            word = l3d_screen_info::ext_to_native(rgb[0], rgb[1], rgb[2]);
+            word = l3d_rgb(rgb[0], rgb[1], rgb[2]);
             rgb += rgb_bytes;
         }
     }

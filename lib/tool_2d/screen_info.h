@@ -3,6 +3,7 @@
 #ifndef L3D_TOOL_2D_SCREEN_INFO_H
 #define L3D_TOOL_2D_SCREEN_INFO_H
 
+#include "base/color.h"
 #include "base/public.h"
 
 #include <algorithm>
@@ -111,12 +112,6 @@ public:
     /// One phrase: the layout, and the palette if there is one.
     std::string describe() const;
 
-    /// The word that goes into l3d_pixels, 0x00RRGGBB.
-    /// Units:   channels 0..255; others are clamped.
-    static std::uint32_t ext_to_native(int red, int green, int blue) {
-        return channel_byte(red) << 16 | channel_byte(green) << 8 | channel_byte(blue);
-    }
-
     /// A word's colour in less light: black at intensity 0, itself at 255; each channel times
     /// intensity / 255, to nearest.
     ///
@@ -167,9 +162,6 @@ public:
 private:
     using table = std::array<std::uint32_t, 256>;
 
-    static std::uint32_t channel_byte(int value) {
-        return static_cast<std::uint32_t>(std::clamp(value, 0, 255));
-    }
     std::uint32_t sum_of_tables(std::uint32_t word) const {
         return red_parts_[word >> 16 & 255] + green_parts_[word >> 8 & 255] +
                blue_parts_[word & 255];

@@ -79,7 +79,7 @@ double latency(bool shared) {
     const auto timer = image_timer::open(size, shared);
     if (!timer)
         return 0;
-    l3d_image picture(size, size.width);
+    l3d_image picture(size);
     std::vector<double> times;
     for (int i = 0; i < 60; ++i) {
         const auto start = steady_clock::now();

@@ -51,8 +51,8 @@ l3d_camera camera() {
     result.eye = {30, -480, 150};
     result.target = {0, 0, -40};
     result.up = {0, 0, 1};
-    result.near = near;
-    result.far = far;
+    result.near_z = near;
+    result.far_z = far;
     return result;
 }
 
@@ -99,7 +99,7 @@ void write_picture(const char* file) {
     const auto lake = drawn([](double, double) { return 0.0; }, {});
     constexpr int gap = 4;
     const l3d_size size{2 * half.width + gap, half.height};
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     long wrong = 0;
     for (int y = 0; y < half.height; ++y)
         for (int x = 0; x < half.width; ++x) {

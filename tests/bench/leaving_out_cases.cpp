@@ -44,7 +44,7 @@ public:
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
     l3d_matrix<double> turn() {
-        return l3d_rotation<double>({between(-1, 1), between(-1, 1), 1.0}, between(-3, 3));
+        return l3d_rotation<double>({between(-1, 1), between(-1, 1), 1.0}, between(-172, 172));
     }
     /// Anywhere in the picture.
     vector place(double nearest, double farthest) {

@@ -3,7 +3,7 @@
 #include "bench/mesa_textured_peer.h"
 
 #include "geom/normal_net.h"
-#include "scene/laid_picture.h"
+#include "scene/patch_scene.h"
 
 #include <algorithm>
 #include <cstring>

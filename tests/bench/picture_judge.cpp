@@ -24,7 +24,7 @@ reference::exact_image exact_of(const l3d_patch_model& model, const l3d_camera& 
         std::ranges::transform(p.points, points.begin(), vec3_of);
     }
     const reference::camera view{vec3_of(camera.eye), vec3_of(camera.target), vec3_of(camera.up),
-                                 camera.fov, camera.near};
+                                 camera.fov, camera.near_z};
     return {patches, view, {size.width, size.height}};
 }
 

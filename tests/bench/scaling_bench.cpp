@@ -75,7 +75,7 @@ cost measured(const l3d_patch_scene& scene, l3d_size size, double tolerance, int
 
 l3d_matrix<double> random_turn(std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(-1, 1);
-    return l3d_rotation<double>({unit(random), unit(random), 1.0}, 3 * unit(random));
+    return l3d_rotation<double>({unit(random), unit(random), 1.0}, 172 * unit(random));
 }
 
 /// Uniformly within a ball around the eye, or in that part of it which the picture shows.

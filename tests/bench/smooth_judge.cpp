@@ -25,7 +25,7 @@ struct exact_scene {
 
     exact_scene(const l3d_patch_model& model, const l3d_camera& camera)
         : view{vec3_of(camera.eye), vec3_of(camera.target), vec3_of(camera.up), camera.fov,
-               camera.near},
+               camera.near_z},
           light(vec3_of(l3d_afd_settings().light)) {
         for (const auto& p : model.patches()) {
             auto& points = patches.emplace_back().points;

@@ -36,7 +36,7 @@ public:
 
     /// The far plane is elsewhere, behind all that there is: the same picture has to be drawn
     /// whole.
-    void forget_picture() { camera().far = std::nextafter(camera().far, 0.0); }
+    void forget_picture() { camera().far_z = std::nextafter(camera().far_z, 0.0); }
 };
 
 /// Median of the processor's milliseconds that draw_event takes after `change(frame)`.
@@ -74,7 +74,7 @@ l3d_patch_scene crowd(const l3d_patch_model& model, const l3d_camera& camera, in
         const auto p = camera.eye + axes.forward * w + axes.right * (0.43 * w * unit(random)) +
                        axes.up * (0.33 * w * unit(random));
         scene.add(model, l3d_translation<double>(p[0], p[1], p[2]) *
-                             l3d_rotation<double>({unit(random), unit(random), 1.0}, 3));
+                             l3d_rotation<double>({unit(random), unit(random), 1.0}, 172));
     }
     return scene;
 }

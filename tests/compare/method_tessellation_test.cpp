@@ -38,7 +38,7 @@ l3d_diced_piece drawn_triangles(const scene& s, std::size_t patch, const l3d_dic
     l3d_workers worker(1);
     l3d_polygon_frame frame;
     l3d_camera camera = s.camera;
-    camera.near = view.near / view.depth_scale;
+    camera.near_z = view.near / view.depth_scale;
     frame.make(model, {camera, s.size, l3d_identity<double>()}, {.cull = false, .smooth = true},
                worker);
     for (const l3d_surface_part* part : frame.parts())

@@ -184,7 +184,7 @@ TYPED_TEST(patch_dicer, nothing_is_drawn_beyond_the_far_plane) {
     scene s = teapot(reference::project_view("full"), odd);
     picture all(odd), cut(odd), none(odd);
     dice<TypeParam>(s, 0.25, all);
-    s.camera.far = 8.3;
+    s.camera.far_z = 8.3;
     const l3d_dice_counts counts = dice<TypeParam>(s, 0.25, cut);
     EXPECT_GT(counts.beyond, 0);
     EXPECT_GT(counts.clipped, 0);
@@ -202,7 +202,7 @@ TYPED_TEST(patch_dicer, nothing_is_drawn_beyond_the_far_plane) {
         }
     EXPECT_GT(near, 1000);
     EXPECT_GT(far, 1000);
-    s.camera.far = 4;
+    s.camera.far_z = 4;
     EXPECT_EQ(dice<TypeParam>(s, 0.25, none).beyond, 28);
     EXPECT_EQ(none.uncovered(), 317 * 241);
 }

@@ -19,7 +19,7 @@ l3d_camera camera_of(const reference::camera& view) {
     result.target = vector_of(view.target);
     result.up = vector_of(view.up);
     result.fov = view.fov_degrees;
-    result.near = view.near;
+    result.near_z = view.near;
     if (view.parallel)
         result.projection = l3d_projection::parallel;
     return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Height fields: patches through all heights that join without a gap or a crease, and their files.
-#include "geom/height_field.h"
+#include "geom/files/patch_file.h"
 #include "geom/files/model_file.h"
 
 #include "base/error.h"

@@ -3,7 +3,6 @@
 #include "geom/polygon_2d.h"
 
 #include "geom/random.h"
-#include "geom/coordinate.h"
 
 #include <algorithm>
 #include <cmath>

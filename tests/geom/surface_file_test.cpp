@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // NURBS surfaces as .obj text: the same numbers come back, and the same patches as by l3d_read_obj.
-#include "geom/files/surface_file.h"
 
 #include "geom/files/model_file.h"
 #include "geom/nurbs_surface.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <type_traits>
 
 namespace {
@@ -128,15 +129,14 @@ TYPED_TEST(book_transform, full_4x4_products) {
 TYPED_TEST(book_transform, arbitrary_axis) {
     using T = TypeParam;
     for (const double degrees : {-123.4, 17.0, 90.0, 110.3, 215.0, 301.5}) {
-        const double radians = degrees * std::numbers::pi / 180;
         EXPECT_LT(
-            largest_difference(l3d_rotation<T>({1, 0, 0}, radians), l3d_rotation_x<T>(degrees)),
+            largest_difference(l3d_rotation<T>({1, 0, 0}, degrees), l3d_rotation_x<T>(degrees)),
             1e-6);
         EXPECT_LT(
-            largest_difference(l3d_rotation<T>({0, 1, 0}, radians), l3d_rotation_y<T>(degrees)),
+            largest_difference(l3d_rotation<T>({0, 1, 0}, degrees), l3d_rotation_y<T>(degrees)),
             1e-6);
         EXPECT_LT(
-            largest_difference(l3d_rotation<T>({0, 0, 1}, radians), l3d_rotation_z<T>(degrees)),
+            largest_difference(l3d_rotation<T>({0, 0, 1}, degrees), l3d_rotation_z<T>(degrees)),
             1e-6);
     }
     std::mt19937 random(7);
@@ -155,14 +155,14 @@ TYPED_TEST(book_transform, inverse_transpose_determinant) {
     const auto number = [&random] { return static_cast<double>(random()) / 0x1p31 - 1; };
     for (int i = 0; i < 1000; ++i) {
         const auto m = l3d_translation<T>(9 * number(), 7 * number(), 8 * number()) *
-                       l3d_rotation<T>({number(), 1.25, number()}, 4 * number()) *
+                       l3d_rotation<T>({number(), 1.25, number()}, 229 * number()) *
                        l3d_scaling<T>(1.5 + number(), 1.25 - number(), -0.5 + number() / 4);
         const auto inverse = l3d_inverted(m);
         ASSERT_TRUE(inverse.has_value());
         EXPECT_LT(largest_difference(m * *inverse, l3d_identity<T>()), 1e-5);
         EXPECT_LT(largest_difference(*inverse * m, l3d_identity<T>()), 1e-4);
     }
-    const auto turn = l3d_rotation<T>({1, -2, 3}, 0.7);
+    const auto turn = l3d_rotation<T>({1, -2, 3}, 40);
     EXPECT_LT(largest_difference(l3d_transposed(turn), *l3d_inverted(turn)), 1e-6);
     EXPECT_NEAR(l3d_determinant(turn), 1, 1e-6);
     EXPECT_NEAR(l3d_determinant(turn * l3d_scaling<T>(2, -3, 4)), -24, 1e-5);
@@ -186,7 +186,7 @@ TYPED_TEST(book_transform, rotate_and_scale_about_a_point) {
     using T = TypeParam;
     const l3d_point<double> centre(3, -2, 7);
     const auto c = l3d_point<T>::of(3, -2, 7);
-    const auto turn = l3d_about(centre, l3d_rotation<T>({1, 2, -1}, 1.1));
+    const auto turn = l3d_about(centre, l3d_rotation<T>({1, 2, -1}, 63));
     const auto grow = l3d_about(centre, l3d_scaling<T>(2, 3, 0.5));
     expect_near(l3d_transformed(turn, c), 3, -2, 7, 2e-6); // float: 4 ulp of 7
     expect_near(l3d_transformed(grow, c), 3, -2, 7, 1e-6);
@@ -199,9 +199,9 @@ TYPED_TEST(book_transform, rotate_and_scale_about_a_point) {
 TYPED_TEST(book_transform, coordinate_change) {
     using T = TypeParam;
     // Two systems, in neither of which the other is simple.
-    const auto c = l3d_translation<T>(5, -3, 2) * l3d_rotation<T>({1, 1, 3}, 0.8);
+    const auto c = l3d_translation<T>(5, -3, 2) * l3d_rotation<T>({1, 1, 3}, 46);
     const auto d =
-        l3d_translation<T>(-1, 4, 6) * l3d_rotation<T>({2, -1, 1}, -1.9) * l3d_scaling<T>(2, 2, 2);
+        l3d_translation<T>(-1, 4, 6) * l3d_rotation<T>({2, -1, 1}, -109) * l3d_scaling<T>(2, 2, 2);
     const auto change = l3d_coordinate_change(c, d);
     ASSERT_TRUE(change.has_value());
     const auto p = l3d_point<T>::of(0.5, 2, -3);
@@ -248,6 +248,13 @@ TYPED_TEST(book_transform, axes_are_made_orthonormal_again) {
         }
     EXPECT_EQ(better->column(3), m.column(3));
     EXPECT_FALSE(l3d_orthonormalized(l3d_scaling<T>(1, 0, 1)).has_value());
+}
+
+TYPED_TEST(book_transform, vectors_and_points_are_written_as_their_numbers) {
+    using T = TypeParam;
+    std::ostringstream text;
+    text << vec<T>(1, -2.5, 3) << l3d_point<T>::of(0, 0.25, -4) << glm::ivec2(7, 8) << '.';
+    EXPECT_EQ(text.str(), "(1, -2.5, 3)(0, 0.25, -4)(7, 8).");
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Handles of control points: found under a place, moved by a pointer, undone, and seen.
-#include "pipeline/control_handles.h"
 
 #include "geom/nurbs_surface.h"
 #include "pipeline/pipeline_afd_editor.h"
@@ -99,7 +98,7 @@ TEST(control_handles, reach_as_far_as_the_farthest) {
 
 TEST(control_handles, nothing_is_found_before_the_near_plane) {
     l3d_handle_view near = view();
-    near.camera.near = 100;
+    near.camera.near_z = 100;
     const auto [x, y] = seen({0, 0, 0});
     EXPECT_FALSE(l3d_control_handles(two_sheets()).find(x, y, near));
 }

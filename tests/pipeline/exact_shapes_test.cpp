@@ -171,7 +171,7 @@ l3d_camera random_camera(const std::string& shape, double zoom, bool is_near,
     camera.eye =
         target +
         (away + l3d_vector<double, 3>{any(random), any(random), any(random)} * 0.3) * distance;
-    camera.near = distance / 100;
+    camera.near_z = distance / 100;
     if (!is_near && zoom > 1)
         camera.fov = camera.fov / zoom;
     return camera;
@@ -228,7 +228,7 @@ void judge(const std::string& shape, const view& v, l3d_pipeline_afd& pipeline, 
             ++sum.judged;
             const real inv_w =
                 static_cast<real>(pipeline.depth().row(y)[static_cast<std::size_t>(x)]);
-            if (hit > 0 && hit < static_cast<real>(v.camera.near))
+            if (hit > 0 && hit < static_cast<real>(v.camera.near_z))
                 continue;
             sum.holes += (inv_w > 0) != (hit > 0);
             if (!(inv_w > 0) || !(hit > 0))
@@ -386,7 +386,7 @@ TEST(curved_seams, of_closed_surfaces_seen_from_inside_leave_no_pixel_uncovered)
             camera.eye = middle_of(ring, part);
             camera.target = middle_of(ring, part + 0.05);
             camera.fov = 80;
-            camera.near = 0.05;
+            camera.near_z = 0.05;
             l3d_afd_settings settings = hard_edged();
             settings.depth = true;
             settings.threads = 1;

@@ -37,7 +37,7 @@ TEST(far_point_picture, is_the_same_beside_what_is_not_seen) {
         const picture beside = teapot_beside({strip_to(x)});
         EXPECT_EQ(beside.words, alone.words) << x;
         EXPECT_NEAR(beside.report.dice.bound_px, alone.report.dice.bound_px, 1e-9) << x;
-        EXPECT_EQ(beside.report.near, alone.report.near) << x;
+        EXPECT_EQ(beside.report.near_z, alone.report.near_z) << x;
         EXPECT_EQ(beside.report.outline_pixels, alone.report.outline_pixels) << x;
         EXPECT_TRUE(beside.outlines == alone.outlines) << x;
     }
@@ -56,10 +56,10 @@ TEST(far_point_picture, near_is_pushed_away_only_where_something_is_cut_off) {
                                          size.height * 0.9, along);
     }
     const picture cut = teapot_beside({wide});
-    EXPECT_GT(cut.report.near, 2 * alone.report.near);
+    EXPECT_GT(cut.report.near_z, 2 * alone.report.near_z);
     for (reference::vec3& point : wide.points)
         point = frame.unproject(3, 3, 1e12);
-    EXPECT_EQ(teapot_beside({wide}).report.near, alone.report.near);
+    EXPECT_EQ(teapot_beside({wide}).report.near_z, alone.report.near_z);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ using picture = std::vector<std::uint32_t>;
 l3d_afd_settings with_fog(std::optional<std::uint32_t> color = 0x4060a0) {
     l3d_afd_settings settings = hard_edged();
     settings.background = l3d_background::gradient();
-    settings.fog = {.near = 6.5F, .far = 10, .color = color};
+    settings.fog = {.from = 6.5F, .to = 10, .color = color};
     return settings;
 }
 
@@ -120,7 +120,7 @@ TEST(fog, smooth_edges_mix_what_is_fogged_each_by_its_depth) {
         l3d_patch_scene scene(teapot_model());
         scene.paint(0, material);
         l3d_afd_settings settings = with_fog(0xffffff);
-        settings.fog.far = 9; // the far rim is white before the near one
+        settings.fog.to = 9; // the far rim is white before the near one
         const double fogged = off_the_mean(scene, settings);
         settings.fog = {};
         const double clear = off_the_mean(scene, settings);
@@ -135,7 +135,7 @@ TEST(fog, leaves_the_bits_of_a_whole_picture_where_parts_are_drawn) {
             studio s(seed);
             s.settings.antialias = antialias;
             s.settings.shade = l3d_shade::lambert;
-            s.settings.fog = {.near = 1, .far = 12, .color = {}};
+            s.settings.fog = {.from = 1, .to = 12, .color = {}};
             s.settings.background = l3d_background::gradient();
             tester program(s.scene, s.camera, s.settings);
             program.draw_event();
@@ -177,8 +177,8 @@ TEST(fog, that_makes_no_sense_is_refused) {
     EXPECT_NE(l3d_afd_complaint(before_the_teapot(), size, settings), "");
     for (const auto& [near, far] : {std::pair(3.0F, 2.0F), {-1.0F, 2.0F}, {0.0F, HUGE_VALF}}) {
         settings = with_fog();
-        settings.fog.near = near;
-        settings.fog.far = far;
+        settings.fog.from = near;
+        settings.fog.to = far;
         EXPECT_NE(l3d_afd_complaint(before_the_teapot(), size, settings), "") << near << ' ' << far;
     }
     settings = with_fog();

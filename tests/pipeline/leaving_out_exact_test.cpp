@@ -139,7 +139,7 @@ l3d_matrix<double> random_placement(random_numbers& random) {
     l3d_matrix<double> m = l3d_translation<double>(random.between(-9, 9), random.between(-9, 9),
                                                    random.between(-9, 9));
     m = m * l3d_rotation<double>({random.between(-1, 1), random.between(-1, 1), 1.2},
-                                 random.between(-3, 3));
+                                 random.between(-172, 172));
     for (int k = 0; k < 3; ++k) {
         const double scale = random.between(0.5, 2) * (random.below(2) == 0 ? 1 : -1);
         for (int row = 0; row < 3; ++row)
@@ -237,7 +237,7 @@ scene tiny_patches(random_numbers& random, int bodies) {
             frame.unproject(random.between(0, size.width), random.between(0, size.height), w);
         const auto place =
             l3d_translation<double>(at.x, at.y, at.z) *
-            l3d_rotation<double>({random.between(-1, 1), 1.0, 0.3}, random.between(-3, 3));
+            l3d_rotation<double>({random.between(-1, 1), 1.0, 0.3}, random.between(-172, 172));
         const auto kind = static_cast<body_kind>(random.below(4));
         for (const reference::patch& p :
              dice_tests::placed(dice_tests::random_body(random, kind), place))

@@ -63,7 +63,7 @@ l3d_matrix<double> placed_at_random(std::mt19937_64& random) {
     const double far = unit(random);
     l3d_matrix<double> m =
         l3d_translation<double>(8 * unit(random), 5 * unit(random), 4 - 30 * far * far);
-    m = m * l3d_rotation<double>({unit(random), unit(random), 1.5}, 3 * unit(random));
+    m = m * l3d_rotation<double>({unit(random), unit(random), 1.5}, 172 * unit(random));
     for (int k = 0; k < 3; ++k)
         for (int row = 0; row < 3; ++row)
             m(row, k) *= 0.8 + 0.4 * unit(random);

@@ -24,7 +24,7 @@ namespace {
 using vector = l3d_vector<double, 3>;
 
 constexpr l3d_size size{131, 97};
-constexpr l3d_fog fog{.near = 3.5F, .far = 6, .color = 0x904010};
+constexpr l3d_fog fog{.from = 3.5F, .to = 6, .color = 0x904010};
 const vector corner{-1.3, -0.9, -1.2}, along_u{2.4, 0.2, 2.6}, along_v{-0.3, 1.8, -0.9};
 
 l3d_camera before_the_plane() {
@@ -69,7 +69,7 @@ void expect_each_pixel_faded(const picture& clear, const picture& faded, l3d_pro
             }
             const auto share = [&](double column, double row) {
                 const double distance = distance_at(view, column, row);
-                return (distance - double{fog.near}) / (double{fog.far} - double{fog.near});
+                return (distance - double{fog.from}) / (double{fog.to} - double{fog.from});
             };
             const double exact = share(x + 0.5, y + 0.5);
             const double slope = std::abs(share(x + 1.5, y + 0.5) - exact) +

@@ -37,7 +37,7 @@ l3d_afd_settings two_lights() {
     l3d_afd_settings settings = hard_edged();
     settings.light = {0.4, 0.8, 0.45};
     settings.lighting.color = {0.8F, 0.9F, 0.6F};
-    settings.lighting.add(-1, 0.3, 0.6, {0.3F, 0.1F, 0.9F});
+    settings.lighting.add({-1, 0.3, 0.6}, {0.3F, 0.1F, 0.9F});
     return settings;
 }
 

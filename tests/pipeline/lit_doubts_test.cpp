@@ -139,7 +139,7 @@ l3d_material shining(int sharpness) {
 l3d_lighting two_lights() {
     l3d_lighting lighting;
     lighting.color = {0.8F, 0.9F, 0.6F};
-    lighting.add(-1, 0.3, 0.6, {0.3F, 0.1F, 0.9F});
+    lighting.add({-1, 0.3, 0.6}, {0.3F, 0.1F, 0.9F});
     return lighting;
 }
 
@@ -239,13 +239,13 @@ TEST(lit_doubts, hold_for_fog) {
     const double eye = std::hypot(s.eye.eye.x - s.eye.target.x, s.eye.eye.y - s.eye.target.y,
                                   s.eye.eye.z - s.eye.target.z);
     l3d_afd_settings settings = hard_edged();
-    settings.fog = {.near = static_cast<float>(eye - 1.5),
-                    .far = static_cast<float>(eye + 2),
+    settings.fog = {.from = static_cast<float>(eye - 1.5),
+                    .to = static_cast<float>(eye + 2),
                     .color = 0x90c0ff};
     for (const l3d_material& material : {l3d_material(), shining(20)}) {
         reference::lamp_light light = lamps_of({}, material, red);
-        light.fog_near = double{settings.fog.near};
-        light.fog_far = double{settings.fog.far};
+        light.fog_near = double{settings.fog.from};
+        light.fog_far = double{settings.fog.to};
         light.fog_level = 0x90;
         const reference::box_image exact(s.patches, s.eye, s.picture(), reference::project_light,
                                          {.lamps = light});

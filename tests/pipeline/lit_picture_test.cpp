@@ -27,7 +27,7 @@ constexpr l3d_material shining{.color = 0x803020, .highlight = 0xffffff, .sharpn
 
 l3d_lighting two_lights() {
     l3d_lighting lighting;
-    lighting.add(-1, 0.3, 0.2, {0, 0, 0.8F});
+    lighting.add({-1, 0.3, 0.2}, {0, 0, 0.8F});
     return lighting;
 }
 

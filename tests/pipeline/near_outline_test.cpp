@@ -20,7 +20,7 @@ int far_off(const std::vector<reference::patch>& patches, const reference::camer
             double tolerance, l3d_size picture, int levels, double far = 1e16) {
     const auto greys = [&](l3d_size size, bool smooth) {
         dice_tests::scene scene(patches, view, size);
-        scene.camera.far = far;
+        scene.camera.far_z = far;
         l3d_afd_settings settings = hard_edged();
         settings.threads = 1;
         settings.tolerance = tolerance;

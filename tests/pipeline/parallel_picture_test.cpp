@@ -172,7 +172,7 @@ TEST(parallel_picture, fades_into_fog_by_the_distance) {
     l3d_afd_settings settings = with_depth();
     tester clear(s.model, s.camera, settings);
     clear.draw_event();
-    settings.fog = {.near = 6.5F, .far = 10, .color = 0x4060a0};
+    settings.fog = {.from = 6.5F, .to = 10, .color = 0x4060a0};
     tester fogged(s.model, s.camera, settings);
     fogged.draw_event();
     const std::vector<float> distances = fogged.distances();

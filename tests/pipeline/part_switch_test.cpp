@@ -4,7 +4,7 @@
 #include "still_studio.h"
 
 #include "pipeline/pipeline_afd_viewer.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 #include "scene/patch_scene.h"
 
 #include <gtest/gtest.h>

@@ -28,7 +28,6 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
@@ -58,7 +57,7 @@ public:
 
     /// Draws the same picture again, whole: the far plane is elsewhere, behind all that there is.
     void draw_again() {
-        camera().far = std::nextafter(camera().far, 0.0);
+        camera().far_z = std::nextafter(camera().far_z, 0.0);
         draw_event();
     }
 
@@ -95,7 +94,7 @@ struct crowd {
         }
         camera = teapot.camera;
         camera.eye = {13.1, 15.3, 47.9};
-        camera.far = 1e4;
+        camera.far_z = 1e4;
     }
     crowd(const crowd&) = delete;
     crowd& operator=(const crowd&) = delete;
@@ -265,7 +264,7 @@ TEST(pipeline_afd, takes_another_method_between_frames) {
 
 /// Frames follow each other as in a program: the eye goes round, things come and go.
 void change(tester& program, int frame) {
-    program.camera().orbit(frame % 5 == 4 ? 1.5 : 0.1, frame % 7 == 6 ? 0.3 : 0);
+    program.camera().orbit(frame % 5 == 4 ? 86 : 6, frame % 7 == 6 ? 17 : 0);
     program.has_text = frame % 6 == 2;
     l3d_afd_settings& settings = program.settings();
     settings.wireframe = frame % 11 == 5;
@@ -406,7 +405,7 @@ TEST(pipeline_afd, allocates_nothing_on_its_second_turn_round_the_model) {
                 before = allocations;
                 for (int stop = 0; stop < stops; ++stop) {
                     program.camera() = start; // or rounding makes the turns differ
-                    program.camera().orbit(stop * 2 * std::numbers::pi / stops, 0);
+                    program.camera().orbit(stop * 360.0 / stops, 0);
                     program.draw_event();
                 }
             }

@@ -226,7 +226,7 @@ TEST(pipeline_polygons, clipped_at_the_near_plane_both_show_the_same) {
     const l3d_polygon_model model(l3d_torus_mesh(40, 20, 2, 0.8));
     l3d_camera inside = camera(2.1, 0.1, 0.3);
     inside.target = {1.7, 1.4, -0.2};
-    inside.near = 0.05;
+    inside.near_z = 0.05;
     l3d_polygon_settings settings = hard_edged_polygons();
     settings.cull = false;
     const picture a = by_zsort(model, inside, settings);
@@ -323,7 +323,7 @@ TEST(pipeline_polygons, backs_that_may_be_seen_are_drawn) {
     l3d_camera within = camera(0.1, 0.2, 0.3);
     EXPECT_EQ(backs_left_out(sphere, within), 0);
     within = camera(0, -3, 0);
-    within.near = 2.5; // it cuts the sphere open
+    within.near_z = 2.5; // it cuts the sphere open
     EXPECT_EQ(backs_left_out(sphere, within), 0);
     within.projection = l3d_projection::parallel; // without a near plane
     EXPECT_GT(backs_left_out(sphere, within), 0);

@@ -48,7 +48,7 @@ double channel(const l3d_lighting& lighting, const vector& point, const vector& 
     double light = double{lighting.ambient[i]};
     for (std::size_t k = 0; k < lighting.point_count; ++k) {
         const l3d_point_light& of = lighting.points[k];
-        const vector way = vector{of.position[0], of.position[1], of.position[2]} - point;
+        const vector way = of.position - point;
         const double distance = l3d_length(way), reach = double{of.reach};
         light += 0.9 * std::max(0.0, l3d_dot(normal, way) / distance) * double{of.color[i]} *
                  (reach > 0 ? reach * reach / (distance * distance) : 1);

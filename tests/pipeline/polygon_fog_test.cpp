@@ -22,7 +22,7 @@
 namespace {
 
 constexpr l3d_size size{131, 97};
-constexpr l3d_fog fog{.near = 4.9F, .far = 6.5F, .color = 0x4060a0};
+constexpr l3d_fog fog{.from = 4.9F, .to = 6.5F, .color = 0x4060a0};
 
 /// Compares a fogged picture with the clear one of the same polygons, before a gradient.
 template <class Pipeline, class... More>
@@ -51,7 +51,7 @@ void expect_each_pixel_faded(const l3d_polygon_settings& settings, l3d_projectio
             }
             ++judged;
             const double share = std::clamp(
-                (at->depth - double{fog.near}) / (double{fog.far} - double{fog.near}), 0.0, 1.0);
+                (at->depth - double{fog.from}) / (double{fog.to} - double{fog.from}), 0.0, 1.0);
             for (const int shift : {0, 8, 16}) {
                 const double own = before[i] >> shift & 255, to = *fog.color >> shift & 255;
                 const double shown = after[i] >> shift & 255;
@@ -111,7 +111,7 @@ TEST(polygon_fog, changes_no_bit_before_it_begins) {
         pipeline.draw_event();
         return words_of(pipeline.screen().pixels());
     };
-    EXPECT_EQ(words({}), words({.near = 50, .far = 60, .color = 0}));
+    EXPECT_EQ(words({}), words({.from = 50, .to = 60, .color = 0}));
 }
 
 } // namespace

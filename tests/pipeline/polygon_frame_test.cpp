@@ -125,8 +125,8 @@ private:
         };
         const double w = row(3), reach = l3d_guard_band * w;
         const bool parallel = view_.is_parallel();
-        if (!(w > (parallel ? 0.5 : view_.camera().near)) ||
-            !(w < (parallel ? 2.0 : view_.camera().far)) || std::abs(row(0)) > reach ||
+        if (!(w > (parallel ? 0.5 : view_.camera().near_z)) ||
+            !(w < (parallel ? 2.0 : view_.camera().far_z)) || std::abs(row(0)) > reach ||
             std::abs(row(1)) > reach)
             return std::nullopt;
         const l3d_snapped snapped = l3d_snap(row(0), row(1), w);

@@ -196,7 +196,7 @@ TEST(polygon_pick, backs_are_not_met_unless_all_faces_are_drawn) {
         return pick ? pick->depth : 0;
     };
     EXPECT_NEAR(depth(true), 4, 0.1);
-    camera.near = 4.5;
+    camera.near_z = 4.5;
     EXPECT_EQ(depth(true), 0);
     EXPECT_NEAR(depth(false), 6, 0.2);
 }

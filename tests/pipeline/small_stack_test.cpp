@@ -158,7 +158,7 @@ TEST(small_stack, draws_paths_text_images_and_meshes) {
     if (sanitized)
         GTEST_SKIP() << "sanitizers have larger frames";
     expect_small("two dimensions", [] {
-        l3d_image picture(window, window.width);
+        l3d_image picture(window);
         const auto imp = l3d_rasterizer_factory_sw().create_2d(picture.pixels());
         l3d_rasterizer_2d rasterizer(*imp);
         l3d_path path;

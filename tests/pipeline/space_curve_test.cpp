@@ -209,8 +209,8 @@ TEST(space_curve, is_cut_off_at_the_near_plane) {
 TEST(space_curve, ends_in_the_picture_where_the_near_or_far_plane_cuts_it) {
     const auto drawn = [](double from, double to, double near, double far) {
         l3d_camera camera = before;
-        camera.near = near;
-        camera.far = far;
+        camera.near_z = near;
+        camera.far_z = far;
         drawing pipeline(l3d_patch_scene(), camera);
         pipeline.curves().emplace_back(
             l3d_nurbs_curve::polyline({{0.0, -1.0, from}, {0.0, -1.0, to}}), red, 3);
@@ -225,7 +225,7 @@ TEST(space_curve, ends_in_the_picture_where_the_near_or_far_plane_cuts_it) {
 
 TEST(space_curve, fades_into_fog_and_is_smooth_if_edges_are) {
     l3d_afd_settings settings = hard_edged();
-    settings.fog = {.near = 5, .far = 15, .color = 0x000000ff};
+    settings.fog = {.from = 5, .to = 15, .color = 0x000000ff};
     const l3d_space_curve line(l3d_nurbs_curve::polyline({{-1.0, 0.02, 0.0}, {1.0, 0.02, 0.0}}),
                                red, 4);
     const std::size_t middle = (size.height / 2) * std::size_t{size.width} + size.width / 2;

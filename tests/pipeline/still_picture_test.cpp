@@ -279,7 +279,7 @@ TEST(still_picture, follows_camera_settings_and_what_comes_and_goes) {
         EXPECT_EQ(program.words(), drawn_whole(program)) << what;
     };
     differs("first");
-    program.camera().orbit(0.01, 0);
+    program.camera().orbit(0.6, 0);
     differs("camera");
     program.settings().shade = l3d_shade::flat;
     differs("shade");

@@ -95,7 +95,7 @@ struct studio {
     l3d_matrix<double> any_place() {
         l3d_matrix<double> m =
             l3d_translation<double>(5 * unit(random), 4 * unit(random), 9 * unit(random)) *
-            l3d_rotation<double>({unit(random), unit(random), 1.1}, 3 * unit(random));
+            l3d_rotation<double>({unit(random), unit(random), 1.1}, 172 * unit(random));
         const double size = std::exp2(2 * unit(random) - 2);
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < 3; ++column)

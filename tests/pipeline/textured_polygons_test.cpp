@@ -41,7 +41,7 @@ std::uint32_t picture_word(int x, int y) {
 }
 
 l3d_image picture() {
-    l3d_image image(of_picture, of_picture.width);
+    l3d_image image(of_picture);
     for (int y = 0; y < of_picture.height; ++y)
         for (int x = 0; x < of_picture.width; ++x)
             image.pixels().row(y)[static_cast<std::size_t>(x)] = picture_word(x, y);
@@ -205,7 +205,7 @@ TEST(textured_polygons, are_the_same_by_any_number_of_threads) {
         for (const bool antialias : {false, true}) {
             l3d_polygon_settings settings = by_levels(l3d_texture_filter::anisotropic);
             settings.antialias = antialias;
-            settings.fog = {.near = 1, .far = 4, .color = 0x4060a0};
+            settings.fog = {.from = 1, .to = 4, .color = 0x4060a0};
             const auto one = drawn(textured_sphere(highlight), settings);
             settings.threads = 5;
             EXPECT_EQ(one, drawn(textured_sphere(highlight), settings));

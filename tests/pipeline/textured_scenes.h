@@ -9,7 +9,7 @@
 #include "pipeline/pipeline_afd.h"
 #include "raster/color/srgb_light.h"
 #include "raster/textures/texture.h"
-#include "scene/laid_picture.h"
+#include "scene/patch_scene.h"
 #include "tool_2d/image.h"
 #include "words_of.h"
 

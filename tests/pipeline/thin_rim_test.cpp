@@ -47,9 +47,9 @@ TEST(thin_rim, is_no_row_of_beads) {
 
 TEST(thin_rim, is_no_row_of_beads_in_fog) {
     // What was measured: 5, and 26 where the dark side's levels are taken for the rim's.
-    EXPECT_LE((teapot_view{from_aside, {.near = 5, .far = 12, .color = 0x202020}}.far_off(
-                  {320, 240}, 30)),
-              10);
+    EXPECT_LE(
+        (teapot_view{from_aside, {.from = 5, .to = 12, .color = 0x202020}}.far_off({320, 240}, 30)),
+        10);
 }
 
 /// Light rises or falls by a hundred levels within the pixels beside an outline. Its mean is not

@@ -140,7 +140,7 @@ TEST(view_steering, zoom_ends_before_the_near_plane_and_the_end_of_the_world) {
         it.send({.type = type::wheel, .x = 200, .y = 150, .turn = 1, .notches = 1});
     const auto there = it.place(200.5, 150.5);
     ASSERT_TRUE(there);
-    EXPECT_GE(it.camera.depth_of(there->place), it.camera.near);
+    EXPECT_GE(it.camera.depth_of(there->place), it.camera.near_z);
     for (int i = 0; i < 3000; ++i)
         it.send({.type = type::wheel, .x = 200, .y = 150, .turn = -1, .notches = -1});
     EXPECT_TRUE(it.camera.is_valid()) << it.camera.complaint();

@@ -112,7 +112,7 @@ TEST(viewer_controls, the_turntable_starts_after_the_first_frame_and_pauses) {
     EXPECT_EQ(it.camera.eye, eye);
     EXPECT_TRUE(it.controls.update(0.05));
     l3d_camera turned;
-    turned.orbit(3 * std::acos(-1.0) / 180, 0);
+    turned.orbit(3, 0);
     EXPECT_NEAR(l3d_length(it.camera.eye - turned.eye), 0, 1e-12);
     it.controls.key(' ');
     EXPECT_FALSE(it.controls.update(0.05));

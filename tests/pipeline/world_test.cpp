@@ -158,7 +158,7 @@ TEST(book_world, nothing_behind_the_eye_is_projected) {
             l3d_object object(l3d_pyramid_mesh());
             const double grow = std::exp(4 * uniform(random));
             object.set_transform(0, l3d_scaling<real>(grow, 1, 1 / grow));
-            object.set_transform(1, l3d_rotation<real>({uniform(random), 1.1, 0.2}, 3.0 * k));
+            object.set_transform(1, l3d_rotation<real>({uniform(random), 1.1, 0.2}, 172.0 * k));
             facets.add(object);
         }
         for (std::size_t p = 0; p < facets.polygons(); ++p)

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -59,8 +58,7 @@ l3d_placement_2d random_place(std::mt19937& random) {
     } else if (manner == 3) {
         const l3d_point_2d middle{width / 2.0, height / 2.0};
         place = l3d_placement_2d::moved(double(random() % 9), double(random() % 6))
-                    .then(l3d_placement_2d::turned(std::numbers::pi / 2 * double(random() % 4),
-                                                   middle));
+                    .then(l3d_placement_2d::turned(90.0 * double(random() % 4), middle));
     }
     return place;
 }

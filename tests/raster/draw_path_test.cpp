@@ -326,7 +326,7 @@ TEST(draw_path, fills_between_two_sides_as_it_fills_anything) {
         } else {
             const double radius = std::exp(uniform(random, -2, 4));
             path.arc_to(corner(), {radius, n % 5 == 0 ? radius / 20 : radius},
-                        uniform(random, 0, 3), 0, n % 3 == 0 ? 3 : 2 * std::numbers::pi);
+                        uniform(random, 0, 172), 0, n % 3 == 0 ? 172 : 360);
         }
         path.close();
         l3d_path more = path;
@@ -355,7 +355,7 @@ TEST(draw_path, fills_many_outlines_as_it_fills_each) {
                 l3d_path one;
                 const l3d_point_2d center{x + uniform(random, -1, 1), y + uniform(random, -1, 1)};
                 if (random() % 3 == 0) { // turns up or down twice
-                    one.arc_to(center, {3, 3}, uniform(random, 0, 6), 0, 4);
+                    one.arc_to(center, {3, 3}, uniform(random, 0, 344), 0, 229);
                     one.line_to(center);
                     one.close();
                 } else {

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -280,9 +279,9 @@ TEST(path, added_and_turned_by_a_quarter_is_the_picture_turned) {
     const l3d_font font;
     l3d_path text, turned, rings;
     font.outline(text, {4, 30}, "Gr&", 22);
-    text.arc_to({40, 12}, {11, 6}, 0.3, 0, 5);
+    text.arc_to({40, 12}, {11, 6}, 17, 0, 286);
     const l3d_point_2d middle{24.5, 24.5};
-    turned.add(text, l3d_placement_2d::turned(std::numbers::pi / 2, middle));
+    turned.add(text, l3d_placement_2d::turned(90, middle));
     canvas upright(50, 50), sideways(50, 50), itself(50, 50);
     upright.draw.draw_path(text, {.color = 0x00ffffff});
     sideways.draw.draw_path(turned, {.color = 0x00ffffff});
@@ -310,7 +309,7 @@ TEST(placement, windows_fill_viewports_and_placements_follow_each_other) {
     is(map.at({1, 0}), 0, 99);
     is(map.at({5, 3}), 200, 0);
     is(map.at({2, 1}), 50, 66);
-    const auto turn = l3d_placement_2d::turned(0.7, {3, 4});
+    const auto turn = l3d_placement_2d::turned(40, {3, 4});
     is(turn.at({3, 4}), 3, 4);
     const l3d_placement_2d slant{{1, 2}, {3, 1}, {-2, 5}};
     const l3d_point_2d p{6, -7}, first = slant.at(p), expected = turn.at(first);

@@ -142,7 +142,7 @@ TEST(gradient, around_a_place_is_the_mean_over_each_pixel_with_a_focus_too) {
 
 TEST(gradient, is_placed_with_its_plane) {
     const l3d_placement_2d place =
-        l3d_placement_2d::scaled(2, 0.7).then(l3d_placement_2d::turned(0.6, {3, 4}));
+        l3d_placement_2d::scaled(2, 0.7).then(l3d_placement_2d::turned(34, {3, 4}));
     const auto back = [&](l3d_point_2d p) { // by Cramer's rule
         const l3d_point_2d d{p.x - place.origin.x, p.y - place.origin.y};
         const double area = place.across.x * place.down.y - place.across.y * place.down.x;

@@ -45,17 +45,19 @@ double uniform(std::mt19937& random, double low, double high) {
 /// Each of n curves leads through an n-th of the angles, and is in the middle of them at 1/2.
 void expect_arc(const curve_list& found, l3d_point_2d center, l3d_point_2d radii, double turn,
                 double begin, double sweep) {
+    constexpr double degree = std::numbers::pi / 180;
+    const double cosine = std::cos(turn * degree), sine = std::sin(turn * degree);
     const auto pieces = static_cast<double>(found.curves.size());
     for (std::size_t i = 0; i < found.curves.size(); ++i)
         for (const double t : {0.0, 0.2, 0.5, 0.7, 1.0}) {
             const auto p = found.curves[i].evaluate(t);
             const double dx = p[0] / p[2] - center.x, dy = p[1] / p[2] - center.y;
-            const double x = (dx * std::cos(turn) + dy * std::sin(turn)) / radii.x;
-            const double y = (dy * std::cos(turn) - dx * std::sin(turn)) / radii.y;
+            const double x = (dx * cosine + dy * sine) / radii.x;
+            const double y = (dy * cosine - dx * sine) / radii.y;
             ASSERT_NEAR(std::hypot(x, y), 1, 1e-12);
             if (t == 0.2 || t == 0.7)
                 continue;
-            const double angle = begin + sweep * (static_cast<double>(i) + t) / pieces;
+            const double angle = degree * (begin + sweep * (static_cast<double>(i) + t) / pieces);
             ASSERT_NEAR(x, std::cos(angle), 1e-12);
             ASSERT_NEAR(y, std::sin(angle), 1e-12);
         }
@@ -66,13 +68,13 @@ TEST(path, has_arcs_that_are_on_their_ellipse) {
     for (int n = 0; n < 2000; ++n) {
         const l3d_point_2d center{uniform(random, -9, 9), uniform(random, -9, 9)};
         const l3d_point_2d radii{uniform(random, 0.5, 30), uniform(random, 0.5, 30)};
-        const double turn = uniform(random, -4, 4), begin = uniform(random, -9, 9);
-        const double sweep = uniform(random, -13, 13);
+        const double turn = uniform(random, -230, 230), begin = uniform(random, -520, 520);
+        const double sweep = uniform(random, -745, 745);
         l3d_path path;
         path.arc_to(center, radii, turn, begin, sweep);
         curve_list found;
         path.visit(found);
-        const double quarters = std::abs(sweep) / (std::numbers::pi / 2);
+        const double quarters = std::abs(sweep) / 90;
         ASSERT_EQ(found.curves.size(), static_cast<std::size_t>(std::ceil(quarters))) << n;
         expect_arc(found, center, radii, turn, begin, sweep);
     }
@@ -100,7 +102,7 @@ TEST(path, has_circles_that_end_exactly_where_they_begin) {
         curve_list found;
         path.visit(found);
         ASSERT_EQ(found.curves.size(), 4u);
-        expect_arc(found, center, {radius, radius}, 0, 0, 2 * std::numbers::pi);
+        expect_arc(found, center, {radius, radius}, 0, 0, 360);
         EXPECT_EQ(found.first.x, found.last.x);
         EXPECT_EQ(found.first.y, found.last.y);
     }

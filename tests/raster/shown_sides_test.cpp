@@ -44,7 +44,7 @@ l3d_surface_part grid_of(const std::array<place, 6>& corners, l3d_shade mode) {
 
 int level_at(l3d_surface_rasterizer& rasterizer, const l3d_surface_part& part, l3d_shade mode,
              place where) {
-    l3d_image picture(size, size.width);
+    l3d_image picture(size);
     constexpr float cosine = 100 / 229.5F;
     const l3d_shading shading{
         .mode = mode, .light = {0, std::sqrt(1 - cosine * cosine), cosine}, .ray = {0, 0, 0}};

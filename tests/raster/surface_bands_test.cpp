@@ -65,7 +65,7 @@ TEST(SurfaceBands, GiveBackTheMemoryOfALargePicture) {
     l3d_shading shading = scene_shading(l3d_shade::lambert);
     shading.antialias = true;
     const auto draw = [&](l3d_size size) {
-        l3d_image picture(size, size.width);
+        l3d_image picture(size);
         l3d_depth_buffer depth;
         depth.resize(size);
         for (l3d_depth_buffer* const kept : {&depth, static_cast<l3d_depth_buffer*>(nullptr)}) {

@@ -71,8 +71,8 @@ l3d_shading with_lights(l3d_shade mode = l3d_shade::lambert) {
     shading.look_down = {0, -0.002F, 0.001F};
     shading.lighting.color = {1, 0.8F, 0.5F};
     shading.lighting.ambient = {0.05F, 0.1F, 0.2F};
-    shading.lighting.add(-3, 1, 2, {0.2F, 0.3F, 1});
-    shading.lighting.add(0.1, -1, 0.5, {0.6F, 0, 0});
+    shading.lighting.add({-3, 1, 2}, {0.2F, 0.3F, 1});
+    shading.lighting.add({0.1, -1, 0.5}, {0.6F, 0, 0});
     return shading;
 }
 
@@ -161,7 +161,7 @@ TEST(surface_lights, at_places_are_as_blinns_rule_says) {
 
 TEST(surface_lights, of_one_white_light_and_no_highlights_are_the_greys_of_before) {
     l3d_shading usual = scene_shading(l3d_shade::lambert), same = usual;
-    same.lighting.add(0, 0, 1, {0, 0, 0});
+    same.lighting.add({0, 0, 1}, {0, 0, 0});
     EXPECT_FALSE(usual.is_lit({}));
     EXPECT_TRUE(usual.is_lit(shining));
     EXPECT_TRUE(same.is_lit({}));

@@ -22,7 +22,7 @@ constexpr std::array filters{filter::nearest, filter::bilinear, filter::trilinea
 
 /// A picture of the program's: word(x, y).
 template <class Word> l3d_image picture_of(l3d_size size, const Word& word) {
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             image.pixels().row(y)[static_cast<std::size_t>(x)] = word(x, y);

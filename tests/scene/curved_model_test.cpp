@@ -37,7 +37,7 @@ double away_from_sphere(const l3d_patch_model& model) {
 l3d_curved_error chosen(l3d_patch_scene& scene, double distance, double px, double normals = 1) {
     l3d_camera camera;
     camera.eye = {0.0, 0.0, distance};
-    camera.near = 0.01;
+    camera.near_z = 0.01;
     return scene.choose_levels(
         {.camera = camera, .size = {640, 480}, .places_px = px, .normals = normals});
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cameras that frame a scene: what is seen of its points then.
 #include "effort.h"
-#include "scene/framing.h"
+#include "scene/patch_scene.h"
 
 #include "bodies.h"
 #include "teapot_studio.h"
@@ -92,7 +92,7 @@ TEST(framing, fills_85_percent_of_the_picture_whatever_the_model) {
                 ASSERT_TRUE(camera.is_valid()) << what << camera.complaint();
                 EXPECT_TRUE(box.is_inside()) << what;
                 EXPECT_NEAR(box.share(), l3d_framed_share, 0.01) << what;
-                EXPECT_GT(box.depth, camera.near) << what;
+                EXPECT_GT(box.depth, camera.near_z) << what;
                 // The side that fills less has its model in the middle, as perspective allows.
                 const double middle = name == "along the line of sight" ? 0.8 : 0.4;
                 EXPECT_LT(std::abs(box.left + box.right), middle) << what;
@@ -173,7 +173,7 @@ TEST(framing, of_nothing_and_of_a_point_leaves_a_camera) {
         const l3d_patch_scene scene{l3d_patch_model(std::vector{point})};
         const l3d_camera framed = l3d_framed(camera, {64, 48}, l3d_reach_of(scene));
         EXPECT_TRUE(framed.is_valid()) << place << framed.complaint();
-        EXPECT_GT(framed.depth_of({place, -place, place}), framed.near) << place;
+        EXPECT_GT(framed.depth_of({place, -place, place}), framed.near_z) << place;
     }
 }
 
@@ -254,10 +254,10 @@ TEST(framing, why_nothing_is_seen_is_told_in_words) {
     EXPECT_EQ(why(camera), "behind the eye");
     EXPECT_EQ(why(camera, true), "") << "nothing is behind the eye there";
     camera = usual;
-    camera.near = 100;
+    camera.near_z = 100;
     EXPECT_EQ(why(camera), "nearer than the near plane");
-    camera.near = 0.1;
-    camera.far = 0.2;
+    camera.near_z = 0.1;
+    camera.far_z = 0.2;
     EXPECT_EQ(why(camera), "beyond the far plane");
     for (const auto& by : {vector{15.0, 0.0, 0.0}, vector{-12.0, 0.0, 0.0}, vector{0.0, 8.0, 0.0},
                            vector{0.0, -8.0, 0.0}})

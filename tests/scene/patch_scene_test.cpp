@@ -127,7 +127,7 @@ std::string refusal_of(const l3d_matrix<double>& placement) {
 }
 
 TEST(patch_scene, refuses_placements_that_cannot_be_drawn) {
-    const l3d_matrix<double> turn = l3d_rotation<double>({0.3, 1.0, -0.2}, 0.7);
+    const l3d_matrix<double> turn = l3d_rotation<double>({0.3, 1.0, -0.2}, 40);
     l3d_matrix<double> nan = turn, projective = turn, none, thin = l3d_identity<double>();
     nan(1, 2) = std::nan("");
     projective(3, 0) = 1e-3;
@@ -187,7 +187,7 @@ TEST(patch_instance, knows_which_placements_leave_normals_alone) {
     EXPECT_FALSE(turns(half));
     EXPECT_TRUE(turns(mirrored));
     EXPECT_TRUE(turns(flat));
-    EXPECT_TRUE(turns(l3d_rotation<double>({0.3, 1.0, -0.2}, 0.01)));
+    EXPECT_TRUE(turns(l3d_rotation<double>({0.3, 1.0, -0.2}, 0.6)));
 }
 
 TEST(patch_instance, normals_are_those_of_the_placed_surface) {

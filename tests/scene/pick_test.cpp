@@ -54,7 +54,7 @@ l3d_patch_model library_model(const std::vector<reference::patch>& from) {
 
 reference::camera reference_camera(const l3d_camera& of) {
     const auto v = [](const vector& a) { return reference::vec3{a[0], a[1], a[2]}; };
-    return {v(of.eye), v(of.target), v(of.up), of.fov, of.near};
+    return {v(of.eye), v(of.target), v(of.up), of.fov, of.near_z};
 }
 
 double length(const reference::vec3& a, const vector& b) {
@@ -215,16 +215,16 @@ TEST(pick, beyond_a_clipping_plane_is_what_lies_behind) {
     const l3d_patch_scene scene(teapot_model());
     const auto front = l3d_pick_at(scene, {camera, size}, 64, 40);
     ASSERT_TRUE(front);
-    camera.near = front->depth * 1.001;
+    camera.near_z = front->depth * 1.001;
     const auto behind = l3d_pick_at(scene, {camera, size}, 64, 40);
     ASSERT_TRUE(behind);
-    EXPECT_GT(behind->depth, camera.near);
-    camera.near = 0.1;
-    camera.far = front->depth * 0.999;
+    EXPECT_GT(behind->depth, camera.near_z);
+    camera.near_z = 0.1;
+    camera.far_z = front->depth * 0.999;
     EXPECT_FALSE(l3d_pick_at(scene, {camera, size}, 64, 40));
     tally counts;
     camera = oblique_camera();
-    camera.near = l3d_length(camera.eye - camera.target);
+    camera.near_z = l3d_length(camera.eye - camera.target);
     compare(scene, reference_patches(teapot_model(), l3d_identity<double>()), camera, 37, counts);
     EXPECT_GT(counts.picks, 50);
 }

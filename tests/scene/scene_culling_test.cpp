@@ -26,16 +26,16 @@ constexpr l3d_size odd{317, 241};
 
 l3d_camera oblique() {
     l3d_camera camera = dice_tests::oblique_camera();
-    camera.near = 0.2;
-    camera.far = 300;
+    camera.near_z = 0.2;
+    camera.far_z = 300;
     return camera;
 }
 
 l3d_dice_view view_of(const l3d_camera& camera, l3d_size size) {
     l3d_dice_view view;
     view.size = size;
-    view.near = camera.near;
-    view.far = camera.far;
+    view.near = camera.near_z;
+    view.far = camera.far_z;
     return view;
 }
 

@@ -232,7 +232,7 @@ patch moved(const patch& of, const l3d_matrix<double>& by) {
 
 TEST(surface_bends, under_a_similarity_are_scaled) {
     const l3d_patch_model model = teapot_model();
-    auto placement = l3d_rotation<double>({1, 2, -3}, 0.7);
+    auto placement = l3d_rotation<double>({1, 2, -3}, 40);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             placement(row, column) *= column == 1 ? -2.5 : 2.5; // and mirrored
@@ -262,7 +262,7 @@ TEST(surface_bends, under_any_map_hold) {
     for (const double unlike : {0.01, 0.1, 1.0}) {
         tightness found;
         for (std::size_t p = 0; p < model.patches().size(); ++p) {
-            auto map = l3d_rotation<double>({1, 0.5, 2}, random.between(0, 6));
+            auto map = l3d_rotation<double>({1, 0.5, 2}, random.between(0, 340));
             for (int row = 0; row < 3; ++row)
                 for (int column = 0; column < 3; ++column)
                     map(row, column) += unlike * random.between(-1, 1);

@@ -72,7 +72,7 @@ public:
         seconds += processor_seconds();
         result.milliseconds = 1000 * seconds;
         result.counts = counts();
-        result.near = result.counts.near / depth_scale_;
+        result.near = result.counts.near_z / depth_scale_;
         result.distances = l3d_distances(depth_);
         return result;
     }
@@ -170,7 +170,7 @@ frame draw_by_pipeline(const library_case& c) {
     pipeline.draw_event();
     frame result;
     result.counts = pipeline.report().dice;
-    result.near = pipeline.report().near;
+    result.near = pipeline.report().near_z;
     for (int y = 0; y < c.size.height; ++y) {
         const auto row = pipeline.screen().pixels().row(y);
         result.words.insert(result.words.end(), row.begin(), row.end());

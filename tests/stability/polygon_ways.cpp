@@ -46,7 +46,7 @@ public:
         pipeline.draw_event();
         frame result;
         result.counts = pipeline.report().dice;
-        result.near = pipeline.report().near;
+        result.near = pipeline.report().near_z;
         result.milliseconds = pipeline.report().time_ms.total;
         result.words = words_of(pipeline.screen().pixels());
         result.distances = l3d_distances(pipeline.depth());

@@ -172,7 +172,7 @@ TEST(dispatcher_script, resuming_makes_what_is_missing) {
     script_run run(settings);
     const l3d_size size = run.screen.pixels().size();
     for (const char* present : {"f1.png", "f3.png"}) {
-        l3d_image stranger(size, size.width);
+        l3d_image stranger(size);
         l3d_write_png(folder.file(present), stranger.pixels());
     }
     l3d_image of_another_size({3, 2}, 3);

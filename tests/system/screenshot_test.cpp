@@ -3,7 +3,7 @@
 #include "system/frame_writer.h"
 #include "system/temporary_folder.h"
 
-#include "geom/files/surface_file.h"
+#include "geom/files/model_file.h"
 #include "geom/nurbs_surface.h"
 #include "tool_2d/image.h"
 #include "tool_2d/text_file.h"

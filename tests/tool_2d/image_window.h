@@ -40,7 +40,7 @@ inline int give_events(const l3d_detail::x11_window& window, l3d_detail::x11_ima
 }
 
 inline l3d_image random_picture(l3d_size size, unsigned seed) {
-    l3d_image picture(size, size.width);
+    l3d_image picture(size);
     draw_random(picture.pixels(), seed);
     return picture;
 }

@@ -27,7 +27,7 @@ std::uint32_t word_at(int x, int y) {
 }
 
 l3d_image picture() {
-    l3d_image image(size, size.width);
+    l3d_image image(size);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             image.pixels().row(y)[static_cast<std::size_t>(x)] = word_at(x, y);

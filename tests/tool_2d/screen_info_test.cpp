@@ -22,17 +22,17 @@ constexpr l3d_pixel_layout layout_argb{32, 32, 0xFF0000, 0x00FF00, 0x0000FF, std
                                        32};
 
 std::uint32_t shown(const l3d_pixel_layout& layout, int red, int green, int blue) {
-    return l3d_screen_info(layout).to_display(l3d_screen_info::ext_to_native(red, green, blue));
+    return l3d_screen_info(layout).to_display(l3d_rgb(red, green, blue));
 }
 
 TEST(screen_info, packs_channels_into_a_word) {
-    EXPECT_EQ(l3d_screen_info::ext_to_native(0x12, 0x34, 0x56), 0x123456U);
-    EXPECT_EQ(l3d_screen_info::ext_to_native(0, 255, 128), 0x00FF80U);
+    EXPECT_EQ(l3d_rgb(0x12, 0x34, 0x56), 0x123456U);
+    EXPECT_EQ(l3d_rgb(0, 255, 128), 0x00FF80U);
 }
 
 TEST(screen_info, clamps_channels) {
-    EXPECT_EQ(l3d_screen_info::ext_to_native(-1, 256, 7), 0x00FF07U);
-    EXPECT_EQ(l3d_screen_info::ext_to_native(100000, -100000, 300), 0xFF00FFU);
+    EXPECT_EQ(l3d_rgb(-1, 256, 7), 0x00FF07U);
+    EXPECT_EQ(l3d_rgb(100000, -100000, 300), 0xFF00FFU);
 }
 
 TEST(screen_info, the_books_colour_on_every_layout) {
@@ -155,8 +155,7 @@ TEST(screen_info, a_cube_shows_the_nearest_level) {
     };
     for (int i = 0; i < 256; ++i) {
         const int r = i, g = i * 77 & 255, b = i * 151 & 255;
-        const int place =
-            250 - static_cast<int>(info.to_display(l3d_screen_info::ext_to_native(r, g, b)));
+        const int place = 250 - static_cast<int>(info.to_display(l3d_rgb(r, g, b)));
         EXPECT_EQ(distance(r, place / (green * blue), red), least(r, red)) << r;
         EXPECT_EQ(distance(g, place / blue % green, green), least(g, green)) << g;
         EXPECT_EQ(distance(b, place % blue, blue), least(b, blue)) << b;

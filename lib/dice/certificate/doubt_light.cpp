@@ -112,8 +112,8 @@ l3d_light_bounds light_by_lamps(const l3d_doubt_patch& of, const light_ranges& r
     interval share{0, 0};
     const l3d_fog& fog = lighting.fog;
     const auto share_at = [&](double w) {
-        const double near = double{fog.near}, distance = w / lighting.depth_scale - lighting.nearer;
-        return std::clamp((distance - near) / (double{fog.far} - near), 0.0, 1.0);
+        const double near = double{fog.from}, distance = w / lighting.depth_scale - lighting.nearer;
+        return std::clamp((distance - near) / (double{fog.to} - near), 0.0, 1.0);
     };
     if (fog.is_on())
         share = {share_at(ranges[next].low), share_at(ranges[next].high)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reader of grids of heights, in the text form of geographic programs.
 #include "geom/files/model_reader_p.h"
-#include "geom/height_field.h"
+#include "geom/files/patch_file.h"
 
 #include <cctype>
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_model_file: the contents of a file of polygons or patches; readers by content, and writers.
+// l3d_model_file: the contents of a file of polygons or patches; readers by content, and writers;
+// NURBS surfaces with their own knots and control points.
 #ifndef L3D_GEOM_FILES_MODEL_FILE_H
 #define L3D_GEOM_FILES_MODEL_FILE_H
 
@@ -166,5 +167,17 @@ L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;
 ///          materials differ in name.
 L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
+
+/// Reads the surfaces of an .obj file as they were made, for programs that change control points.
+/// l3d_read_obj gives their Bezier patches, which are pieces() of these surfaces in their order.
+///
+/// Errors: as l3d_read_obj. A file without surfaces is no error.
+/// Cost:   as l3d_read_obj, and the memory of the surfaces.
+L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>>
+l3d_read_obj_surfaces(std::string_view text, std::string_view name, std::string& why);
+
+/// The text of an .obj file; reading it by l3d_read_obj_surfaces gives the same surfaces, bit for
+/// bit.
+L3D_PUBLIC std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
 #endif

@@ -4,7 +4,7 @@
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_surfaces_p.h"
-#include "geom/files/surface_file.h"
+#include "geom/files/model_file.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,6 @@
 // l3d_write_obj: polygons, patches as Bezier surfaces, and curves.
 #include "geom/files/model_file.h"
 #include "geom/files/model_reader_p.h"
-#include "geom/files/surface_file.h"
 
 namespace {
 

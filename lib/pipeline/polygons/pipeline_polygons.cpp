@@ -10,7 +10,7 @@
 #include "pipeline/stopwatch_p.h"
 #include "raster/parallel/simd_target.h"
 #include "scene/camera_shading.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 #include <array>
 #include <cassert>

@@ -64,8 +64,8 @@ bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d
 l3d_dice_view window_of(const l3d_polygon_view& view) {
     l3d_dice_view window;
     window.size = view.size();
-    window.near = view.is_parallel() ? 0.5 : view.camera().near;
-    window.far = view.is_parallel() ? 2.0 : view.camera().far;
+    window.near = view.is_parallel() ? 0.5 : view.camera().near_z;
+    window.far = view.is_parallel() ? 2.0 : view.camera().far_z;
     return window;
 }
 
@@ -124,7 +124,7 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
 bool l3d_polygon_frame::hides_backs(const l3d_polygon_model& model,
                                     const l3d_polygon_view& view) const {
     const double nearest = placed(view.matrix(), model.centre())[2] - model.radius() * (1 + 1e-9);
-    return neighbours_.are_closed() && (view.is_parallel() || nearest > view.camera().near);
+    return neighbours_.are_closed() && (view.is_parallel() || nearest > view.camera().near_z);
 }
 
 void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {

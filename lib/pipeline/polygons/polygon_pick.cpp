@@ -126,8 +126,8 @@ std::optional<l3d_polygon_pick> l3d_polygon_pick_at(const l3d_polygon_model& mod
         crossing at;
         if (!at.find(seen, ray.error()) || (nearest && at.depth >= nearest->depth))
             continue;
-        const bool is_between =
-            view.is_parallel() || (at.depth >= view.camera().near && at.depth <= view.camera().far);
+        const bool is_between = view.is_parallel() || (at.depth >= view.camera().near_z &&
+                                                       at.depth <= view.camera().far_z);
         const auto normal = l3d_converted<double>(model.face_normals()[triangle.face]);
         if (!is_between || (culls && !(view.faces_eye(normal, vertices[triangle.corners[0]]) > 0)))
             continue;

@@ -77,8 +77,8 @@ l3d_detail::wire line_of(const homogeneous& a, const homogeneous& b, l3d_size si
 std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_model& model,
                                                           const l3d_polygon_view& view, bool cull) {
     const double g = l3d_guard_band;
-    const double near = view.is_parallel() ? 0.5 : view.camera().near;
-    const double far = view.is_parallel() ? 2.0 : view.camera().far;
+    const double near = view.is_parallel() ? 0.5 : view.camera().near_z;
+    const double far = view.is_parallel() ? 2.0 : view.camera().far_z;
     const clip_planes planes{{{0, 0, 1, near},
                               {0, 0, -1, -far},
                               {1, 0, g, 0},

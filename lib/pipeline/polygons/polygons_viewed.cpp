@@ -3,7 +3,7 @@
 #include "pipeline/polygons/pipeline_polygons.h"
 
 #include "pipeline/empty_picture_p.h"
-#include "scene/framing.h"
+#include "scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

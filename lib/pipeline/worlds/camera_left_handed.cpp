@@ -51,8 +51,8 @@ template <class T> l3d_camera l3d_right_handed(const l3d_camera_left_handed<T>& 
     ours.target = ours.eye + mirrored(camera.forward());
     ours.up = mirrored(camera.up());
     ours.fov = l3d_fov_degrees(camera.fovy);
-    ours.near = camera.near_z;
-    ours.far = camera.far_z;
+    ours.near_z = camera.near_z;
+    ours.far_z = camera.far_z;
     return ours;
 }
 

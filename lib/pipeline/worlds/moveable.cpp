@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // l3d_moveable: damped motion along and about own axes.
-#include "pipeline/worlds/moveable.h"
+#include "pipeline/worlds/camera_left_handed.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace {
 
@@ -51,7 +50,7 @@ void slow_down(double& velocity, double factor, double slowest) {
 template <class T>
 l3d_vector<T, 3> turned(const l3d_vector<T, 3>& v, const l3d_vector<T, 3>& axis, double degrees) {
     const auto about = l3d_converted<double, T, 3>(axis);
-    return l3d_transformed(l3d_rotation<T>(about, degrees * (std::numbers::pi / 180)), v);
+    return l3d_transformed(l3d_rotation<T>(about, degrees), v);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #ifndef L3D_PIPELINE_WORLDS_WORLD_H
 #define L3D_PIPELINE_WORLDS_WORLD_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "pipeline/polygons/pipeline_polygons.h"
 #include "pipeline/worlds/camera_left_handed.h"
@@ -55,13 +56,13 @@ public:
 private:
     struct polygon {
         std::size_t first_corner, corners;
-        std::uint32_t color;
+        l3d_color color;
         real depth;
     };
 
     bool clip(std::span<const std::uint32_t> face);
     bool clip_sideways(int axis, real scale);
-    void project(std::uint32_t color);
+    void project(l3d_color color);
 
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
     l3d_size size_{1, 1};

@@ -77,7 +77,7 @@ struct l3d_world_surfaces::frame_input {
     bool may_show(const vector& centre, double radius) const {
         const vector from_eye = centre - camera.eye;
         const double depth = l3d_dot(from_eye, forward);
-        return depth + radius >= camera.near && depth - radius <= camera.far &&
+        return depth + radius >= camera.near_z && depth - radius <= camera.far_z &&
                std::ranges::all_of(
                    sides, [&](const vector& side) { return l3d_dot(side, from_eye) >= -radius; });
     }

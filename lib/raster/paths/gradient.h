@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_PATHS_GRADIENT_H
 #define L3D_RASTER_PATHS_GRADIENT_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "raster/placement_2d.h"
 #include "raster/rasterizer_2d.h"
@@ -14,9 +15,9 @@
 
 /// A colour at a place along a gradient.
 struct L3D_PUBLIC l3d_color_stop {
-    double at = 0;           ///< from 0, the beginning, to 1, the end
-    std::uint32_t color = 0; ///< 0x00RRGGBB
-    double alpha = 1;        ///< from 0, nothing, to 1, opaque
+    double at = 0;       ///< from 0, the beginning, to 1, the end
+    l3d_color color = 0; ///< 0x00RRGGBB
+    double alpha = 1;    ///< from 0, nothing, to 1, opaque
 };
 
 /// The colours before a gradient's beginning and behind its end.

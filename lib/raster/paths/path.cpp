@@ -2,6 +2,8 @@
 // l3d_path: every curve becomes a rational cubic.
 #include "raster/paths/path.h"
 
+#include "geom/transform.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -55,13 +57,14 @@ void l3d_path::rational_to(const std::array<l3d_point_2d, 3>& points,
 /// / 3.
 void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin,
                       double sweep) {
-    const double cosine = std::cos(turn), sine = std::sin(turn);
-    const auto placed = [&](l3d_point_2d on_circle) {
+    const auto [cosine, sine] = l3d_turn_by(turn);
+    const auto placed = [&, cosine = cosine, sine = sine](l3d_point_2d on_circle) {
         const double x = radii.x * on_circle.x, y = radii.y * on_circle.y;
         return l3d_point_2d{center.x + cosine * x - sine * y, center.y + sine * x + cosine * y};
     };
-    const auto direction = [](double angle) {
-        return l3d_point_2d{std::cos(angle), std::sin(angle)};
+    const auto direction = [](double degrees) {
+        const l3d_turn at = l3d_turn_by(degrees);
+        return l3d_point_2d{at.cosine, at.sine};
     };
     l3d_point_2d from = direction(begin);
     const l3d_point_2d start = placed(from);
@@ -69,12 +72,11 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
         move_to(start);
     else if (start.x != last_.x || start.y != last_.y)
         line_to(start);
-    // The least of these is 1000 where the sweep is no number, which no integer could hold.
-    const double bounded = std::min(1000.0, std::abs(sweep));
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(bounded / (std::numbers::pi / 2) - 1e-9)));
-    const double half = sweep / pieces / 2, weight = std::cos(half);
-    const double tangent = std::sin(half) / weight;
+    // The least of these is 60 000 where the sweep is no number, which no integer could hold.
+    const double bounded = std::min(60000.0, std::abs(sweep));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(bounded / 90 - 1e-9)));
+    const double half = sweep / pieces / 2, weight = direction(half).x;
+    const double tangent = direction(half).y / weight;
     const double sum = 1 + 2 * weight;
     const auto inner = [&](l3d_point_2d end, l3d_point_2d middle) {
         return l3d_point_2d{(end.x + 2 * weight * middle.x) / sum,

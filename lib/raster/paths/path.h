@@ -64,8 +64,8 @@ public:
     ///
     /// The arc has the points center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
     /// begin + sweep. It is exact: a rational curve for each quarter or less.
-    /// Units:   radians, clockwise as y points down.
-    /// Expects: |sweep| at most 1000.
+    /// Units:   degrees, clockwise as y points down.
+    /// Expects: |sweep| at most 60 000.
     void arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin, double sweep);
     /// Closes the outline by a straight line to its beginning, and joins its ends.
     void close();

@@ -178,7 +178,8 @@ private:
     seen_light light_at(const l3d_point_light& light, const vector3& place) const {
         vector3 way;
         for (std::size_t i = 0; i < way.size(); ++i)
-            way[i] = static_cast<float>(light.position[i] - shading_.eye[i]) - place[i];
+            way[i] = static_cast<float>(light.position[static_cast<int>(i)] - shading_.eye[i]) -
+                     place[i];
         const float square = safe_square(dot(way, way.data())), inverse = 1 / std::sqrt(square);
         return {{way[0] * inverse, way[1] * inverse, way[2] * inverse},
                 light.strength(square),

@@ -145,8 +145,9 @@ private:
     }
 
     HWY_INLINE seen_light light_at(const l3d_point_light& light) const {
-        const auto from_eye = [&](std::size_t i) HWY_ATTR {
-            return set(static_cast<float>(light.position[i] - shading_.eye[i]));
+        const auto from_eye = [&](int i) HWY_ATTR {
+            const double eye = shading_.eye[static_cast<std::size_t>(i)];
+            return set(static_cast<float>(light.position[i] - eye));
         };
         const lane_vector way{hn::Sub(from_eye(0), place_.x), hn::Sub(from_eye(1), place_.y),
                               hn::Sub(from_eye(2), place_.z)};

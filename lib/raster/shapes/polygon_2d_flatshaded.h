@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
 #define L3D_RASTER_SHAPES_POLYGON_2D_FLATSHADED_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/polygon_2d.h"
 #include "raster/rasterizer_2d.h"
@@ -17,7 +18,7 @@
 class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
 public:
     /// A polygon whose corners are these vertices of a list, in one colour, a pixel word.
-    l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, std::uint32_t color)
+    l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, l3d_color color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
 
     /// Fills the part that clipping has left.
@@ -31,7 +32,7 @@ public:
         rasterizer.draw_polygon_flatshaded(corners_, final_color);
     }
 
-    std::uint32_t final_color; ///< a pixel word
+    l3d_color final_color; ///< a pixel word
 
 private:
     std::vector<l3d_point_2d> corners_; ///< kept, so that no frame allocates

@@ -35,7 +35,7 @@ void l3d_surface_rasterizer_scalar::do_begin_part(l3d_pixels target, l3d_depth_b
                                                   const l3d_pixel_box& part) {
     assert(!part.empty() && part.intersected(l3d_whole(target.size())) == part);
     if (own_picture_.pixels().size() != target.size())
-        own_picture_ = l3d_image(target.size(), target.width);
+        own_picture_ = l3d_image(target.size());
     do_begin(own_picture_.pixels(), depth, shading, false);
     part_ = part;
     part_target_ = target;

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_TEXT_FONT_H
 #define L3D_RASTER_TEXT_FONT_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "raster/rasterizer_2d.h"
 
@@ -57,8 +58,8 @@ public:
 
     /// Draws one line of text. (x, y) is the top left corner of its line, which is line(size) high.
     /// Letters are hinted in height, and stand within 1/8 pixel of where outline() has them.
-    void draw(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
-              std::uint32_t color, int size) const;
+    void draw(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text, l3d_color color,
+              int size) const;
 
     /// Adds the outlines of one line of text to a path, exactly as the font has them: no hinting,
     /// and letters anywhere between pixels. Fill the path with l3d_winding::nonzero, stroke it, or
@@ -93,6 +94,6 @@ inline constexpr int l3d_text_line = 9;
 /// Expects: scale >= 1.
 /// Cost:    one small polygon for each horizontal run of font pixels.
 L3D_PUBLIC void l3d_draw_text(l3d_rasterizer_2d& rasterizer, int x, int y, std::string_view text,
-                              std::uint32_t color, int scale = 1);
+                              l3d_color color, int scale = 1);
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_TEXT_PANEL_H
 #define L3D_RASTER_TEXT_PANEL_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "raster/rasterizer_2d.h"
 #include "raster/text/font.h"
@@ -29,7 +30,7 @@ struct L3D_PUBLIC l3d_panel_style {
     std::uint32_t key = 0x00ffd873;
 
     /// The colour behind the text.
-    std::uint32_t ground = 0x0012161b;
+    l3d_color ground = 0x0012161b;
 
     /// How much the ground hides, from 0 to 255.
     int ground_coverage = 200;
@@ -69,7 +70,7 @@ public:
 
     /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
     /// Expects: at least two colours, which are pixel words.
-    void add_scale(std::vector<std::uint32_t> colors, std::string first, std::string last) {
+    void add_scale(std::vector<l3d_color> colors, std::string first, std::string last) {
         rows_.push_back({std::move(first), std::move(last), std::move(colors), false});
     }
 
@@ -105,7 +106,7 @@ private:
     friend class panel_layout;
     struct row {
         std::string key, text;
-        std::vector<std::uint32_t> colors; ///< colours of a scale; else empty
+        std::vector<l3d_color> colors; ///< colours of a scale; else empty
         bool is_title = false;
     };
 

@@ -119,10 +119,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "look through this camera of the file; what the other options say comes first",
                 "NAME");
     options.add("--fov", fov_, camera_.fov, "vertical field of view in degrees", 0.001, 179.9);
-    options.add("--near", near_, camera_.near,
+    options.add("--near", near_, camera_.near_z,
                 "nearest distance that is drawn; without it, less for small models",
                 l3d_least_distance, largest);
-    options.add("--far", camera_.far, "farthest distance that is drawn", least_positive, largest);
+    options.add("--far", camera_.far_z, "farthest distance that is drawn", least_positive, largest);
     options.add("--parallel", parallel_,
                 "parallel projection: far things look as large as those at the target");
     options.add("--turntable", turntable_, "degrees that the eye turns from frame to frame", -360.0,
@@ -267,15 +267,15 @@ l3d_camera l3d_afd_options::camera() const {
     const auto upright = [&](const l3d_camera::vector& v) { return stands.at(v[0], v[1], v[2]); };
     result.eye = eye_.value_or(places_camera() ? result.eye : upright(camera_.eye));
     result.target = target_.value_or(places_camera() ? result.target : upright(camera_.target));
-    result.near = near_.value_or(camera_.near);
+    result.near_z = near_.value_or(camera_.near_z);
     check_place("--eye", result.eye, l3d_farthest_eye);
     check_place("--target", result.target);
     l3d_refuse({
         {"--target", result.eye == result.target,
          "'" + text_of(result.target) + "' is the eye's place"},
-        {"--far", !(result.near < result.far),
-         "'" + l3d_number_text(result.far) + "' is not beyond --near " +
-             l3d_number_text(result.near)},
+        {"--far", !(result.near_z < result.far_z),
+         "'" + l3d_number_text(result.far_z) + "' is not beyond --near " +
+             l3d_number_text(result.near_z)},
         {"--up", !result.is_valid(), no_up},
     });
     return result;
@@ -335,7 +335,7 @@ l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& fram
     l3d_camera result = framed(asked);
     if (!model_file_.empty() && !(result == asked))
         result = framed(seen_from_above(asked));
-    result.near = near_.value_or(result.near);
+    result.near_z = near_.value_or(result.near_z);
     return result;
 }
 
@@ -349,8 +349,8 @@ std::string l3d_afd_options::view_options(const l3d_camera& camera) {
             text += std::string(" ") + option + ' ' + l3d_number_text(value);
     };
     add("--fov", camera.fov, usual.fov);
-    add("--near", camera.near, usual.near);
-    add("--far", camera.far, usual.far);
+    add("--near", camera.near_z, usual.near_z);
+    add("--far", camera.far_z, usual.far_z);
     return camera.is_parallel() ? text + " --parallel" : text;
 }
 
@@ -388,7 +388,7 @@ void l3d_afd_options::add_light(const std::string& text) {
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' is one more than " +
                                              std::to_string(l3d_lighting::most_further + 1));
     } else {
-        lighting.add(towards[0], towards[1], towards[2], color);
+        lighting.add(towards, color);
     }
     gives_light_ = true;
 }
@@ -415,8 +415,8 @@ void l3d_afd_options::read_fog(const std::string& text) {
     std::array<double, 2> distances{};
     l3d_fog fog;
     const auto rest = read_before_color(text, distances);
-    fog.near = static_cast<float>(distances[0]);
-    fog.far = static_cast<float>(distances[1]);
+    fog.from = static_cast<float>(distances[0]);
+    fog.to = static_cast<float>(distances[1]);
     if (!rest || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
         throw l3d_error(l3d_exit::usage,
                         "--fog: '" + l3d_detail::printable(text) +
@@ -450,8 +450,7 @@ l3d_afd_settings l3d_afd_options::settings() const {
     l3d_detail::check_pfm("--error-output", error_output_);
     result.depth = !depth_output_.empty();
     result.error_map = !error_output_.empty();
-    for (std::size_t i = 0; i < result.inspection.direction.size(); ++i)
-        result.inspection.direction[i] = shade_direction_[static_cast<int>(i)];
+    result.inspection.direction = shade_direction_;
     if (shade_direction_ == l3d_camera::vector{0.0, 0.0, 0.0})
         throw l3d_error(l3d_exit::usage, "--shade-direction: '0,0,0' has no direction");
     check_place("--shade-direction", shade_direction_);

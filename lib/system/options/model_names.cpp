@@ -4,7 +4,7 @@
 
 #include "base/did_you_mean_p.h"
 #include "base/printable_p.h"
-#include "geom/files/surface_file.h"
+#include "geom/files/model_file.h"
 #include "geom/nurbs_surface.h"
 #include "system/options/output_names_p.h"
 #include "system/plugin_loader.h"

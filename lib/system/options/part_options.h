@@ -3,6 +3,7 @@
 #ifndef L3D_SYSTEM_OPTIONS_PART_OPTIONS_H
 #define L3D_SYSTEM_OPTIONS_PART_OPTIONS_H
 
+#include "base/color.h"
 #include "base/public.h"
 #include "geom/parts.h"
 #include "pipeline/polygons/polygon_model.h"
@@ -48,7 +49,7 @@ public:
 private:
     struct colored {
         std::string part;
-        std::uint32_t color;
+        l3d_color color;
     };
 
     struct opacity {

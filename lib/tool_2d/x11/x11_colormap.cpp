@@ -72,7 +72,7 @@ std::uint32_t word_of(const XColor& color) {
     const auto value = [](unsigned channel) {
         return static_cast<int>((channel + x11_per_value / 2) / x11_per_value);
     };
-    return l3d_screen_info::ext_to_native(value(color.red), value(color.green), value(color.blue));
+    return l3d_rgb(value(color.red), value(color.green), value(color.blue));
 }
 
 bool is_gray(const x11_visual& visual) {
@@ -214,9 +214,8 @@ std::uint32_t palette_shape::color(int place) const {
     const auto value = [](int level, int levels) { return l3d_palette::value_of(level, levels); };
     if (is_ramp())
         return static_cast<std::uint32_t>(value(place, red)) * 0x010101;
-    return l3d_screen_info::ext_to_native(value(place / (green * blue), red),
-                                          value(place / blue % green, green),
-                                          value(place % blue, blue));
+    return l3d_rgb(value(place / (green * blue), red), value(place / blue % green, green),
+                   value(place % blue, blue));
 }
 
 int palette_shape::distance(std::uint32_t one, std::uint32_t other) const {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// l3d_color: how programs write a colour.
+#ifndef L3D_BASE_COLOR_H
+#define L3D_BASE_COLOR_H
+
+#include "base/public.h"
+
+#include <algorithm>
+#include <cstdint>
+
+/// A colour, as the pixels of every picture hold it.
+/// Units: 0x00RRGGBB, encoded as sRGB. Where l3d_pixels says so, the highest byte is a
+/// transparency.
+using l3d_color = std::uint32_t;
+
+/// The colour of these levels. Units: 0 to 255; others are clamped.
+constexpr l3d_color l3d_rgb(int red, int green, int blue) {
+    const auto level = [](int value) { return static_cast<l3d_color>(std::clamp(value, 0, 255)); };
+    return level(red) << 16 | level(green) << 8 | level(blue);
+}
+
+#endif
