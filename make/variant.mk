@@ -42,7 +42,9 @@ kind = $(if $(filter lib/% python/%,$(1)),lib,$(if $(filter %_test.cpp,$(1)),tes
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 # L3D_PUBLIC marks what the shared library exports.
-FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden
+# Lanes are compiled for AVX-512, AVX2, SSE4 and none. Processors with SSSE3 alone are those of 2006 to 2008: they
+# get the last, and each file of lanes is compiled a fifth sooner.
+FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden -DHWY_DISABLED_TARGETS=HWY_SSSE3
 # Tests take longer to compile than to run, and what a program does once need not be fast: both are optimised
 # less. The files beside tests that do the work, such as judges of pictures, are not.
 less_optimised = $(if $(filter lib/system/% apps/% %_test.cpp,$(1)),$(if $(filter release,$(MODE)),-O1))

@@ -23,7 +23,7 @@ std::size_t simd_place();
 #define L3D_SIMD_TABLE(function)                                                                   \
     constexpr decltype(&HWY_STATIC_DISPATCH(function)) function##_by_target[] = {                  \
         HWY_CHOOSE_AVX3(function), HWY_CHOOSE_AVX2(function), HWY_CHOOSE_SSE4(function),           \
-        HWY_CHOOSE_SSSE3(function), &HWY_STATIC_DISPATCH(function)}
+        &HWY_STATIC_DISPATCH(function)}
 
 /// The version in use, to be called.
 #define L3D_SIMD_CALL(function) (*function##_by_target[l3d_detail::simd_place()])

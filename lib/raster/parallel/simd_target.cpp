@@ -23,7 +23,7 @@ struct target {
 #endif
 
 /// The features that Highway expects of each, in the order of L3D_SIMD_TABLE.
-constexpr std::array<target, 5> targets{
+constexpr std::array<target, 4> targets{
     {{"AVX3",
       [] {
           return (HWY_TARGETS & HWY_AVX3) != 0 && L3D_HAS("avx512f") && L3D_HAS("avx512bw") &&
@@ -35,7 +35,6 @@ constexpr std::array<target, 5> targets{
                  L3D_HAS("bmi") && L3D_HAS("bmi2");
       }},
      {"SSE4", [] { return (HWY_TARGETS & HWY_SSE4) != 0 && L3D_HAS("sse4.2"); }},
-     {"SSSE3", [] { return (HWY_TARGETS & HWY_SSSE3) != 0 && L3D_HAS("ssse3"); }},
      {"BASE", [] { return true; }}}};
 
 #undef L3D_HAS

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The instruction sets that this processor has and the library was built for, best first. Names
-/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4, SSSE3. BASE is the compiler's own
+/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4. BASE is the compiler's own
 /// target.
 std::vector<std::string> l3d_simd_targets();
 
