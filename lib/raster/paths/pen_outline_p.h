@@ -80,7 +80,7 @@ private:
     double least_cosine_; ///< cosine of most_angle_
     double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    side left_, right_; ///< of the outline that is being made
+    side left_, right_; ///< the outline that is being made
     std::vector<l3d_point_2d> turns_;
     std::vector<l3d_point_2d> half_turn_; ///< arc of all round caps; empty before the first one
 };
