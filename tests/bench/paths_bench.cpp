@@ -24,6 +24,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -140,16 +141,19 @@ void circles_row(double radius) {
         });
 }
 
-void dashes_row(double width) {
+/// Curves under a round pen, whole or in dashes.
+void curves_row(double width, bool dashed) {
     std::mt19937 random(4);
     std::vector<std::array<l3d_point_2d, 4>> curves(20);
     for (auto& c : curves)
         for (l3d_point_2d& p : c)
             p = {uniform(random, 20, size.width - 20), uniform(random, 20, size.height - 20)};
-    const l3d_stroke pen{
-        .width = width, .cap = l3d_cap::round, .join = l3d_join::round, .dashes = {20, 2 * width}};
+    l3d_stroke pen{.width = width, .cap = l3d_cap::round, .join = l3d_join::round};
+    if (dashed)
+        pen.dashes = {20, 2 * width};
     row(
-        "20 dashed curves, " + std::to_string(int(width)) + " px wide",
+        std::string(dashed ? "20 dashed curves, " : "20 curves, ") + std::to_string(int(width)) +
+            " px wide",
         [&](peers& p) {
             for (const auto& c : curves) {
                 p.path.clear();
@@ -162,8 +166,7 @@ void dashes_row(double width) {
             cairo_set_line_width(p.cairo, width);
             cairo_set_line_cap(p.cairo, CAIRO_LINE_CAP_ROUND);
             cairo_set_line_join(p.cairo, CAIRO_LINE_JOIN_ROUND);
-            const std::array<double, 2> dashes{20, 2 * width};
-            cairo_set_dash(p.cairo, dashes.data(), 2, 0);
+            cairo_set_dash(p.cairo, pen.dashes.data(), int(pen.dashes.size()), 0);
             for (const auto& c : curves) {
                 cairo_move_to(p.cairo, c[0].x + 0.5, c[0].y + 0.5);
                 cairo_curve_to(p.cairo, c[1].x + 0.5, c[1].y + 0.5, c[2].x + 0.5, c[2].y + 0.5,
@@ -178,15 +181,22 @@ void dashes_row(double width) {
                 p.agg_path.curve4(c[1].x + 0.5, c[1].y + 0.5, c[2].x + 0.5, c[2].y + 0.5,
                                   c[3].x + 0.5, c[3].y + 0.5);
                 agg::conv_curve<agg::path_storage> curve(p.agg_path);
-                agg::conv_dash<decltype(curve)> dash(curve);
-                dash.add_dash(20, 2 * width);
-                agg::conv_stroke<decltype(dash)> stroke(dash);
                 curve.approximation_scale(agg_scale);
-                stroke.approximation_scale(agg_scale);
-                stroke.width(width);
-                stroke.line_cap(agg::round_cap);
-                stroke.line_join(agg::round_join);
-                p.agg_fill(stroke);
+                const auto fill = [&](auto& chords) {
+                    agg::conv_stroke<std::remove_reference_t<decltype(chords)>> stroke(chords);
+                    stroke.approximation_scale(agg_scale);
+                    stroke.width(width);
+                    stroke.line_cap(agg::round_cap);
+                    stroke.line_join(agg::round_join);
+                    p.agg_fill(stroke);
+                };
+                if (dashed) {
+                    agg::conv_dash<decltype(curve)> dash(curve);
+                    dash.add_dash(20, 2 * width);
+                    fill(dash);
+                } else {
+                    fill(curve);
+                }
             }
         });
 }
@@ -230,6 +240,45 @@ void plot_row(bool is_walk) {
             agg::conv_stroke<agg::path_storage> stroke(p.agg_path);
             stroke.width(pen.width);
             stroke.miter_limit(pen.miter_limit);
+            p.agg_fill(stroke);
+        });
+}
+
+/// Chords of a circle, one path: each leads from a place to that of twice its angle.
+void string_art_row() {
+    constexpr int count = 4000;
+    const l3d_stroke pen{.width = 1};
+    const auto place = [](int i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        return l3d_point_2d{size.width / 2.0 + 380 * std::cos(angle),
+                            size.height / 2.0 + 380 * std::sin(angle)};
+    };
+    row(
+        "string art of 4000 chords",
+        [&](peers& p) {
+            p.path.clear();
+            for (int i = 0; i < count; ++i) {
+                p.path.move_to(place(i));
+                p.path.line_to(place(2 * i));
+            }
+            p.draw.draw_path(l3d_stroked(p.path, pen), {.color = color});
+        },
+        [&](peers& p) {
+            cairo_set_line_width(p.cairo, pen.width);
+            for (int i = 0; i < count; ++i) {
+                cairo_move_to(p.cairo, place(i).x + 0.5, place(i).y + 0.5);
+                cairo_line_to(p.cairo, place(2 * i).x + 0.5, place(2 * i).y + 0.5);
+            }
+            cairo_stroke(p.cairo);
+        },
+        [&](peers& p) {
+            p.agg_path.remove_all();
+            for (int i = 0; i < count; ++i) {
+                p.agg_path.move_to(place(i).x + 0.5, place(i).y + 0.5);
+                p.agg_path.line_to(place(2 * i).x + 0.5, place(2 * i).y + 0.5);
+            }
+            agg::conv_stroke<agg::path_storage> stroke(p.agg_path);
+            stroke.width(pen.width);
             p.agg_fill(stroke);
         });
 }
@@ -315,10 +364,12 @@ int main() {
     for (const double radius : {8, 64, 256})
         circles_row(radius);
     map_row();
-    dashes_row(3);
-    dashes_row(12);
+    for (const bool dashed : {false, true})
+        for (const double width : {3, 12})
+            curves_row(width, dashed);
     plot_row(false);
     plot_row(true);
+    string_art_row();
     mesh_row(1);
     mesh_row(6);
 }

@@ -145,8 +145,6 @@ void path_scan::add_pair_row(std::int32_t row, const chain& a, const chain& b) {
 
 void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
                             const row_piece& right_piece) {
-    // A span costs as much as some columns of values.
-    constexpr std::int32_t few = 32;
     const auto reached = [](const row_piece& p) {
         return reached_columns{static_cast<std::int32_t>(p.left),
                                static_cast<std::int32_t>(p.right)};
@@ -156,12 +154,6 @@ void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
     add_border(right_piece, -1);
     if (right.first <= left.last + 1) {
         add_values(row, {left.first, std::max(left.last, right.last)}, 0);
-    } else if (right.last - left.first < few) {
-        std::uint8_t* value = add_values(row, {left.first, right.last});
-        const double covered = run_up(left, 0, value);
-        const std::int32_t between = right.first - left.last - 1;
-        std::fill_n(value + (left.last + 1 - left.first), between, value_of(covered));
-        run_up(right, covered, value + (right.first - left.first));
     } else {
         const double covered = add_values(row, left, 0);
         add_solid(row, left.last + 1, right.first, value_of(covered));
@@ -326,12 +318,30 @@ bool path_scan::add_meeting(std::span<const place> places, const windings& left)
     return true;
 }
 
+/// Adds columns, whose values follow those of the last span if this ends there.
+void path_scan::add_span(std::int32_t row, std::int32_t first, std::int32_t end) {
+    if (ends_at(row, first))
+        spans_.back().between = spans_.back().beyond = spans_.back().last = end;
+    else
+        spans_.push({row, first, end, end, end, 0, values_.size()});
+}
+
+/// Whether the last span has values of its own in all columns up to a place, and these are the last
+/// of all.
+bool path_scan::ends_at(std::int32_t row, std::int32_t column) {
+    if (spans_.size() == 0)
+        return false;
+    const covered_span& s = spans_.back();
+    return s.row == row && s.last == column && s.between == s.last &&
+           s.values + s.values_before() == values_.size();
+}
+
 /// Adds a span of values that are still to be found.
 std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& columns) {
     const std::int32_t end = std::min(columns.last + 1, width_) + box_.left;
     const std::int32_t first = columns.first + box_.left;
     if (first < end)
-        spans_.push({row + box_.top, first, end, end, end, 0, values_.size()});
+        add_span(row + box_.top, first, end);
     const auto count = static_cast<std::size_t>(columns.last + 1 - columns.first);
     std::uint8_t* const values = values_.room(count);
     values_.use(count);
@@ -356,15 +366,23 @@ double path_scan::add_values(std::int32_t row, const reached_columns& columns, d
     return run_up(columns, covered, add_values(row, columns));
 }
 
+/// A few columns between two that have values get values, too: a span costs as much.
 void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value) {
+    constexpr std::int32_t few = 32;
     if (first >= end || value == 0)
         return;
     const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
-    if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
-        spans_.back().beyond == left && spans_.back().last == left)
+    if (right - left < few && ends_at(y, left)) {
+        const auto count = static_cast<std::size_t>(right - left);
+        add_span(y, left, right);
+        std::fill_n(values_.room(count), count, static_cast<std::uint8_t>(value));
+        values_.use(count);
+    } else if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
+               spans_.back().beyond == left && spans_.back().last == left) {
         spans_.back().beyond = spans_.back().last = right;
-    else
+    } else {
         spans_.push({y, left, left, right, right, value, 0});
+    }
 }
 
 } // namespace l3d_detail

@@ -87,6 +87,8 @@ private:
                 static_cast<std::uint32_t>(&c - chains_.chains().data())};
     }
     const row_piece& piece_of(const place& p) { return chains_.chains()[p.chain].piece(); }
+    void add_span(std::int32_t row, std::int32_t first, std::int32_t end);
+    bool ends_at(std::int32_t row, std::int32_t column);
     std::uint8_t* add_values(std::int32_t row, const reached_columns& columns);
     double run_up(const reached_columns& columns, double covered, std::uint8_t* value);
     double add_values(std::int32_t row, const reached_columns& columns, double covered);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace l3d_detail {
 namespace {
@@ -26,6 +25,10 @@ double most_turn(double radius) {
     return std::min(std::max(by_area, by_distance), std::numbers::pi / 4);
 }
 
+l3d_point_2d opposite(l3d_point_2d direction) {
+    return {-direction.x, -direction.y};
+}
+
 } // namespace
 
 /// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
@@ -38,21 +41,30 @@ void pen_outline::add(const std::vector<pen_point>& points, bool closed, l3d_poi
     find_chords(points, closed);
     if (chords_.empty())
         return add_dot(points[0].at, along);
-    add_side(closed);
+    const chord &first = chords_.front(), &last = chords_.back();
     if (closed)
-        end_outline();
+        add_joint(last, first);
     else
-        add_cap(chords_.back());
-    reverse();
-    add_side(closed);
-    if (!closed)
-        add_cap(chords_.back());
-    end_outline();
+        add_ends(first.from, first.begins);
+    for (std::size_t i = 1; i < chords_.size(); ++i)
+        add_joint(chords_[i - 1], chords_[i]);
+    if (closed) {
+        end_outline(left_);
+        std::ranges::reverse(right_);
+    } else {
+        add_ends(last.to, last.ends);
+        add_cap(last.to, last.ends);
+        left_.insert(left_.end(), right_.rbegin(), right_.rend());
+        add_cap(first.from, opposite(first.begins));
+        right_.swap(left_);
+        left_.clear();
+    }
+    end_outline(right_);
 }
 
-void pen_outline::end_outline() {
-    result_.add_polygon(outline_);
-    outline_.clear();
+void pen_outline::end_outline(side& outline) {
+    result_.add_polygon(outline);
+    outline.clear();
 }
 
 void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed) {
@@ -97,79 +109,66 @@ void pen_outline::add_dot(l3d_point_2d at, l3d_point_2d along) {
     }
 }
 
-void pen_outline::add_side(bool closed) {
-    if (closed)
-        add_joint(chords_.back(), chords_.front());
-    else
-        add_point(beside(chords_.front().from, chords_.front().begins));
-    for (std::size_t i = 1; i < chords_.size(); ++i)
-        add_joint(chords_[i - 1], chords_[i]);
-    if (!closed)
-        add_point(beside(chords_.back().to, chords_.back().ends));
+void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
+    left_.push_back(beside(at, direction));
+    right_.push_back(beside(at, opposite(direction)));
 }
 
+/// The right side is the left one on the way back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
-    const l3d_point_2d from = before.ends, to = after.begins;
-    const double sine = from.x * to.y - from.y * to.x;
-    const double cosine = from.x * to.x + from.y * to.y;
-    if (cosine >= least_cosine_ && add_small_joint(before, after, sine, cosine))
-        return;
-    add_point(beside(after.from, from));
-    if (sine > 0 || (sine == 0 && cosine < 0)) { // a turn to the right, y down: left is outside
-        add_outer_joint(before, after, sine, cosine);
-    } else if (sine < 0) {
-        // The shorter way leaves out a triangle that both rectangles cover.
-        const double aside = radius_ * -sine;
-        if (cosine <= 0 || aside > std::min(before.length, after.length))
-            add_point(after.from);
-    }
-    add_point(beside(after.from, to));
+    const joint there{after.from, before.ends, after.begins, std::min(before.length, after.length),
+                      after.smooth ? l3d_join::round : pen_.join};
+    add_left(there, left_);
+    const auto begin = static_cast<std::ptrdiff_t>(right_.size());
+    add_left({there.at, opposite(there.begins), opposite(there.ends), there.shortest, there.join},
+             right_);
+    std::reverse(right_.begin() + begin, right_.end());
 }
 
-/// Adds one point for a turn so small that its arc is nearly its chord, whatever the join: within a
+/// A turn so small that its arc is nearly its chord has one point, whatever the join: within a
 /// curve, and along the many points of a plot. On the outside it lies on the arc, and the sides of
 /// both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is where these sides
-/// cross; nothing is done where that is beyond the middle of one of them.
-bool pen_outline::add_small_joint(const chord& before, const chord& after, double sine,
-                                  double cosine) {
-    const bool outside = sine > 0;
-    const double along = radius_ * -sine / (1 + cosine);
-    if (!outside && along > std::min(before.length, after.length) / 2)
-        return false;
-    const double scale = radius_ / (outside ? std::sqrt(2 * (1 + cosine)) : 1 + cosine);
-    add_point(between(before, after, scale));
-    return true;
+/// cross, unless that is beyond the middle of one of them.
+void pen_outline::add_left(const joint& j, side& to) {
+    const double sine = j.ends.x * j.begins.y - j.ends.y * j.begins.x;
+    const double cosine = j.ends.x * j.begins.x + j.ends.y * j.begins.y;
+    const bool outside = sine > 0 || (sine == 0 && cosine < 0); // a turn to the right, y down
+    const double inner = radius_ / (1 + cosine);
+    if (cosine >= least_cosine_ && (outside || inner * -sine <= j.shortest / 2)) {
+        const double scale = outside ? radius_ / std::sqrt(2 * (1 + cosine)) : inner;
+        return to.push_back(between(j, scale));
+    }
+    to.push_back(beside(j.at, j.ends));
+    if (outside)
+        add_outside(j, sine, cosine, to);
+    // The shorter way leaves out a triangle that both rectangles cover.
+    else if (sine < 0 && radius_ * -sine > j.shortest)
+        to.push_back(j.at);
+    to.push_back(beside(j.at, j.begins));
 }
 
-/// The point beside a joint, in the middle between the left of both chords.
-l3d_point_2d pen_outline::between(const chord& before, const chord& after, double scale) {
-    return {after.from.x + scale * (before.ends.y + after.begins.y),
-            after.from.y - scale * (before.ends.x + after.begins.x)};
-}
-
-void pen_outline::add_outer_joint(const chord& before, const chord& after, double sine,
-                                  double cosine) {
-    const l3d_join join = after.smooth ? l3d_join::round : pen_.join;
-    if (join == l3d_join::round) {
+void pen_outline::add_outside(const joint& j, double sine, double cosine, side& to) {
+    if (j.join == l3d_join::round) {
         find_turns(std::atan2(sine, cosine), turns_);
-        return add_arc(after.from, {before.ends.y, -before.ends.x}, turns_);
+        return add_arc(j.at, {j.ends.y, -j.ends.x}, turns_, to);
     }
     // From corner to corner a miter is 1 / sin(half the angle between the chords) widths long. The
     // sine is the cosine of half the turn.
     const double half_cosine = std::sqrt(std::max((1 + cosine) / 2, 0.0));
-    if (join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1)
-        add_point(between(before, after, radius_ / (1 + cosine)));
+    if (j.join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1)
+        to.push_back(between(j, radius_ / (1 + cosine)));
 }
 
-void pen_outline::add_cap(const chord& last) {
+/// Adds the cap at a place where the pen arrives in a direction.
+void pen_outline::add_cap(l3d_point_2d at, l3d_point_2d arrives) {
     if (pen_.cap == l3d_cap::round) {
         if (half_turn_.empty())
             find_turns(std::numbers::pi, half_turn_);
-        add_arc(last.to, {last.ends.y, -last.ends.x}, half_turn_);
+        add_arc(at, {arrives.y, -arrives.x}, half_turn_, left_);
     } else if (pen_.cap == l3d_cap::square) {
-        const double x = radius_ * last.ends.x, y = radius_ * last.ends.y;
-        add_point({last.to.x + x + y, last.to.y + y - x});
-        add_point({last.to.x + x - y, last.to.y + y + x});
+        const double x = radius_ * arrives.x, y = radius_ * arrives.y;
+        left_.push_back({at.x + x + y, at.y + y - x});
+        left_.push_back({at.x + x - y, at.y + y + x});
     }
 }
 
@@ -195,24 +194,10 @@ void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) con
 }
 
 void pen_outline::add_arc(l3d_point_2d center, l3d_point_2d left,
-                          const std::vector<l3d_point_2d>& turns) {
+                          const std::vector<l3d_point_2d>& turns, side& to) {
     for (const l3d_point_2d& t : turns)
-        add_point(
+        to.push_back(
             {center.x + (left.x * t.x - left.y * t.y), center.y + (left.y * t.x + left.x * t.y)});
-}
-
-/// The other side is the left one on the way back.
-void pen_outline::reverse() {
-    const auto back = [](l3d_point_2d direction) {
-        return l3d_point_2d{-direction.x, -direction.y};
-    };
-    std::ranges::reverse(chords_);
-    bool mark = chords_.back().smooth; // a joint's mark goes to the chord that begins there now
-    for (chord& c : chords_) {
-        std::swap(c.from, c.to);
-        c.begins = back(std::exchange(c.ends, back(c.begins)));
-        std::swap(c.smooth, mark);
-    }
 }
 
 } // namespace l3d_detail

@@ -40,25 +40,36 @@ private:
         bool smooth;               ///< whether its beginning lies within a curve
     };
 
+    /// Two chords meet.
+    struct joint {
+        l3d_point_2d at;
+        l3d_point_2d ends, begins; ///< directions of the first and of the second
+        double shortest;           ///< the shorter length
+        l3d_join join;
+    };
+
     void find_chords(const std::vector<pen_point>& points, bool closed);
     bool add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to);
     void add_dot(l3d_point_2d at, l3d_point_2d along);
-    /// Adds the side left of the direction of travel, from the first chord's beginning to the last
-    /// one's end.
-    void add_side(bool closed);
+    /// A side of the pen: the left one of travel, or the right one, from its begin to its end.
+    using side = std::vector<l3d_point_2d>;
+
+    void add_ends(l3d_point_2d at, l3d_point_2d direction);
     void add_joint(const chord& before, const chord& after);
-    bool add_small_joint(const chord& before, const chord& after, double sine, double cosine);
-    static l3d_point_2d between(const chord& before, const chord& after, double scale);
-    void add_outer_joint(const chord& before, const chord& after, double sine, double cosine);
-    void add_cap(const chord& last);
+    void add_left(const joint& j, side& to);
+    void add_outside(const joint& j, double sine, double cosine, side& to);
+    void add_cap(l3d_point_2d at, l3d_point_2d arrives);
     /// Finds points near the circle about (0, 0), from the direction (1, 0) on.
     void find_turns(double angle, std::vector<l3d_point_2d>& turns) const;
     /// Adds the points of a circle about `center`, from the direction `left` on.
-    void add_arc(l3d_point_2d center, l3d_point_2d left, const std::vector<l3d_point_2d>& turns);
-    void add_point(l3d_point_2d p) { outline_.push_back(p); }
-    void end_outline();
-    void reverse();
+    static void add_arc(l3d_point_2d center, l3d_point_2d left,
+                        const std::vector<l3d_point_2d>& turns, side& to);
+    void end_outline(side& outline);
 
+    /// The point beside a joint, in the middle between the left of both chords.
+    static l3d_point_2d between(const joint& j, double scale) {
+        return {j.at.x + scale * (j.ends.y + j.begins.y), j.at.y - scale * (j.ends.x + j.begins.x)};
+    }
     l3d_point_2d beside(l3d_point_2d p, l3d_point_2d direction) const {
         return {p.x + radius_ * direction.y, p.y - radius_ * direction.x};
     }
@@ -69,7 +80,7 @@ private:
     double least_cosine_; ///< cosine of most_angle_
     double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    std::vector<l3d_point_2d> outline_; ///< the outline that is being made
+    side left_, right_; ///< the outline that is being made
     std::vector<l3d_point_2d> turns_;
     std::vector<l3d_point_2d> half_turn_; ///< arc of all round caps; empty before the first one
 };
