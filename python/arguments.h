@@ -28,8 +28,8 @@ inline constexpr double farthest = 1e12;
 /// The farthest place of a picture that the rasterizers tell from others: 2^30 pixels.
 inline constexpr double farthest_pixel = 0x1p30;
 
-/// The largest angle that l3d_path::arc_to takes, in radians.
-inline constexpr double most_radians = 1000;
+/// The largest angle that l3d_path::arc_to takes, in degrees.
+inline constexpr double most_degrees = 60000;
 
 /// Each of these reads one value. `what` begins the sentence of a type_error or value_error.
 double number_of(PyObject* value, const std::string& what,

@@ -144,7 +144,7 @@ reference draw_image(canvas_owner& self, arguments& a) {
     l3d_placed_image placed{image.image->pixels()};
     placed.place =
         l3d_placement_2d::image_in_box(own, at.x, at.y, size[0], size[1])
-            .then(l3d_placement_2d::turned(a.number("turn", 0, -most_radians, most_radians), at));
+            .then(l3d_placement_2d::turned(a.number("turn", 0, -most_degrees, most_degrees), at));
     placed.transparent = image.is_transparent;
     read_choice(a, "filter", placed.filter, filter_names);
     self->rasterizer.draw_image(placed, fill_of(a));

@@ -30,9 +30,9 @@ l3d_fog fog_of(PyObject* value, const std::string& what) {
         throw type_error(what + ": a tuple (near, far) or (near, far, color) is wanted, not " +
                          shown(value));
     l3d_fog result;
-    result.near = static_cast<float>(number_of(PyTuple_GetItem(value, 0), what, 0, farthest));
-    result.far = static_cast<float>(number_of(PyTuple_GetItem(value, 1), what, 0, farthest));
-    if (!(result.far > result.near))
+    result.from = static_cast<float>(number_of(PyTuple_GetItem(value, 0), what, 0, farthest));
+    result.to = static_cast<float>(number_of(PyTuple_GetItem(value, 1), what, 0, farthest));
+    if (!(result.to > result.from))
         throw value_error(what + ": the first distance must be the nearer one");
     if (PyTuple_Size(value) == 3)
         result.color = color_of(PyTuple_GetItem(value, 2), what);

@@ -4,7 +4,7 @@
 #include "types.h"
 
 #include <l3d/error.h>
-#include <l3d/height_field.h>
+#include <l3d/patch_file.h>
 #include <l3d/plugin_loader.h>
 
 #include <algorithm>

@@ -43,9 +43,9 @@ reference cubic_to(l3d_path& self, arguments& a) {
 reference arc_to(l3d_path& self, arguments& a) {
     a.are("Path.arc_to", "center radii begin sweep turn |");
     const l3d_point_2d center = a.point("center"), radii = a.point("radii");
-    const double begin = number_of(a.need("begin"), a.what("begin"), -most_radians, most_radians);
-    const double sweep = number_of(a.need("sweep"), a.what("sweep"), -most_radians, most_radians);
-    self.arc_to(center, radii, a.number("turn", 0, -most_radians, most_radians), begin, sweep);
+    const double begin = number_of(a.need("begin"), a.what("begin"), -most_degrees, most_degrees);
+    const double sweep = number_of(a.need("sweep"), a.what("sweep"), -most_degrees, most_degrees);
+    self.arc_to(center, radii, a.number("turn", 0, -most_degrees, most_degrees), begin, sweep);
     return a.self();
 }
 reference close(l3d_path& self, arguments& a) {
@@ -95,7 +95,7 @@ l3d_placement_2d placement_of(const arguments& a) {
     a.read("at", at, point_of);
     const double scale = a.number("scale", 1, 1 / farthest_pixel, farthest_pixel);
     return l3d_placement_2d::scaled(scale, scale)
-        .then(l3d_placement_2d::turned(a.number("turn", 0, -most_radians, most_radians)))
+        .then(l3d_placement_2d::turned(a.number("turn", 0, -most_degrees, most_degrees)))
         .then(l3d_placement_2d::moved(at.x, at.y));
 }
 reference add(l3d_path& self, arguments& a) {

@@ -3,8 +3,6 @@
 #include "docs.h"
 #include "types.h"
 
-#include <l3d/framing.h>
-
 #include <cmath>
 
 namespace python {
@@ -42,14 +40,14 @@ constexpr double widest = 180; // degrees
 /// Numbers that are no camera together are refused when something is drawn: a program may change
 /// one after the other.
 reference make_camera(arguments& a) {
-    a.are("Camera", "eye target up fov near far parallel |");
+    a.are("Camera", "eye target up fov near_z far_z parallel |");
     l3d_camera result;
     a.read("eye", result.eye, vector_of, l3d_farthest_eye);
     a.read("target", result.target, vector_of, farthest);
     a.read("up", result.up, vector_of, farthest);
     result.fov = a.number("fov", result.fov, 0, widest);
-    result.near = a.number("near", result.near, 0, std::numeric_limits<double>::max());
-    result.far = a.number("far", result.far, 0, std::numeric_limits<double>::max());
+    result.near_z = a.number("near_z", result.near_z, 0, std::numeric_limits<double>::max());
+    result.far_z = a.number("far_z", result.far_z, 0, std::numeric_limits<double>::max());
     if (a.flag("parallel", false))
         result.projection = l3d_projection::parallel;
     if (const std::string why = result.complaint(); !why.empty())
@@ -79,7 +77,7 @@ void set_parallel(l3d_camera& self, PyObject* value) {
 
 reference orbit(l3d_camera& self, arguments& a) {
     a.are("Camera.orbit", "around_up around_right |");
-    constexpr double most = 1e6; // radians: beyond, a double tells no small angles apart
+    constexpr double most = 1e6; // degrees: beyond, a double tells no small angles apart
     const double up = number_of(a.need("around_up"), a.what("around_up"), -most, most);
     self.orbit(up, a.number("around_right", 0, -most, most));
     return reference::none();
@@ -117,8 +115,7 @@ reference make_light(arguments& a) {
     if (PyObject* value = a.find("position")) {
         const vector_3d place = vector_of(value, a.what("position"));
         const double reach = a.number("reach", 0, 0, farthest);
-        return made(light(
-            l3d_point_light{{place[0], place[1], place[2]}, static_cast<float>(reach), color}));
+        return made(light(l3d_point_light{place, static_cast<float>(reach), color}));
     }
     if (a.find("reach"))
         throw type_error("Light: reach: only a light with a position has one");
@@ -126,7 +123,7 @@ reference make_light(arguments& a) {
     if (!(l3d_length(to) > 0))
         throw value_error("Light: direction: zero is no direction");
     l3d_lighting one;
-    one.add(to[0], to[1], to[2], color);
+    one.add(to, color);
     return made(light(one.lights[0]));
 }
 
@@ -163,8 +160,9 @@ PyTypeObject* add_camera_type(PyObject* module) {
                                                                         doc("Camera.target")),
         attribute<c, vector_member<&c::up>, set_vector<&c::up>>("up", doc("Camera.up")),
         attribute<c, number_member<&c::fov>, set_number<&c::fov>>("fov", doc("Camera.fov")),
-        attribute<c, number_member<&c::near>, set_number<&c::near>>("near", doc("Camera.near")),
-        attribute<c, number_member<&c::far>, set_number<&c::far>>("far", doc("Camera.far")),
+        attribute<c, number_member<&c::near_z>, set_number<&c::near_z>>("near_z",
+                                                                        doc("Camera.near_z")),
+        attribute<c, number_member<&c::far_z>, set_number<&c::far_z>>("far_z", doc("Camera.far_z")),
         attribute<c, is_parallel, set_parallel>("parallel", doc("Camera.parallel")),
         {}};
     return new_type<c>(

@@ -51,7 +51,7 @@ class Material:
 class Camera:
     """A camera that looks from `eye` to `target`, y up. `fov` is the vertical angle in degrees."""
     def __init__(self, eye: _Numbers = (0, 0, 1), target: _Numbers = (0, 0, 0),
-                 up: _Numbers = (0, 1, 0), fov: float = 38, near: float = 0.1, far: float = 1e16,
+                 up: _Numbers = (0, 1, 0), fov: float = 38, near_z: float = 0.1, far_z: float = 1e16,
                  parallel: bool = False) -> None: ...
     @property
     def eye(self) -> _Vector:
@@ -74,14 +74,14 @@ class Camera:
     @fov.setter
     def fov(self, value: float) -> None: ...
     @property
-    def near(self) -> float:
+    def near_z(self) -> float:
         """The least distance along the view axis that is drawn."""
-    @near.setter
+    @near_z.setter
     def near(self, value: float) -> None: ...
     @property
-    def far(self) -> float:
+    def far_z(self) -> float:
         """The farthest distance along the view axis that is drawn."""
-    @far.setter
+    @far_z.setter
     def far(self, value: float) -> None: ...
     @property
     def parallel(self) -> bool:
@@ -89,7 +89,7 @@ class Camera:
     @parallel.setter
     def parallel(self, value: bool) -> None: ...
     def orbit(self, around_up: float, around_right: float = 0) -> None:
-        """Turns the eye about the target, by radians."""
+        """Turns the eye about the target, by degrees."""
     def approach(self, factor: float) -> None:
         """Multiplies the distance from the target."""
     def move(self, by: _Numbers) -> None:
@@ -371,7 +371,7 @@ class Path:
         """Adds a cubic Bezier curve."""
     def arc_to(self, center: _Numbers, radii: _Numbers, begin: float, sweep: float,
                turn: float = 0) -> Path:
-        """Adds an arc of an ellipse, and first a line to its beginning. Angles are radians."""
+        """Adds an arc of an ellipse, and first a line to its beginning. Angles are degrees."""
     def close(self) -> Path:
         """Closes the outline."""
     def add_circle(self, center: _Numbers, radius: float) -> Path:
@@ -383,7 +383,7 @@ class Path:
     def add_lines(self, points: _Numbers) -> Path:
         """Adds an open line through n x 2 points."""
     def add(self, path: Path, *, at: _Numbers = (0, 0), turn: float = 0, scale: float = 1) -> Path:
-        """Adds another path, scaled, turned by radians, and moved."""
+        """Adds another path, scaled, turned by degrees, and moved."""
     def stroked(self, width: float = 1, *, cap: Literal["butt", "round", "square"] = "butt",
                 join: Literal["miter", "round", "bevel"] = "miter", miter_limit: float = 4,
                 dashes: _Numbers = (), dash_begin: float = 0) -> Path:
@@ -450,7 +450,7 @@ class Canvas:
                    turn: float = 0, filter: Literal["nearest", "linear", "area"] = "area",
                    alpha: float = 1, clip: Optional[Path] = None,
                    blending: _Blending = "coded") -> Canvas:
-        """Draws a picture from a place on, in a size of its own, turned about that place by radians."""
+        """Draws a picture from a place on, in a size of its own, turned about that place by degrees."""
     def draw_text(self, at: _Numbers, text: str, color: _Color = 0, size: int = 14,
                   font: Optional[Font] = None) -> Canvas:
         """Draws a line of text whose top left corner is at a place, with the letters of this machine."""

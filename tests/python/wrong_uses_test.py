@@ -98,7 +98,7 @@ l3d.Camera(eye=(0, 5, 0), up=(0, 1, 0))                 Error      up
 l3d.Camera(eye=(nan, 0, 1))                             Error      eye[0] is nan
 l3d.Camera(fov=0)                                       Error      fov
 l3d.Camera(fov="wide")                                  TypeError  number
-l3d.Camera(near=2, far=1)                               Error      near
+l3d.Camera(near_z=2, far_z=1)                           Error      near
 setattr(l3d.Camera(), "eye", "there")                   TypeError  sequence
 setattr(l3d.Camera(), "zoom", 3)                        AttributeError  zoom
 delattr(l3d.Camera(), "eye")                            TypeError  deleted
