@@ -2,7 +2,6 @@
 // Rational and NURBS surfaces of .obj, .bpt and geomview files that are refused, and their lines.
 #include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
-#include "geom/files/surface_file.h"
 
 #include "model_text.h"
 
