@@ -59,9 +59,9 @@ help: ## this list
 
 # A file whose text changed is written while make reads: what depends on it is remade when flags or
 # lists do. A dry run leaves it as it is, so that what is built stays built. Neither a compiler's cache nor
-# -Werror changes what is made.
+# -Werror changes what is made. Make 4.3 leaves the last newline of some files.
 dry_run  = $(findstring n,$(firstword -$(MAKEFLAGS)))
-is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(file <$(1)),none)x)
+is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(strip $(file <$(1))),none)x)
 remember = $(if $(and $(dry_run),$(wildcard $(1))),,$(if $(is_new),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2)))))
 $(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(call less_optimised,_test.cpp)))
 
