@@ -59,7 +59,7 @@ TEST(refused_surfaces, of_obj_files_are_told_by_line) {
         {"u 0 0 1 1", "u 0 0 .5 .5 1 1", "10: parm u has a knot more often than the degree"},
         {"u 0 0 1 1", "u 0 0 .5 1 1",
          "10: the surface has 4 control points; its parameters ask for 3 by 2"},
-        {"parm v", "parm u", "9: a second parm 'u' of a surface"},
+        {"parm v", "parm u", "9: a second parm 'u' of a surface or curve"},
         {"parm v", "parm w", "9: parm is followed by neither u nor v"},
         {"end\n", "", "10: the text ends in a surface, before its end"},
     };
