@@ -26,7 +26,7 @@ SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 PYTHON_LOGS := $(patsubst tests/%,$(OUT)/log/%.log,$(wildcard tests/python/*_test.py))
-STRESS_LOGS := $(SERVER_LOGS) $(OUT)/log/raster-stress.log $(OUT)/log/pipeline-stress.log
+STRESS_LOGS := $(SERVER_LOGS) $(patsubst %,$(OUT)/log/%-stress.log,raster dice pipeline)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(DATA) \
              $(if $(filter lab,$(WITH)),$(STABILITY)) \
