@@ -77,12 +77,12 @@ class Camera:
     def near_z(self) -> float:
         """The least distance along the view axis that is drawn."""
     @near_z.setter
-    def near(self, value: float) -> None: ...
+    def near_z(self, value: float) -> None: ...
     @property
     def far_z(self) -> float:
         """The farthest distance along the view axis that is drawn."""
     @far_z.setter
-    def far(self, value: float) -> None: ...
+    def far_z(self, value: float) -> None: ...
     @property
     def parallel(self) -> bool:
         """Whether far things look as large as near ones."""
