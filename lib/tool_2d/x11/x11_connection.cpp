@@ -82,8 +82,8 @@ struct x11_handlers {
 
 namespace {
 
-/// The place to jump to if the server dies while this thread connects to it; else null.
-thread_local std::jmp_buf* way_out_of_opening = nullptr;
+/// The place to jump to if the server dies in ask_safely(); else null.
+thread_local std::jmp_buf* way_out = nullptr;
 
 // 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
 // otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
@@ -101,23 +101,30 @@ constexpr std::chrono::seconds longest_connect{3};
 // A server that is well closes its end at once; one that is stopped is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// Opens a display and survives a server that dies meanwhile: XOpenDisplay would end the process,
-/// and has no display yet for an exit handler. The jump out of it leaks Xlib's half-made display,
-/// once.
-/// `a_server_may_die_at_any_byte` fails without it.
-Display* open_display(const char* name, bool& lost) {
-    if (!can_reach_x11_host(name, longest_connect))
-        return nullptr;
-    std::jmp_buf way_out;
-    if (setjmp(way_out) != 0) {
-        way_out_of_opening = nullptr;
-        lost = true;
-        return nullptr;
+/// Calls functions of Xlib that cannot go on if the server dies meanwhile, and jumps out of them then.
+///
+/// XOpenDisplay has no display yet for an exit handler, and would end the process.
+/// XQueryExtension takes the reply that never came for the number of an extension.
+/// The jump leaks what Xlib had begun, once.
+/// Expects: nothing in `ask` has a destructor.
+/// Errors:  false if the server died. `a_server_may_die_at_any_byte` fails without it.
+template <class Ask> bool ask_safely(Ask ask) {
+    std::jmp_buf here;
+    if (setjmp(here) != 0) {
+        way_out = nullptr;
+        return false;
     }
-    way_out_of_opening = &way_out;
-    Display* display = XOpenDisplay(name);
-    way_out_of_opening = nullptr;
-    return display;
+    way_out = &here;
+    ask();
+    way_out = nullptr;
+    return true;
+}
+
+Display* open_display(const char* name, bool& lost) {
+    Display* display = nullptr;
+    if (can_reach_x11_host(name, longest_connect))
+        lost = !ask_safely([&] { display = XOpenDisplay(name); });
+    return lost ? nullptr : display;
 }
 
 } // namespace
@@ -167,13 +174,16 @@ int x11_handlers::on_error(Display* display, XErrorEvent* error) {
 
 int x11_handlers::on_io_error(Display* display) {
     auto& handlers = instance();
-    if (handlers.find(display) != nullptr)
-        return 0; // on_io_exit follows.
-    if (way_out_of_opening == nullptr)
-        return handlers.previous_io_error(display);
-    close(ConnectionNumber(display));
-    handlers.keep_lost(display);
-    std::longjmp(*way_out_of_opening, 1);
+    auto* const connection = handlers.find(display);
+    if (way_out == nullptr) // on_io_exit follows for ours.
+        return connection != nullptr ? 0 : handlers.previous_io_error(display);
+    if (connection != nullptr) {
+        on_io_exit(display, connection);
+    } else {
+        close(ConnectionNumber(display));
+        handlers.keep_lost(display);
+    }
+    std::longjmp(*way_out, 1);
 }
 
 std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
@@ -251,6 +261,11 @@ void x11_connection::leave() {
     shutdown(server, SHUT_RD);
     if (!lost_)
         XEventsQueued(display_, QueuedAfterReading);
+}
+
+bool x11_connection::has(extension_query query) const {
+    Bool has = False;
+    return ask_safely([&] { has = query(display_); }) && has != False;
 }
 
 void x11_connection::keep(const failure& error) {

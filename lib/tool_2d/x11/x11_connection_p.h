@@ -58,6 +58,12 @@ public:
     /// Whether the server is reached without a network, so that it can share memory with us.
     bool is_local() const { return local_; }
 
+    using extension_query = Bool (*)(Display* display);
+    /// Whether the server has an extension, as this first function of its library says. False if
+    /// the server goes away meanwhile.
+    /// Cost:    one round trip, the first time.
+    bool has(extension_query query) const;
+
     /// The proven way by which the server attaches our memory, and not others'.
     x11_sharing sharing() const { return sharing_; }
     void set_sharing(x11_sharing sharing) { sharing_ = sharing; }

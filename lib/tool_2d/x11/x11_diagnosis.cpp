@@ -81,7 +81,7 @@ l3d_probe probe_manager(const x11_connection& connection) {
 l3d_probe probe_extension(const x11_connection& connection) {
     int major = 0, minor = 0, pixmaps = 0;
     // Asked for the version of a missing extension, Xlib would print a line of its own.
-    if (XShmQueryExtension(connection.display()) != 0 &&
+    if (connection.has(XShmQueryExtension) &&
         XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0)
         return {"MIT-SHM",
                 "version " + std::to_string(major) + "." + std::to_string(minor),

@@ -56,7 +56,7 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
         why = "L3D_NO_SHM is set";
     else if (!connection.is_local())
         why = "the X server is reached over a network";
-    else if (XShmQueryExtension(connection.display()) == 0)
+    else if (!connection.has(XShmQueryExtension))
         why = connection.lost() ? x11_server_went_away : "the X server does not have MIT-SHM";
     else
         return false;

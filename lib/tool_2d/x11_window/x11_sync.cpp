@@ -7,11 +7,19 @@
 #include <X11/Xatom.h>
 
 namespace l3d_detail {
+namespace {
+
+Bool query_sync(Display* display) {
+    int first_event = 0, first_error = 0;
+    return XSyncQueryExtension(display, &first_event, &first_error);
+}
+
+} // namespace
 
 x11_sync::x11_sync(const x11_window& window) : window_(window) {
     Display* display = window.display();
-    int first_event = 0, first_error = 0, major = 0, minor = 0;
-    if (!window.was_managed() || XSyncQueryExtension(display, &first_event, &first_error) == 0 ||
+    int major = 0, minor = 0;
+    if (!window.was_managed() || !window.connection().has(query_sync) ||
         XSyncInitialize(display, &major, &minor) == 0)
         return;
     constexpr std::array names{"_NET_WM_SYNC_REQUEST", "_NET_WM_SYNC_REQUEST_COUNTER"};
