@@ -101,7 +101,8 @@ constexpr std::chrono::seconds longest_connect{3};
 // A server that is well closes its end at once; one that is stopped is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// Calls functions of Xlib that cannot go on if the server dies meanwhile, and jumps out of them then.
+/// Calls functions of Xlib that cannot go on if the server dies meanwhile, and jumps out of them
+/// then.
 ///
 /// XOpenDisplay has no display yet for an exit handler, and would end the process.
 /// XQueryExtension takes the reply that never came for the number of an extension.
