@@ -123,11 +123,11 @@ void l3d_curved_pieces::unite_common_boundaries() {
 }
 
 double l3d_curved_pieces::place_target(int level) const {
-    return std::ldexp(l3d_length(most_ - least_), -10 - 4 * level);
+    return std::ldexp(l3d_length(most_ - least_), -10 - 2 * level);
 }
 
 double l3d_curved_pieces::normal_target(int level) {
-    return std::ldexp(1.0, -9 - 3 * level);
+    return std::exp2(-9 - 1.5 * level);
 }
 
 /// Each line is halved until places are well in all cells along it, and then until normals are. The
@@ -135,7 +135,8 @@ double l3d_curved_pieces::normal_target(int level) {
 std::vector<l3d_curved_pieces::halvings>
 l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
                                int most_for_normals) const {
-    // Where normals have no bound, as at a cusp, cutting may never give one.
+    // Where normals have no bound, as at a cusp, cutting may never give one. The cells along whole
+    // lines are cut for one only if 16 by 16 parts of it all have one.
     constexpr int most_without_bound = 4;
     // Rounding, or a cusp, is reached where halving no longer gains a tenth.
     constexpr double gain = 0.9;
@@ -186,7 +187,8 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
             if (!in_u && !in_v) {
                 const bool helps = left_by(1, 1) < gain * now_off;
                 const bool may_help =
-                    std::isinf(now_off) && std::max(have.u, have.v) < most_without_bound;
+                    std::isinf(now_off) &&
+                    std::isfinite(left_by(most_without_bound, most_without_bound));
                 in_u = in_v = helps || may_help;
                 is_done[i] = !in_u;
             }

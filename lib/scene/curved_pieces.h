@@ -32,17 +32,16 @@ public:
 
     /// Levels of places and of normals are from 0 to this. The finest of places asks for 2^-42 of
     /// the diagonal of the box; rounding of doubles would leave little of a finer one.
-    static constexpr int most_level = 8;
+    static constexpr int most_level = 16;
     /// The bound of places at a level, which cells keep if there are no more than most_cells. Each
-    /// level's bound is a 16th of the one before, with twice the cells along a side.
+    /// level's bound is a quarter of the one before, with twice the cells.
     double place_target(int level) const;
-    /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and each level an
-    /// eighth of the one before.
+    /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and two levels
+    /// have an eighth of it.
     static double normal_target(int level);
     /// Pieces are not cut more often than this for their normals alone. So one that nearly has a
-    /// cusp does not take all cells. Each level has twice as many along each side; level 0 has
-    /// 4096.
-    static constexpr int most_halvings_for_normals(int level) { return 12 + 2 * level; }
+    /// cusp does not take all cells. Each level has twice as many; level 0 has 4096.
+    static constexpr int most_halvings_for_normals(int level) { return 12 + level; }
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr std::size_t most_cells = std::size_t{1} << 17;
 

@@ -93,12 +93,13 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
                 ++level;
             return level;
         };
-        take_level(i, first([&](int level) {
-                       return seen.pixels(model.place_target(level)) <= view.places_px;
-                   }),
-                   first([&](int level) {
-                       return seen.turn * model.normal_target(level) <= view.normals;
-                   }));
+        const int normals = first(
+            [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
+        // By what its patches keep, which is often less than what the level asks for.
+        const int places = first([&](int level) {
+            return seen.pixels(model.at_level(level, normals).surface_error()) <= view.places_px;
+        });
+        take_level(i, places, normals);
         const l3d_patch_model& drawn = instances_[i].model();
         result.places_px = std::max(result.places_px, seen.pixels(drawn.surface_error()));
         result.places = std::max(result.places, seen.stretch * drawn.surface_error());

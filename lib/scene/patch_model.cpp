@@ -169,6 +169,10 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     std::shared_ptr<const contents>& kept = levels_[{places, normals}];
     if (!kept) {
         l3d_curved_pieces::cells cells = pieces.at_level(places, normals);
+        for (const auto& [level, other] : levels_)
+            if (other && std::ranges::equal(other->patches, cells.patches, {}, &patch::points,
+                                            &patch::points))
+                return kept = other;
         const auto like = like_.find({places, normals});
         const auto made = std::make_shared<contents>(
             std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
@@ -281,10 +285,6 @@ l3d_patch_model l3d_patch_model::at_level(int places, int normals) const {
 
 int l3d_patch_model::most_level() const {
     return source_ ? l3d_curved_pieces::most_level : 0;
-}
-
-double l3d_patch_model::place_target(int level) const {
-    return source_ ? source_->pieces.place_target(level) : 0;
 }
 
 double l3d_patch_model::normal_target(int level) const {

@@ -123,19 +123,17 @@ public:
     /// Whether its patches stand for pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with other patches. Levels of places and of normals are from the
-    /// coarsest, 0, which every model is made with, to most_level(). A level of places is within a
-    /// 16th of what the one before is within, and one of normals within an eighth, as long as that
-    /// takes no more than 2^17 patches. Any other model is as it is at all levels.
-    /// Expects: 0 <= places, normals <= most_level().
-    /// Cost:    some 20 us a patch when a level is first asked for. It is kept as long as any copy
+    /// coarsest, 0, which every model is made with, to most_level(). Two levels of places are
+    /// within a 16th, and two of normals within an eighth, as long as that takes no more than 2^17
+    /// patches. Any other model is as it is at all levels. Expects: 0 <= places, normals <=
+    /// most_level(). Cost:    some 20 us a patch when a level is first asked for. It is kept as
+    /// long as any copy
     ///          of the model lives.
     l3d_patch_model at_level(int places, int normals) const;
     /// The finest level of both; 0 of a model that is not curved.
     int most_level() const;
-    /// How far places may be off at a level by its design, in the model's unit; 0 of a model that
-    /// is not curved. Expects: as at_level.
-    double place_target(int level) const;
-    /// The same for unit normals. Expects: as at_level.
+    /// How far unit normals may be off at a level by its design; 0 of a model that is not curved.
+    /// Expects: as at_level.
     double normal_target(int level) const;
 
     /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless

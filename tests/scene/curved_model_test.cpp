@@ -42,6 +42,11 @@ l3d_curved_error chosen(l3d_patch_scene& scene, double distance, double px, doub
         {.camera = camera, .size = {640, 480}, .places_px = px, .normals = normals});
 }
 
+/// The part of its diagonal that a level of places asks for.
+double place_target(const l3d_patch_model& model, int level) {
+    return std::ldexp(l3d_length(model.pieces_most() - model.pieces_least()), -10 - 2 * level);
+}
+
 } // namespace
 
 TEST(curved_model, keeps_what_its_levels_say_and_is_closed_at_each) {
@@ -50,7 +55,7 @@ TEST(curved_model, keeps_what_its_levels_say_and_is_closed_at_each) {
     EXPECT_EQ(model.pieces(), 8u);
     for (int level = 0; level < 4; ++level) {
         const l3d_patch_model at = model.at_level(level, 0);
-        EXPECT_LE(at.surface_error(), model.place_target(level));
+        EXPECT_LE(at.surface_error(), place_target(model, level));
         EXPECT_LE(at.normal_error(), model.normal_target(0));
         EXPECT_LE(away_from_sphere(at), at.surface_error());
         EXPECT_EQ(at.orientation(), 1); // all boundaries are met by their like, bit for bit
@@ -119,7 +124,7 @@ TEST(curved_model, is_not_cut_without_end_for_normals_that_turn_at_once) {
     const auto model = l3d_patch_model::from_patches(std::vector{patch}, "cusp", why);
     ASSERT_TRUE(model);
     EXPECT_LE(model->patches().size(), 4096u);
-    EXPECT_LE(model->surface_error(), model->place_target(0));
+    EXPECT_LE(model->surface_error(), place_target(*model, 0));
     EXPECT_GT(model->normal_error(), model->normal_target(0));
 }
 
@@ -175,4 +180,27 @@ TEST(curved_model, stretched_placements_are_counted) {
     l3d_patch_scene round(sphere());
     EXPECT_GT(chosen(scene, 500, 1e3).places_px, 50 * chosen(round, 500, 1e3).places_px);
     EXPECT_GT(chosen(scene, 500, 1e3).normals, 10 * chosen(round, 500, 1e3).normals);
+}
+
+TEST(curved_model, is_not_cut_along_whole_lines_for_a_cusp) {
+    // Two pieces of degree 4, one of them with two sides that begin with three points in a corner.
+    std::vector<l3d_patch_points> pieces;
+    for (const double from : {0.0, 4.0}) {
+        l3d_patch_points piece{4, 4, {}, {}};
+        for (int i = 0; i < 25; ++i) {
+            const double x = i % 5, y = from + i / 5;
+            piece.points.push_back({x, y, 0.02 * x * x * y});
+        }
+        pieces.push_back(piece);
+    }
+    for (const std::size_t i : {1u, 5u})
+        pieces[0].points[i] = pieces[0].points[0];
+    std::string why;
+    const auto model = l3d_patch_model::from_patches(pieces, "cusp", why);
+    ASSERT_TRUE(model) << why;
+    EXPECT_TRUE(std::isinf(model->normal_error()));
+    std::size_t beside = 0;
+    for (std::size_t i = 0; i < model->patches().size(); ++i)
+        beside += model->piece_of(i) == 1 ? 1 : 0;
+    EXPECT_LE(beside, 4u);
 }
