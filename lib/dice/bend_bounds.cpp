@@ -157,9 +157,16 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
 /// since the piece is a part of the patch by halves. So all factors are powers of two.
 auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -> of_piece {
     of_piece result;
-    if (strips == l3d_block_needs::most_strips && piece.u1 - piece.u0 == 1 &&
-        piece.v1 - piece.v0 == 1) {
+    const bool is_whole = piece.u1 - piece.u0 == 1 && piece.v1 - piece.v0 == 1;
+    if (is_whole && strips == l3d_block_needs::most_strips) {
         result = {bends_->of_blocks(), bends_->steps_u(), bends_->steps_v()};
+    } else if (is_whole && strips == 1) {
+        for (std::size_t n = 0; n < l3d_detail::bend_members<float>.size(); ++n)
+            (result.bends.*l3d_detail::bend_members<l3d_surface_bends::lanes>[n])[0] =
+                bends_->of_whole().*l3d_detail::bend_members<float>[n];
+        constexpr float across = 4;
+        result.steps_u[0] = across * *std::ranges::max_element(bends_->steps_u());
+        result.steps_v[0] = across * *std::ranges::max_element(bends_->steps_v());
     } else {
         const auto count = static_cast<std::size_t>(strips);
         for (std::size_t row = 0; row < count; ++row)

@@ -94,14 +94,15 @@ struct strip_wishes {
 };
 
 /// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
-/// are those of unbalanced chords, as in slits.
-void plan_strips(const strip_nets& nets, const l3d_image_box& window, double focal,
-                 const strip_wishes& wishes, row& steps, row& chord_error) {
+/// are those of unbalanced chords, as in slits. Only the first lanes are `used`; whole vectors are
+/// written.
+void plan_strips(const strip_nets& nets, std::size_t used, const l3d_image_box& window,
+                 double focal, const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;
     using vec = hn::Vec<decltype(d)>;
     const vec zero = hn::Zero(d), one = hn::Set(d, 1), two = hn::Set(d, 2), six = hn::Set(d, 6),
               half = hn::Set(d, 0.5);
-    for (std::size_t l = 0; l < lanes; l += hn::Lanes(d)) {
+    for (std::size_t l = 0; l < used; l += hn::Lanes(d)) {
         const auto at = [&](int k, std::size_t i) {
             return hn::Load(d, &nets[static_cast<std::size_t>(k)][i].at[l]);
         };

@@ -56,9 +56,9 @@ void cut_in_four(const cubic& edges, strip_nets& out) {
                     out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
 }
 
-/// p(t) = c0 + t (c1 + t (c2 + t c3)).
-void to_powers(const cubic& p, cubic& HWY_RESTRICT c) {
-    for (std::size_t l = 0; l < lanes; ++l) {
+/// p(t) = c0 + t (c1 + t (c2 + t c3)), in the first lanes.
+void to_powers(const cubic& p, std::size_t used, cubic& HWY_RESTRICT c) {
+    for (std::size_t l = 0; l < used; ++l) {
         double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
         l3d_to_powers(a0, a1, a2, a3);
         c[0].at[l] = a0;
@@ -227,18 +227,21 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.most_moved();
         }
     }
-    strip_nets nets;
-    cut_in_four(whole, nets);
+    strip_nets nets{};
+    const bool has_strips = !std::ranges::all_of(seen, &edge_view::one_strip);
+    const std::size_t used = has_strips ? lanes : edges_at_once;
+    if (has_strips)
+        cut_in_four(whole, nets);
     for (std::size_t e = 0; e < edges_at_once; ++e)
         if (seen[e].one_strip)
             for (std::size_t k = 0; k < 3; ++k)
                 for (std::size_t i = 0; i < 4; ++i)
                     nets[k][i].at[e] = whole[i].at[4 * k + e];
     row steps, chord_error;
-    plan_strips(nets, view.margin(), view.focal, wishes, steps, chord_error);
+    plan_strips(nets, used, view.margin(), view.focal, wishes, steps, chord_error);
     strip_nets powers;
     for (std::size_t k = 0; k < 3; ++k)
-        to_powers(nets[k], powers[k]);
+        to_powers(nets[k], used, powers[k]);
 
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         edge_strips& out = results[e];
