@@ -61,6 +61,7 @@ install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DAT
 	$(Q)$(call put,644,$(SHAREDIR)/bash-completion/completions,$(BASH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/zsh/site-functions,$(ZSH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/applications,packaging/desktop/*.desktop)
+	$(Q)$(call put,644,$(SHAREDIR)/thumbnailers,packaging/desktop/*.thumbnailer)
 	$(Q)$(call put,644,$(SHAREDIR)/mime/packages,packaging/desktop/l3d.xml)
 	$(Q)$(call put,644,$(SHAREDIR)/icons/hicolor/128x128/apps,$(ICON))
 
@@ -82,7 +83,8 @@ uninstall: ## remove what install has put there, given the same PREFIX and DESTD
 	    $(patsubst $(OUT)/completion/bash/%,$(DESTDIR)$(SHAREDIR)/bash-completion/completions/%,$(BASH_WORDS)) \
 	    $(patsubst $(OUT)/completion/zsh/%,$(DESTDIR)$(SHAREDIR)/zsh/site-functions/%,$(ZSH_WORDS)) \
 	    $(addprefix $(DESTDIR)$(SHAREDIR)/,man/man7/l3d.7 mime/packages/l3d.xml icons/hicolor/128x128/apps/l3d.png \
-	    $(patsubst packaging/desktop/%,applications/%,$(wildcard packaging/desktop/*.desktop)))
+	    $(patsubst packaging/desktop/%,applications/%,$(wildcard packaging/desktop/*.desktop)) \
+    $(patsubst packaging/desktop/%,thumbnailers/%,$(wildcard packaging/desktop/*.thumbnailer)))
 	rm -f $(foreach r,float double fixed,$(addprefix $(DESTDIR)$(LIBDIR)/,lib$(NAME_$(r)).a \
 	    lib$(NAME_$(r)).so lib$(NAME_$(r)).so.* pkgconfig/$(NAME_$(r)).pc))
 

@@ -232,12 +232,13 @@ def what_no_file_can_hold_is_refused_before_it_is_drawn():
         expect_equal(teapot("--depth-output", "/dev/null", cwd=path), (0, b"", ""))
 
 
+def model_file(name):
+    built = os.path.join(harness.BIN, "..", "share", "l3d", name)
+    return built if os.path.exists(built) else os.path.join("data", name)
+
+
 def models_come_through_pipes():
-    torus = os.path.join(harness.BIN, "..", "share", "l3d", "torus.off")
-    patches = os.path.join(harness.BIN, "..", "share", "l3d", "teapot.bpt")
-    for model in (torus, patches):
-        if not os.path.exists(model):
-            model = os.path.join("data", os.path.basename(model))
+    for model in (model_file("torus.off"), model_file("teapot.bpt")):
         for pipeline in ("zbuffer", "zsort"):
             command = [os.path.join(harness.BIN, "modelview"), "--pipeline", pipeline,
                        "--size", "61x43", "--backend", "memory", "--output", "-"]
@@ -245,6 +246,32 @@ def models_come_through_pipes():
             pipe = run(["sh", "-c", 'cat "$0" | "$@" /dev/stdin', model, *command], environment())
             expect_equal((whole[0], whole[2]), (0, ""))
             expect(pipe == whole, model, pipeline, pipe[0], pipe[2])
+
+
+def keys_of(name):
+    """The keys and values of a file for desktops."""
+    with open(os.path.join("packaging", "desktop", name)) as file:
+        return dict(line.strip().split("=", 1) for line in file if "=" in line)
+
+
+def file_managers_get_thumbnails():
+    """As they ask for them: an absolute path, a size, and no display."""
+    for program, model in (("modelview", "torus.off"), ("teapot_afd", "teapot.bpt")):
+        entry = keys_of("l3d-%s.thumbnailer" % program)
+        opens = keys_of("l3d-%s.desktop" % program)
+        expect_equal((entry["TryExec"], entry["MimeType"]), (opens["TryExec"], opens["MimeType"]))
+        with folder() as path:
+            source = os.path.join(path, "a model;" + model)
+            shutil.copy(model_file(model), source)
+            codes = {"%s": "128", "%o": os.path.join(path, "small.png"), "%i": source}
+            words = entry["Exec"].split()
+            for code, value in codes.items():
+                words = [word.replace(code, value) for word in words]
+            words[0] = os.path.join(harness.BIN, words[0])
+            expect_equal(run(words, {}, cwd=path), (0, b"", ""))
+            rows = harness.read_png(codes["%o"])
+            expect_equal((len(rows[0]), len(rows)), (128, 128))
+            expect(harness.has_picture(rows), "one colour only")
 
 
 @contextlib.contextmanager
@@ -314,6 +341,7 @@ if __name__ == "__main__":
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
                   one_file_is_not_written_twice, a_frame_is_not_overwritten,
                   what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes,
+                  file_managers_get_thumbnails,
                   fewer_threads_draw_the_same, little_memory_ends_in_a_picture_or_a_line):
         checks.run("headless." + check.__name__, check)
     checks.finish()
