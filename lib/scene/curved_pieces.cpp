@@ -132,23 +132,25 @@ double l3d_curved_pieces::normal_target(int level) {
 
 /// Each line is halved until places are well in all cells along it, and then until normals are. The
 /// worst cell of a piece decides which way the piece is cut: its halves tell.
-std::vector<l3d_curved_pieces::halvings>
-l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
-                               int most_for_normals) const {
+l3d_curved_pieces::cuts l3d_curved_pieces::cuts_at(int places, int normals,
+                                                   const cuts& from) const {
     // Where normals have no bound, as at a cusp, cutting may never give one. The cells along whole
     // lines are cut for one only if 16 by 16 parts of it all have one.
     constexpr int most_without_bound = 4;
     // Rounding, or a cusp, is reached where halving no longer gains a tenth.
     constexpr double gain = 0.9;
-    std::vector<int> of_line(alike_.size(), 0);
+    const double wanted_place = place_target(places), wanted_normal = normal_target(normals);
+    std::vector<int> of_line = from.of_lines;
+    of_line.resize(alike_.size());
     std::vector<bool> is_done(pieces_.size(), false);
-    const auto now = [&](std::size_t i) {
-        return halvings{of_line[root_of(2 * i)], of_line[root_of(2 * i + 1)]};
+    std::vector<double> off(pieces_.size(), 0);
+    const auto halvings = [&](std::size_t i) {
+        return std::pair(of_line[root_of(2 * i)], of_line[root_of(2 * i + 1)]);
     };
     const auto cells_now = [&] {
         double sum = 0;
         for (std::size_t i = 0; i < pieces_.size(); ++i)
-            sum += std::ldexp(1.0, now(i).u + now(i).v);
+            sum += std::ldexp(1.0, halvings(i).first + halvings(i).second);
         return sum;
     };
     for (bool goes_on = true; goes_on;) {
@@ -157,17 +159,18 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             if (is_done[i])
                 continue;
-            const halvings have = now(i);
+            const auto [along_u, along_v] = halvings(i);
             worst_part of_places, of_normals;
-            for_each_part(l3d_rational_piece(pieces_[i]), have.u, have.v,
+            for_each_part(l3d_rational_piece(pieces_[i]), along_u, along_v,
                           [&](const l3d_rational_piece& part) {
                               const l3d_bicubic_approximation by(part);
                               of_places.take(by.error, part);
                               of_normals.take(by.normal_error, part);
                           });
+            off[i] = of_places.off;
             const bool is_off = of_places.off > wanted_place;
-            if (!is_off &&
-                (!(of_normals.off > wanted_normal) || have.u + have.v >= most_for_normals)) {
+            if (!is_off && (!(of_normals.off > wanted_normal) ||
+                            along_u + along_v >= most_halvings_for_normals(normals))) {
                 is_done[i] = true; // finer cells of neighbours make it no worse
                 continue;
             }
@@ -203,25 +206,25 @@ l3d_curved_pieces::halvings_at(double wanted_place, double wanted_normal,
             break;
         }
     }
-    std::vector<halvings> result;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        result.push_back(now(i));
+    cuts result;
+    for (std::size_t line = 0; line < alike_.size(); ++line)
+        result.of_lines.push_back(of_line[root_of(line)]);
+    for (const double here : off)
+        result.error = std::max(result.error, here);
     return result;
 }
 
-l3d_curved_pieces::cells l3d_curved_pieces::at_level(int places, int normals) const {
-    const std::vector<halvings> cuts = halvings_at(place_target(places), normal_target(normals),
-                                                   most_halvings_for_normals(normals));
+l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by) const {
     cells result;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        for_each_part(ranged_part{l3d_rational_piece(pieces_[i])}, cuts[i].u, cuts[i].v,
-                      [&](const ranged_part& of) {
-                          const l3d_bicubic_approximation by(of.part);
-                          result.patches.push_back(by.patch);
+        for_each_part(ranged_part{l3d_rational_piece(pieces_[i])}, by.of_lines[2 * i],
+                      by.of_lines[2 * i + 1], [&](const ranged_part& of) {
+                          const l3d_bicubic_approximation cell(of.part);
+                          result.patches.push_back(cell.patch);
                           result.ranges.push_back(of.range);
                           result.pieces.push_back(static_cast<std::uint32_t>(i));
-                          result.error = std::max(result.error, by.error);
-                          result.normal_error = std::max(result.normal_error, by.normal_error);
+                          result.error = std::max(result.error, cell.error);
+                          result.normal_error = std::max(result.normal_error, cell.normal_error);
                       });
     return result;
 }

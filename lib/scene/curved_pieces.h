@@ -53,16 +53,21 @@ public:
         double error = 0;                        ///< how far places are off, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
-    /// Expects: 0 <= places, normals <= most_level.
-    cells at_level(int places, int normals) const;
+    /// How often pieces are halved, and how far cells are off then.
+    struct cuts {
+        std::vector<int> of_lines; ///< along u and v of each piece; equal where lines are joined
+        double error = 0;          ///< how far places are off, in the pieces' unit
+    };
+    /// The cuts that a level needs, which begin with those of a coarser one. That saves finding
+    /// these again.
+    /// Expects: 0 <= places, normals <= most_level; `from` was made here.
+    cuts cuts_at(int places, int normals, const cuts& from) const;
+    cells cut(const cuts& by) const;
+
+    /// The cells of a level that is found without coarser ones. Expects: as cuts_at.
+    cells at_level(int places, int normals) const { return cut(cuts_at(places, normals, {})); }
 
 private:
-    /// The same for pieces along one line through common boundaries: how many halvings.
-    struct halvings {
-        int u = 0, v = 0;
-    };
-    std::vector<halvings> halvings_at(double wanted_place, double wanted_normal,
-                                      int most_for_normals) const;
     void unite_common_boundaries();
     std::size_t root_of(std::size_t line) const;
 

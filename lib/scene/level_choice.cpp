@@ -97,7 +97,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
             [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
         // By what its patches keep, which is often less than what the level asks for.
         const int places = first([&](int level) {
-            return seen.pixels(model.at_level(level, normals).surface_error()) <= view.places_px;
+            return seen.pixels(model.error_at_level(level, normals)) <= view.places_px;
         });
         take_level(i, places, normals);
         const l3d_patch_model& drawn = instances_[i].model();

@@ -26,6 +26,7 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -121,6 +122,19 @@ std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
 
 } // namespace
 
+/// The bends of a patch, from the first question on: cells outside the window never need theirs.
+class l3d_patch_model::bends_on_demand {
+public:
+    const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
+        std::call_once(known_, [&] { bends_.emplace(p, normals); });
+        return *bends_;
+    }
+
+private:
+    std::once_flag known_;
+    std::optional<l3d_surface_bends> bends_;
+};
+
 struct l3d_patch_model::contents {
     /// Takes facts of the same patch at the same place in `like` from there.
     contents(std::vector<patch> of, const contents* like);
@@ -128,7 +142,7 @@ struct l3d_patch_model::contents {
     std::vector<patch> patches;
     std::vector<l3d_normal_net> normals;
     std::vector<l3d_facing_cones> facing;
-    std::vector<l3d_surface_bends> bends;
+    std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
@@ -154,11 +168,30 @@ struct l3d_patch_model::source {
     }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
+    double error_at(int places, int normals) const {
+        const std::scoped_lock lock(mutex_);
+        return cuts_at(places, normals).error;
+    }
 
     l3d_curved_pieces pieces;
 
 private:
+    /// Those of places begin with the level before, and its first one with that of normals. So a
+    /// level is the same whichever is asked for first.
+    const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const {
+        const auto kept = cuts_.find({places, normals});
+        if (kept != cuts_.end())
+            return kept->second;
+        const l3d_curved_pieces::cuts none;
+        const l3d_curved_pieces::cuts& from = places > 0    ? cuts_at(places - 1, normals)
+                                              : normals > 0 ? cuts_at(0, normals - 1)
+                                                            : none;
+        return cuts_[{places, normals}] = pieces.cuts_at(places, normals, from);
+    }
+
     mutable std::mutex mutex_;
+    mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
+    mutable std::map<std::vector<int>, std::shared_ptr<const contents>> made_; ///< by their cuts
     mutable kept_levels levels_;
     const kept_levels like_;
 };
@@ -168,11 +201,11 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     const std::scoped_lock lock(mutex_);
     std::shared_ptr<const contents>& kept = levels_[{places, normals}];
     if (!kept) {
-        l3d_curved_pieces::cells cells = pieces.at_level(places, normals);
-        for (const auto& [level, other] : levels_)
-            if (other && std::ranges::equal(other->patches, cells.patches, {}, &patch::points,
-                                            &patch::points))
-                return kept = other;
+        const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
+        std::shared_ptr<const contents>& same = made_[by.of_lines];
+        if (same)
+            return kept = same;
+        l3d_curved_pieces::cells cells = pieces.cut(by);
         const auto like = like_.find({places, normals});
         const auto made = std::make_shared<contents>(
             std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
@@ -180,7 +213,7 @@ l3d_patch_model::source::at_level(int places, int normals) const {
         made->ranges = std::move(cells.ranges);
         made->surface_error = cells.error;
         made->normal_error = cells.normal_error;
-        kept = made;
+        kept = same = made;
     }
     return kept;
 }
@@ -202,7 +235,7 @@ l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
         } else {
             normals.emplace_back(p);
             facing.emplace_back(p, normals.back());
-            bends.emplace_back(p, normals.back());
+            bends.push_back(std::make_shared<bends_on_demand>());
         }
         reaches.push_back(reach_of(p));
         const auto [lowest, highest] = p.bounds();
@@ -225,7 +258,10 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
     : l3d_patch_model(std::move(patches), nullptr) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches, const contents* like)
-    : contents_(std::make_shared<const contents>(std::move(patches), like)) {}
+    : contents_(std::make_shared<const contents>(std::move(patches), like)) {
+    for (std::size_t i = 0; i < this->patches().size(); ++i)
+        bends(i); // all are drawn sooner or later
+}
 
 l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces, const source* like)
     : source_(std::make_shared<const source>(
@@ -291,6 +327,10 @@ double l3d_patch_model::normal_target(int level) const {
     return source_ ? l3d_curved_pieces::normal_target(level) : 0;
 }
 
+double l3d_patch_model::error_at_level(int places, int normals) const {
+    return source_ ? source_->error_at(places, normals) : 0;
+}
+
 double l3d_patch_model::surface_error() const {
     return contents_->surface_error;
 }
@@ -324,7 +364,7 @@ const l3d_facing_cones& l3d_patch_model::facing(std::size_t index) const {
 }
 
 const l3d_surface_bends& l3d_patch_model::bends(std::size_t index) const {
-    return contents_->bends[index];
+    return contents_->bends[index]->of(contents_->patches[index], contents_->normals[index]);
 }
 
 const l3d_patch_reach& l3d_patch_model::reach(std::size_t index) const {

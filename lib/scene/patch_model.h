@@ -132,6 +132,9 @@ public:
     l3d_patch_model at_level(int places, int normals) const;
     /// The finest level of both; 0 of a model that is not curved.
     int most_level() const;
+    /// How far places are off at a level; 0 of a model that is not curved. The level is not made.
+    /// Expects: as at_level.
+    double error_at_level(int places, int normals) const;
     /// How far unit normals may be off at a level by its design; 0 of a model that is not curved.
     /// Expects: as at_level.
     double normal_target(int level) const;
@@ -231,6 +234,7 @@ public:
     const void* paint_identity() const;
 
 private:
+    class bends_on_demand;
     struct contents;
     std::shared_ptr<const contents> contents_;
 
