@@ -18,9 +18,10 @@ struct l3d_placed_image;
 
 /// A corner of a polygon.
 ///
-/// Pixel (x, y) is sampled at the position (x, y), and is the square from (x - 1/2, y - 1/2) to (x
-/// + 1/2, y + 1/2). So the whole picture lies between (-1/2, -1/2) and (width - 1/2, height - 1/2).
-/// For whole pixels there are l3d_rasterizer_2d::draw_box and l3d_path::add_box.
+/// Pixel (x, y) is sampled at (x, y), and is the square from (x - 1/2, y - 1/2) to
+/// (x + 1/2, y + 1/2). So the whole picture lies between (-1/2, -1/2) and
+/// (width - 1/2, height - 1/2). For whole pixels there are l3d_rasterizer_2d::draw_box and
+/// l3d_path::add_box.
 struct L3D_PUBLIC l3d_point_2d {
     /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
@@ -190,8 +191,8 @@ public:
 
     /// Fills a polygon: the pixels (x, y) whose sample is inside, or on a left or top edge.
     ///
-    /// Polygons that share an edge cover each pixel once. Surfaces sample pixels at centres (x +
-    /// 1/2, y + 1/2): subtract 1/2 from both coordinates of their points to use them here.
+    /// Polygons that share an edge cover each pixel once. Surfaces sample pixels at centres
+    /// (x + 1/2, y + 1/2): subtract 1/2 from both coordinates of their points to use them here.
     /// Expects: convex, either winding. Fewer than three corners or no area draws nothing.
     void draw_polygon_flatshaded(l3d_outline_2d corners, l3d_color color) {
         imp_.do_draw_polygon_flatshaded(corners, color);

@@ -21,8 +21,8 @@
 /// The way in which a surface's pixels get their colour. n is the unit normal, turned to the eye,
 /// and l the direction to the light.
 enum class L3D_PUBLIC l3d_shade {
-    /// Each pixel takes a unit normal of its own; its grey level is round(255 (0.1 + 0.9 max(0,
-    /// n.l))).
+    /// Each pixel takes a unit normal of its own; its grey level is round(255 (0.1 + 0.9
+    /// max(0, n.l))).
     lambert,
     /// Each vertex has lambert's grey level; pixels interpolate between vertices.
     gouraud,

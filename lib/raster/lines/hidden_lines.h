@@ -9,8 +9,7 @@
 
 #include <span>
 
-/// Draws the visible sides of triangles on an empty background. Before, the triangles must have
-/// been filled into the depth buffer.
+/// Clears the picture to the background, and draws the visible sides of triangles.
 ///
 /// A pixel of a line is up to a pixel away from the place to which its depth belongs. Therefore a
 /// surface hides the pixel only if it is nearer by more than a margin. The margin is the rise of

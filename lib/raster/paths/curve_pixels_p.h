@@ -142,7 +142,8 @@ private:
     std::int64_t step_ = whole, left_ = whole;
 };
 
-/// The number of equal steps of a curve's parameter in which each moves by at most a pixel.
+/// The number of equal steps of a curve's parameter, each of which moves its point by at most a
+/// pixel.
 inline double pixel_steps(const l3d_curve_2d& curve) {
     const auto& p = curve.points;
     const l3d_point_2d origin = projected(p[0]);
@@ -182,7 +183,7 @@ template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& 
     }
 }
 
-/// Calls light(x, y) for the pixels in a picture of all lines and curves of a path.
+/// Calls light(x, y) for the pixels of a path's lines and curves that lie in a picture.
 template <class Light>
 void visit_curve_pixels(const l3d_path& path, l3d_size size, const Light& light) {
     const auto in_picture = [&](std::int64_t x, std::int64_t y) {

@@ -54,8 +54,8 @@ public:
         return radial(center, radius, center, stops, spread);
     }
     /// Makes a gradient from a focus to a circle: along each ray, the gradient goes from 0 at the
-    /// focus to 1 on the circle. A focus outside of the circle is moved inside, to 1 - 2^-10 of the
-    /// radius.
+    /// focus to 1 on the circle. A focus that is not inside of the circle is moved there, to 1 -
+    /// 2^-10 of the radius.
     /// Expects: stops in order, at least one; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
                                std::span<const l3d_color_stop> stops,

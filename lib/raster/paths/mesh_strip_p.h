@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// Shades the triangles of a strip in their order, from number `first` on. A colour is rounded to
-/// the nearest, from its cell's bilinear colour within 2^-8.
+/// Shades the triangles of a strip in their order, from number `first` on. A colour is the nearest
+/// one to its cell's bilinear colour, within 2^-8.
 ///
 /// Triangles are set up together, one in each lane, and then filled one by one. It takes triangles
 /// that are small, lie wholly in the picture, and do not change colour too fast. Returns the number
@@ -23,8 +23,8 @@ namespace l3d_detail {
 std::size_t shade_strip(const l3d_pixels& target, const mesh_strip& strip,
                         const std::array<double, 2>& ends, std::size_t first);
 
-/// Shades spans of a triangle of a cell. A colour is rounded to the nearest, from the cell's
-/// bilinear colour within 2^-8.
+/// Shades spans of a triangle of a cell. A colour is the nearest one to the cell's bilinear colour,
+/// within 2^-8.
 /// Shape:   the first two colours of the spans are the place in the cell, from 0 to 1.
 /// Expects: the spans are in the picture.
 void shade_bilinear(const l3d_pixels& target, const mesh_cell& cell,

@@ -13,9 +13,9 @@ namespace l3d_detail {
 /// A table for anti-aliasing: it tells which of 64 places in a square of side 1 lie on one side of
 /// a line.
 ///
-/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place (x,
-/// y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So lines
-/// with |e| > 1/2 miss the square.
+/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place
+/// (x, y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So
+/// lines with |e| > 1/2 miss the square.
 ///
 /// Both dx and e are rounded to steps. Half a step is 1/128 in dx, which moves a line by less than
 /// 1/128 within the square, and 1/252 in e. The share of the square on one side then has an error

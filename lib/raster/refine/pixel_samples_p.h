@@ -99,9 +99,9 @@ struct seen_fragment {
 std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
-/// The pixel boxes of up to 15 consecutive quads in a row of a grid, clipped to a box. Elements
-/// from `count` on have no meaning.
-/// Expects: room for the boxes.
+/// The pixel boxes of `count` consecutive quads in a row of a grid, clipped to a box. Up to 15 more
+/// elements are written, without a meaning.
+/// Expects: room for all of them.
 struct quad_boxes {
     std::vector<std::int32_t> left, top, right, bottom;
 

@@ -13,12 +13,11 @@ namespace l3d_detail {
 /// cells has four.
 ///
 /// They were searched for so that either side of any straight edge has nearly as many samples as
-/// its area demands. At most 3.4 of the 64 samples are wrong, and 0.73 in the mean. A (0,
-/// 2)-sequence, with one sample in each rectangle of 1/64 of the pixel, has up to 7.5 wrong samples
-/// at diagonals.
+/// its area demands. At most 3.4 of the 64 samples are wrong, and 0.73 in the mean. A
+/// (0, 2)-sequence, with one sample in each rectangle of 1/64 of the pixel, has up to 7.5 wrong
+/// samples at diagonals.
 ///
 /// Sample b is bit b of masks.
-/// Units: cells. Sample b is bit b of masks.
 /// Units: cells.
 struct sample_places {
     static constexpr std::size_t count = 64;

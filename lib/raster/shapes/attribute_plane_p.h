@@ -83,7 +83,7 @@ public:
     double along_x(std::size_t i) const { return along_x_[i]; }
     double along_y(std::size_t i) const { return along_y_[i]; }
 
-    /// Lives: borrows the planes.
+    /// A view of the planes. Lives: borrows them.
     plane_view view() const {
         return {base_x_, base_y_, base_.data(), along_x_.data(), along_y_.data()};
     }

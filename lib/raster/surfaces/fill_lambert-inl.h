@@ -21,8 +21,8 @@ constexpr float grey_of_cosine = 229.5f;
 /// The limit of a polygon's spread, up to which its normals can be interpolated in lanes. The
 /// spread measures how much the unit normals at its corners differ.
 ///
-/// For a quad it is half the sum of the squared differences of any two normals, |a - c|^2 + |b -
-/// d|^2 + |a + c - b - d|^2 / 2. For a triangle, d = c.
+/// For a quad it is half the sum of the squared differences of any two normals, |a - c|^2 +
+/// |b - d|^2 + |a + c - b - d|^2 / 2. For a triangle, d = c.
 ///
 /// The interpolated normal is shorter than 1. In the middle of a quad, its square is 1 - spread /
 /// 8; between two corners it is at least 1 - spread / 4. In the middle of a triangle, its square is

@@ -87,7 +87,7 @@ private:
         counts.unproven_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
     }
 
-    float_vec normal_[numbers][4]; ///< times normal_code::scale
+    float_vec normal_[numbers][4]; ///< the corners' normals, times normal_code::scale
     lane_plane plane_[numbers];
 };
 

@@ -138,8 +138,8 @@ struct lane_plane {
     }
 };
 
-/// A quadratic function over a polygon: base + s s1 + t t1 + ss s1^2 + st s1 t1 + tt t1^2 at (s1,
-/// t1).
+/// A quadratic function over a polygon. At (s1, t1) it is base + s s1 + t t1 + ss s1^2 + st s1 t1 +
+/// tt t1^2.
 struct lane_parabola {
     float_vec base, s, t, ss, st, tt;
 

@@ -65,8 +65,8 @@ public:
     /// and at any place between pixels. Fill the path with l3d_winding::nonzero, stroke it, or move
     /// it by l3d_path::add.
     ///
-    /// The base line begins at `base` and goes to the right. The built-in face gives its dots as
-    /// squares, a tenth of the size wide.
+    /// The base line begins at `base` and goes to the right. The built-in face gives its dots, a
+    /// tenth of the size wide and high.
     /// Returns: the place where a next letter would begin, in pixels to the right of `base`.
     /// Expects: a finite size above 0, else nothing is added and the result is 0.
     double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) const;

@@ -25,7 +25,7 @@ struct shaped_glyph {
 struct text_run {
     std::span<const char32_t> text; ///< the whole text: letters at the part's ends may join their
                                     ///< neighbours
-    std::size_t begin = 0, end = 0; ///< the part
+    std::size_t begin = 0, end = 0; ///< the part's range in `text`
     hb_script_t script = HB_SCRIPT_COMMON;
     bool right_to_left = false;
 };

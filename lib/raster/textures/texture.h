@@ -23,7 +23,7 @@ enum class L3D_PUBLIC l3d_texture_filter {
     nearest,    ///< the picture's pixel under the middle of the drawn pixel
     bilinear,   ///< bilinear interpolation between the four pixels around that place
     trilinear,  ///< bilinear in two smaller pictures, whose pixels are as wide as the part is long
-    anisotropic ///< mean of up to 16 trilinear colours along the part, as fine as the part is
+    anisotropic ///< mean of up to 16 trilinear colours along the part, each as fine as the part is
                 ///< narrow
 };
 
