@@ -40,7 +40,7 @@ public:
 
     std::string describe() const { return context_->describe(); }
 
-    /// The GL functions. This makes the context current.
+    /// Makes the context current, and returns its GL functions.
     const mesa_gl& gl() { return context_->make_current(); }
 
     int uniform(const char* name) { return gl().GetUniformLocation(program_, name); }

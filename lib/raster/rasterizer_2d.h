@@ -192,7 +192,7 @@ public:
     /// Fills a polygon: the pixels (x, y) whose sample is inside, or on a left or top edge.
     ///
     /// Polygons that share an edge cover each pixel once. Surfaces sample pixels at centres
-    /// (x + 1/2, y + 1/2): subtract 1/2 from both coordinates of their points to use them here.
+    /// (x + 1/2, y + 1/2): subtract 1/2 from both coordinates of a surface's point to use it here.
     /// Expects: convex, either winding. Fewer than three corners or no area draws nothing.
     void draw_polygon_flatshaded(l3d_outline_2d corners, l3d_color color) {
         imp_.do_draw_polygon_flatshaded(corners, color);

@@ -19,7 +19,8 @@ bool is_finite(const l3d_mesh_patch& patch);
 /// The numbers of steps along one parameter of a patch. If `whole` is at most `few`, the patch has
 /// that many equal steps. Otherwise each quarter has its own number of steps.
 struct mesh_steps {
-    /// The most equal steps. With more, quarters pay: one step in each makes as many as `few`.
+    /// The largest number of equal steps. Beyond it quarters pay, as one step in each makes no
+    /// more.
     static constexpr int few = 4;
 
     int whole = 1;

@@ -39,7 +39,7 @@ inline constexpr double l3d_flat_enough = 1.0 / 1024;
 /// Cost:    the memory of its points. Adding allocates if there are more points than ever before.
 class L3D_PUBLIC l3d_path {
 public:
-    /// The kind of a piece. Comments tell how many points of its own each kind has.
+    /// The kind of a piece. Each kind's comment tells how many points a piece adds.
     enum class kind : std::uint8_t {
         move,  ///< 1 point: an outline begins
         line,  ///< 1 point

@@ -42,7 +42,7 @@ HWY_ATTR HWY_INLINE integers truncated(number x) {
     return hn::DemoteTo(lane_integers(), x.v);
 }
 
-/// The shift to byte i of a word, in the order of memory.
+/// The shift that takes a byte to place i of a word, counted in the order of memory.
 constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }

@@ -123,8 +123,8 @@ public:
     }
     void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
 
-    /// The pixel word of an interpolated intensity. If four corners are not in one plane, the plane
-    /// may exceed their range near a corner.
+    /// The pixel word of an interpolated intensity. If four corners are not in one plane, their
+    /// plane exceeds the corners' intensities near a corner, so the result is clamped.
     std::uint32_t word(const float* value) const {
         const float least = *value > darkest_ ? *value : darkest_;
         return grey_word(least < brightest_ ? least : brightest_);

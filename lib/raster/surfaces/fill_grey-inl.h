@@ -15,7 +15,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Computes the light of a group of polygons from grey levels of their corners, which are in the
+/// Computes the light of a vector of polygons from grey levels of their corners, which are in the
 /// queue.
 class grey_lanes {
 public:

@@ -39,7 +39,8 @@ constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 /// quad's.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
-/// Computes the light of a group of polygons from normals of their corners, which are in the queue.
+/// Computes the light of a vector of polygons from normals of their corners, which are in the
+/// queue.
 class lambert_lanes {
 public:
     static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue

@@ -15,7 +15,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Computes the light of a group of polygons from the levels of their corners and the bends of
+/// Computes the light of a vector of polygons from the levels of their corners and the bends of
 /// their sides, which are in the queue.
 ///
 /// The level is a parabola over the polygon. It has the corners' levels. In the middle of each

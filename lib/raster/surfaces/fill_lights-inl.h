@@ -46,7 +46,8 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// The index of the first polygon's corner in each of the four arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The numbers of corners' light that are queued. As many elements may be read as of the corners.
+/// Arrays of the numbers that the queue takes for the corners' light. As many elements may be read
+/// as in the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;

@@ -15,7 +15,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Interpolates the normals of a group of polygons as planes. The corners' normals are in the
+/// Interpolates the normals of a vector of polygons as planes. The corners' normals are in the
 /// queue.
 class normal_lanes {
 public:

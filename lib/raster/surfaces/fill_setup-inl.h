@@ -201,7 +201,7 @@ struct lane_frame {
     }
 };
 
-/// The places of a group's polygons, from which their light is computed beside normals or greys.
+/// The corners of a vector of polygons, and further inputs of their light beside normals or greys.
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;

@@ -117,9 +117,8 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool para
 /// A triangle that is turned over shows its back, as at a contour. There is an exception if it is
 /// the only one. The other three then go once around the centre and cover it again. They leave only
 /// the part between its outer side and the place where the quad's sides beside that cross. If this
-/// is less than half of it, or the sides do not cross, the quad is very narrow there. It is as
-/// narrow as errors of its corners, as beside a pole. Then the triangle shows the same side as the
-/// others.
+/// is less than half of it, or the sides do not cross, the quad is as narrow there as its corners
+/// are inexact, as beside a pole. Then the triangle shows the same side as the others.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, scan_point centre) {
