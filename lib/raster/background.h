@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <optional>
 
-/// The highest byte of a pixel word with this share of transparency, in its place.
+/// The highest byte of a pixel word for a share of transparency, shifted to its place in the word.
 /// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
@@ -27,11 +27,10 @@ struct L3D_PUBLIC l3d_background {
     std::uint32_t top = 0;    ///< the pixel word of the first row
     std::uint32_t bottom = 0; ///< the pixel word of the last row
 
-    /// One colour. Units: 0x00RRGGBB.
+    /// A background of one colour. Units: 0x00RRGGBB.
     static constexpr l3d_background color(std::uint32_t word) { return {word, word}; }
 
-    /// Quiet and bluish, darker above. Grey surfaces stand out from its hue, also where they are
-    /// dark.
+    /// A quiet bluish background, darker above. Even dark grey surfaces stand out from its hue.
     static constexpr l3d_background gradient() { return {0x00333b46, 0x00707a86}; }
 
     /// No background: its pixel words are l3d_pixels::transparent, and a PNG gets an alpha channel.
@@ -43,8 +42,9 @@ struct L3D_PUBLIC l3d_background {
     /// Whether red, green and blue are equal in each row.
     constexpr bool is_grey() const { return is_grey(top) && is_grey(bottom); }
 
-    /// The word of a row. Channels are linear from the first to the last row, rounded to the
-    /// nearest. Expects: 0 <= row < height.
+    /// The pixel word of a row. Each channel changes linearly from the first to the last row, and
+    /// is rounded to the nearest level.
+    /// Expects: 0 <= row < height.
     constexpr std::uint32_t word(int row, int height) const {
         if (top == bottom)
             return top;
@@ -75,26 +75,27 @@ private:
 };
 
 /// Fog, or depth cueing if its colour is black. Surfaces nearer than `from` look as without fog;
-/// those from `to` on have the fog's colour. Between the two, fog grows in proportion to the
-/// distance. By default there is none.
+/// surfaces at `to` and beyond have the fog's colour. Between these distances, fog grows linearly.
+/// By default there is none.
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
     float from = 0;                   ///< distance at which fog begins
     float to = 0;                     ///< distance at which fog hides everything
-    std::optional<l3d_color> color{}; ///< pixel word; none: that of the background in each row
+    std::optional<l3d_color> color{}; ///< pixel word; none: the background's colour in each row
 
-    /// Whether there is any.
+    /// Whether there is any fog.
     bool is_on() const { return to > from; }
 
-    /// The amount of fog before a surface at that distance: 0 to 255. Expects: is_on().
+    /// The amount of fog between the eye and a surface, from 0 to 255. Expects: is_on().
     std::uint32_t amount(float distance) const {
         const float share = (distance - from) / (to - from);
         const float held = share > 0 ? (share < 1 ? share : 1.0F) : 0.0F;
         return static_cast<std::uint32_t>(255 * held + 0.5F);
     }
 
-    /// The colour of a surface behind fog: in each channel the weighted mean of both.
+    /// The colour of a surface behind fog: in each channel, the mean of both colours, weighted by
+    /// the amount of fog.
     /// Units: pixel words without transparency; the amount from 0 to 255.
     static std::uint32_t word(std::uint32_t surface, std::uint32_t fog, std::uint32_t amount) {
         return l3d_screen_info::light_native(surface, 255 - amount) +

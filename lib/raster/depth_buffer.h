@@ -15,7 +15,7 @@
 
 namespace l3d_detail {
 
-/// Memory that begins where a cache line does.
+/// An allocator for arrays that begin at the start of a cache line.
 template <class T> struct L3D_PUBLIC line_allocator {
     using value_type = T;
     static constexpr std::align_val_t line{64};
@@ -33,19 +33,22 @@ template <class T> struct L3D_PUBLIC line_allocator {
 
 } // namespace l3d_detail
 
-/// One float per pixel: 1 / (distance along the view axis); 0 where nothing is.
+/// The depth of each pixel as a float: 1 / (distance along the view axis), and 0 where no surface
+/// is.
 ///
-/// The depth is reciprocal, since that is linear in the picture for a plane, and 0, infinitely far,
-/// marks an empty pixel.
+/// The reciprocal of the distance is linear in the picture for a plane. Its value 0 means
+/// infinitely far, so it marks an empty pixel.
 ///
-/// Shape:   rows begin a cache line. They are `pitch` floats apart, an odd multiple of 64. With a
-///          multiple of 1024, that is 4 KB, a row's loads would wait for stores to the row above:
-///          processors tell addresses apart by their last 12 bits. A column's pixels would share a
-///          set of the cache.
+/// Shape:   each row begins at a cache line. Rows are `pitch` floats apart, an odd multiple of 64.
+///          A multiple of 1024 floats, 4 KB, would be slow. Processors tell addresses apart by
+///          their last 12 bits, so a row's loads would wait for stores to the row above. Besides, a
+///          column's pixels would share a set of the cache.
 class L3D_PUBLIC l3d_depth_buffer {
 public:
-    /// Expects: width, height >= 0. Cost: allocates when larger than before, or when much smaller:
-    ///          a window that was large once does not keep its memory.
+    /// Sets the width and the height.
+    /// Expects: width, height >= 0.
+    /// Cost:    allocates if the new size is larger than any before, or much smaller. So a window
+    ///          that was large once gives back memory.
     void resize(l3d_size size) {
         size_ = size;
         pitch_ = (size.width + 63) / 64 * 64 | 64;
@@ -65,16 +68,16 @@ public:
     /// Width and height, in pixels.
     l3d_size size() const { return size_; }
 
-    /// The first row; others are at multiples of the pitch.
+    /// The first value of the first row; row y begins y * pitch() floats later.
     float* data() { return values_.data(); }
     /// The distance between rows, in floats.
     std::ptrdiff_t pitch() const { return pitch_; }
 
-    /// The values of a row, to be changed. Expects: 0 <= y < size().height.
+    /// The values of a row, which the caller may change. Expects: 0 <= y < size().height.
     std::span<float> row(int y) {
         return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
-    /// The values of a row. Expects: 0 <= y < size().height.
+    /// The values of a row, for reading. Expects: 0 <= y < size().height.
     std::span<const float> row(int y) const {
         return {values_.data() + y * pitch_, static_cast<std::size_t>(size_.width)};
     }
@@ -88,17 +91,17 @@ private:
 /// The number of pixels that are not empty.
 L3D_PUBLIC std::int64_t l3d_covered(const l3d_depth_buffer& depth);
 
-/// Distance along the view axis per pixel, +infinity where nothing is.
-/// Shape: row by row from the top, width values each.
+/// The distance of each pixel along the view axis; +infinity where no surface is.
+/// Shape: row by row from the top, size().width values in each.
 L3D_PUBLIC std::vector<float> l3d_distances(const l3d_depth_buffer& depth);
 
-/// A number for each pixel: the certified bound of its error, in levels of 255.
+/// A certified bound for the error of each pixel, in levels of 255.
 ///
-/// The exact pixel is the mean of linear light over its square, encoded. It is not rounded to a
-/// whole level.
+/// The error is the difference from the exact pixel: the mean of linear light over the pixel's
+/// square, encoded but not rounded to a whole level.
 class L3D_PUBLIC l3d_error_map {
 public:
-    /// All numbers 0.
+    /// Takes the picture's size, and sets all bounds to 0.
     void begin(l3d_size size) {
         size_ = size;
         levels_.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
@@ -108,9 +111,9 @@ public:
     /// Width and height, in pixels.
     l3d_size size() const { return size_; }
 
-    /// The bound of a pixel. Expects: a pixel of the picture.
+    /// The bound of a pixel. Expects: the pixel lies in the picture.
     float at(int x, int y) const { return levels_[place(x, y)]; }
-    /// Sets the bound of a pixel. Expects: a pixel of the picture.
+    /// Sets the bound of a pixel. Expects: the pixel lies in the picture.
     void set(int x, int y, float level) { levels_[place(x, y)] = level; }
 
     /// All bounds, row by row from the top.

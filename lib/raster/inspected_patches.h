@@ -9,10 +9,10 @@
 #include <array>
 #include <vector>
 
-/// The exact patches of a frame, and the directions that they are inspected by.
+/// The exact patches of a frame, and the settings by which they are inspected.
 ///
-/// Units: world units, along the axes to the right, down and forward, from the eye. Lengths equal
-///        the world's, so curvatures do, too.
+/// Units: world units, from the eye, along axes to the right, down and forward. Lengths are those
+///        of the world, so curvatures are, too.
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 
@@ -24,22 +24,23 @@ struct l3d_inspected_patches {
     double centre_y = 0;
     /// The unit vector towards the light.
     vector light{0.0, 0.0, 1.0};
-    /// The unit vector that drafts are measured from.
+    /// The unit vector from which draft angles are measured.
     vector direction{0.0, 1.0, 0.0};
-    /// The patches, by the material of their parts.
+    /// The control nets of the patches, in the order of the material numbers of their parts.
     std::vector<l3d_bezier_patch<double, 3>> nets;
-    /// The patches' materials, for a program's own shade; none for the others.
+    /// The patches' materials, for a program's own shade; empty for other shades.
     std::vector<l3d_material> materials;
-    /// The eye, and the axes to the right, down and forward, in the world.
+    /// The eye in the world.
     vector eye{0.0, 0.0, 0.0};
     std::array<vector, 3> axes{};
 
-    /// A direction along the axes, in the world.
+    /// Turns a direction along the axes into one in the world.
     vector in_world(const vector& of_axes) const {
         return axes[0] * of_axes[0] + axes[1] * of_axes[1] + axes[2] * of_axes[2];
     }
 
-    /// Direction from the eye to a place of the picture, 1 deep. Units: pixels.
+    /// The direction from the eye to a place of the picture, with length 1 along the view axis.
+    /// Units: pixels.
     vector ray(double x, double y) const {
         return {(x - centre_x) / focal, (y - centre_y) / focal, 1.0};
     }

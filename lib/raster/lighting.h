@@ -19,60 +19,61 @@ using l3d_light_color = std::array<float, 3>;
 
 /// A light so far away that its rays are parallel.
 struct L3D_PUBLIC l3d_far_light {
-    std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards it, world space
+    std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards the light, world space
     l3d_light_color color{1, 1, 1};          ///< its brightness
 
     friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
 };
 
-/// A light at a place. Its brightness is that of its colour everywhere, or falls with the square of
-/// the distance.
+/// A light at a place. Its brightness is the same everywhere, or falls with the square of the
+/// distance.
 struct L3D_PUBLIC l3d_point_light {
     l3d_vector<double, 3> position{0.0, 0.0, 0.0}; ///< world space
-    /// The distance at which it is as bright as its colour; 0: at every distance.
+    /// The distance at which the light is as bright as its colour; 0: it is so at every distance.
     float reach = 0;
-    l3d_light_color color{1, 1, 1}; ///< how bright it is
+    l3d_light_color color{1, 1, 1}; ///< brightness at the distance `reach`
 
-    /// Its colour is multiplied by this at places whose distance from it has this square. No place
-    /// is so near that it is more than `brightest`.
+    /// The factor by which the light's colour is multiplied at a place, at most `brightest`.
+    /// Units: `square` is the square of the distance from the light.
     float strength(float square) const {
         return reach > 0 ? std::min(reach * reach / square, brightest) : 1.0F;
     }
-    static constexpr float brightest = 0x1p20F; ///< the most that a colour is multiplied by
+    static constexpr float brightest = 0x1p20F; ///< upper limit of strength()
 
     friend bool operator==(const l3d_point_light&, const l3d_point_light&) = default;
 };
 
-/// Ambient light, the first light's colour, and further lights. By default, the usual light: a
-/// white one, and a tenth of ambient light.
+/// All lights of a scene: ambient light, the first light's colour, and further lights. By default,
+/// the first light is white, and ambient light is a tenth of it.
 ///
-/// With n the unit normal, turned to the eye, a channel of a pixel is
+/// A channel of a pixel is
 ///
-///     255 (c (a + 0.9 sum L max(0, n.l)) + s sum L max(0, n.h)^k), at most 255,
+///     255 (c (a + 0.9 sum L max(0, n.l)) + s sum L max(0, n.h)^k), at most 255.
 ///
-/// summed over the lights that are before the surface, n.l > 0. l is the direction to a light, L
-/// its colour, times (reach / distance)^2 of a point light that has a reach, a that of ambient
-/// light. c, s and k are the material's colour, highlight and sharpness. h is half-way between l
-/// and the direction to the eye. Source: J. F. Blinn, "Models of light reflection for computer
-/// synthesized pictures", 1977.
+/// Both sums are over the lights in front of the surface, where n.l > 0. n is the unit normal,
+/// turned to the eye, and l is the direction to a light. h is half-way between l and the direction
+/// to the eye. L is the light's colour, times (reach / distance)^2 for a point light with a reach,
+/// and a is the ambient light. c, s and k are the material's colour, highlight and sharpness.
+/// Source: J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977.
 struct L3D_PUBLIC l3d_lighting {
-    /// Lights beside the first.
+    /// The limit of far lights besides the first.
     static constexpr std::size_t most_further = 7;
-    /// Lights at places.
+    /// The limit of lights at places.
     static constexpr std::size_t most_points = 8;
 
-    /// The part of a surface's colour that it has without any light.
+    /// The ambient light: the part of a surface's colour that it shows without any lamp.
     l3d_light_color ambient{0.1F, 0.1F, 0.1F};
     /// The first light's colour.
     l3d_light_color color{1, 1, 1};
-    /// The further lights, and how many there are.
+    /// The far lights besides the first; `count` of them are used.
     std::array<l3d_far_light, most_further> lights{};
     std::size_t count = 0; ///< at most most_further
-    /// The lights at places, and how many there are.
+    /// The lights at places; `point_count` of them are used.
     std::array<l3d_point_light, most_points> points{};
     std::size_t point_count = 0; ///< at most most_points
 
-    /// Adds a light. Expects: a direction of any length but 0, in the world; count < most_further.
+    /// Adds a far light.
+    /// Expects: a direction in the world, of any length but 0; count < most_further.
     void add(const l3d_vector<double, 3>& towards, const l3d_light_color& of) {
         const l3d_vector<double, 3> unit = l3d_normalized(towards);
         lights[count++] = {
@@ -83,7 +84,7 @@ struct L3D_PUBLIC l3d_lighting {
     /// Adds a light at a place. Expects: point_count < most_points.
     void add_point(const l3d_point_light& light) { points[point_count++] = light; }
 
-    /// Whether this is the default.
+    /// Whether these are the default lights.
     bool is_usual() const { return *this == l3d_lighting(); }
 
     friend bool operator==(const l3d_lighting&, const l3d_lighting&) = default;

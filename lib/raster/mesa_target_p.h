@@ -15,19 +15,20 @@
 
 namespace l3d_detail {
 
-/// The one framebuffer object of a context, with a program that draws triangles into it.
+/// The framebuffer object of a GL context, with a program that draws triangles into it.
 ///
-/// Row 0 of the picture is row 0 in GL, so that nothing is ever flipped, and GL's left and top
-/// edges are ours. The viewport is `reach` pixels around the middle of the picture whatever its
-/// size. So positions are exact on the lattice of 1/256 pixel all the way: they are whole multiples
-/// of 2^-21 in clip space and at most 1 there.
-/// Cost:    no call is free of locks and checks; batches of thousands of triangles hide that.
+/// Row 0 of the picture is row 0 in GL, so pictures are never flipped, and GL's left and top edges
+/// are those of the picture. The viewport extends `reach` pixels to all sides of the picture's
+/// middle, whatever its size. So positions on the lattice of 1/256 pixel stay exact: in clip space
+/// they are multiples of 2^-21 and at most 1.
+/// Cost:    every call has locks and checks; batches of thousands of triangles hide that.
 class mesa_target {
 public:
     /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.
     static constexpr int reach = 8192;
 
-    /// The sources of a program; `attributes` are the inputs of its vertices, from 0 on.
+    /// The sources of a program. `attributes` are the names of its vertices' inputs, from location
+    /// 0 on.
     struct program_text {
         const char* vertex;
         const char* fragment;
@@ -39,32 +40,34 @@ public:
 
     std::string describe() const { return context_->describe(); }
 
-    /// The GL calls, after which the context is current.
+    /// Makes the context current, and returns its GL functions.
     const mesa_gl& gl() { return context_->make_current(); }
 
     int uniform(const char* name) { return gl().GetUniformLocation(program_, name); }
 
-    /// Errors:  false if GL cannot hold a picture of that size; nothing may be drawn then.
+    /// Sets the size of the picture.
+    /// Errors:  false if GL cannot hold a picture of this size; then nothing may be drawn.
     bool resize(l3d_size size);
 
-    /// The pixel in the middle of the viewport.
+    /// The column and row of the pixel in the middle of the viewport.
     int middle_x() const { return size_.width / 2; }
     int middle_y() const { return size_.height / 2; }
 
     void upload(const l3d_pixels& pixels);
     void download(const l3d_pixels& pixels);
 
-    /// Empties picture and depth. Expects: surfaces are drawn with an alpha of 0, so that pixels
-    /// with another alpha are known as empty. On black, that makes no difference.
+    /// Empties picture and depth.
+    /// Expects: surfaces are drawn with an alpha of 0, so that another alpha marks an empty pixel.
+    ///          On black, that makes no difference.
     void clear(const l3d_background& background);
-    /// Downloads what was drawn since clear().
+    /// Copies the picture that was drawn since clear() to pixels in memory.
     void download(const l3d_pixels& pixels, const l3d_background& background);
 
-    /// Depth is kept as inv_w depth_scale. Expects: with_depth.
+    /// Copies the depth to memory. GL keeps it as inv_w * depth_scale. Expects: with_depth.
     void download(l3d_depth_buffer& depth);
 
-    /// Powers of two lose nothing, and every inv_w from 2^-94 to 2^32 is then inside [0, 1], where
-    /// GL wants its depth, and has all its bits.
+    /// The factor between inv_w and GL's depth. As a power of two it loses no bits. It puts every
+    /// inv_w from 2^-94 to 2^32 into [0, 1], the range of GL's depth.
     static constexpr float depth_scale = 1.0f / 65536.0f / 65536.0f;
 
 private:

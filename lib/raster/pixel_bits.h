@@ -13,13 +13,13 @@
 
 /// A bit for each pixel of a picture.
 ///
-/// Shape: rows of whole words, 64 pixels each. Threads that change different rows do not meet.
-/// Cost:  allocates only when larger than ever before.
+/// Shape: rows of whole words, 64 pixels each. Threads may change different rows at the same time.
+/// Cost:  allocates only when a picture is larger than ever before.
 class l3d_pixel_bits {
 public:
     static constexpr std::int32_t word_pixels = 64;
 
-    /// Sets the size. The bits mean nothing until each row is cleared.
+    /// Sets the size. The bits have no meaning until each row is cleared.
     void resize(l3d_size size) {
         size_ = size;
         row_words_ = (static_cast<std::size_t>(size.width) + word_pixels - 1) / word_pixels;
@@ -31,7 +31,7 @@ public:
         std::fill(row(top), row(top) + place(bottom - top), std::uint64_t{0});
     }
 
-    /// Sets the size, and clears all.
+    /// Sets the size, and clears all bits.
     void begin(l3d_size size) {
         resize(size);
         clear(0, size.height);
@@ -42,7 +42,7 @@ public:
     std::uint64_t* row(std::int32_t y) { return words_.data() + place(y); }
     const std::uint64_t* row(std::int32_t y) const { return words_.data() + place(y); }
 
-    /// The index of the word that has a column's bit. Expects: x >= 0.
+    /// The index, within a row, of the word that has a column's bit. Expects: x >= 0.
     static std::size_t word_of(std::int32_t x) { return static_cast<std::uint32_t>(x) / word_bits; }
     static unsigned bit_of(std::int32_t x) { return static_cast<std::uint32_t>(x) % word_bits; }
 
@@ -54,7 +54,7 @@ public:
         return (row(y)[word_of(x)] >> bit_of(x) & 1) != 0;
     }
 
-    /// The bits of columns [left, right) that are in the word with index `word`.
+    /// The bits of columns [left, right) that are in the word with index `word` of a row.
     static std::uint64_t within(std::int32_t word, std::int32_t left, std::int32_t right) {
         const std::int32_t begin = std::max(left - word * word_pixels, 0);
         const std::int32_t end = std::min(right - word * word_pixels, word_pixels);
@@ -64,8 +64,9 @@ public:
         return (all >> (word_pixels - (end - begin))) << begin;
     }
 
-    /// Sets the bits of columns [left, right) of a row, or tells whether all are set.
-    /// Expects: they are in the picture; at least one.
+    /// Sets the bits of columns [left, right) of a row; has_all() tells whether all of them are
+    /// set.
+    /// Expects: these columns are in the picture, and there is at least one.
     void set_all(std::int32_t y, std::int32_t left, std::int32_t right) {
         for (std::int32_t word = left / word_pixels; word * word_pixels < right; ++word)
             row(y)[word] |= within(word, left, right);

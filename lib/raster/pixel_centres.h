@@ -11,7 +11,8 @@
 
 namespace l3d_detail {
 
-/// Index of the first pixel whose centre is not before a position: ceil((position - 128) / 256).
+/// The index of the first pixel whose centre is at or after a position: ceil((position - 128) /
+/// 256).
 /// Units: 1/256 pixel.
 constexpr std::int32_t first_centre(std::int32_t position) {
     return (position + l3d_subpixel_one / 2 - 1) >> l3d_subpixel_bits;
@@ -22,7 +23,7 @@ constexpr std::int32_t first_centre(std::int64_t position) {
 
 } // namespace l3d_detail
 
-/// The pixels from first to last, along x or along y.
+/// A range of pixels, from first to last, along x or along y.
 ///
 /// Shape:   Number is std::int32_t, or double where a place may be beyond all integers.
 template <class Number> struct l3d_pixel_centres {
@@ -37,18 +38,21 @@ template <class Number> struct l3d_pixel_centres {
     }
 };
 
-/// Pixels whose centres lie in [low, high], both ends included. Units: 1/256 pixel.
+/// The pixels whose centres lie in [low, high], both ends included. Units: 1/256 pixel.
 constexpr l3d_pixel_centres<std::int32_t> l3d_centres_in(std::int32_t low, std::int32_t high) {
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high + 1) - 1};
 }
 
-/// Pixels whose centres lie in [low, high): the fill rule gives them to a polygon from low to high.
+/// The pixels whose centres lie in [low, high), as the fill rule has it for a polygon from low to
+/// high.
+/// Units: 1/256 pixel.
 constexpr l3d_pixel_centres<std::int32_t> l3d_centres_filled(std::int32_t low, std::int32_t high) {
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high) - 1};
 }
 
-/// Pixels whose centres may lie between two places even if snapping moves each place by up to one
-/// sub-pixel. Units: pixels; `corner` is where pixel 0 begins.
+/// The pixels whose centres may lie between two places, if snapping moves each place by up to one
+/// sub-pixel.
+/// Units: pixels; `corner` is the place where pixel 0 begins.
 inline l3d_pixel_centres<double> l3d_centres_near(double low, double high, double corner) {
     constexpr double slack = 1.0 / l3d_subpixel_one;
     return {std::ceil(low - corner - slack - 0.5), std::floor(high - corner + slack - 0.5)};

@@ -19,7 +19,7 @@ struct L3D_PUBLIC l3d_placement_2d {
     /// A placement that only moves.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
 
-    /// A placement that stretches along both axes; (0, 0) stays.
+    /// A placement that stretches along both axes and leaves (0, 0) where it is.
     static l3d_placement_2d scaled(double x, double y) { return {{0, 0}, {x, 0}, {0, y}}; }
 
     /// A placement that turns around a point, clockwise as y points down. Units: degrees.
@@ -30,8 +30,9 @@ struct L3D_PUBLIC l3d_placement_2d {
                 {-s, c}};
     }
 
-    /// The placement that fits a window onto a viewport, each a box from one corner to the opposite
-    /// one. Along an axis whose corners are in opposite order in the two, the picture is mirrored.
+    /// The placement that fits a window onto a viewport. Each is a box, given by two opposite
+    /// corners. The picture is mirrored along an axis where the order of these corners differs
+    /// between the two boxes.
     /// Expects: a window whose corners differ in x and in y.
     static l3d_placement_2d window_to_viewport(l3d_point_2d window_from, l3d_point_2d window_to,
                                                l3d_point_2d viewport_from,
@@ -43,8 +44,8 @@ struct L3D_PUBLIC l3d_placement_2d {
                 {0, y}};
     }
 
-    /// An image of this size fitted onto a box of the picture: left, top, width and height in
-    /// pixels. Its outermost pixels reach to the box's sides.
+    /// The placement that fits an image of this size onto a box of the picture, given by its left,
+    /// top, width and height in pixels. The sides of the outermost pixels lie on the box's sides.
     /// Expects: a size above 0.
     static l3d_placement_2d image_in_box(l3d_size image, double left, double top, double width,
                                          double height) {
@@ -52,20 +53,20 @@ struct L3D_PUBLIC l3d_placement_2d {
         return {{left + (x - 1) / 2, top + (y - 1) / 2}, {x, 0}, {0, y}};
     }
 
-    /// Where a point goes.
+    /// The point to which a point is moved.
     l3d_point_2d at(l3d_point_2d p) const {
         return {origin.x + (p.x * across.x + p.y * down.x),
                 origin.y + (p.x * across.y + p.y * down.y)};
     }
 
-    /// The inverse map. Expects: a placement that leaves areas.
+    /// The inverse map. Expects: a placement that maps no area to 0.
     l3d_placement_2d inverted() const {
         const double area = across.x * down.y - across.y * down.x;
         const l3d_point_2d a{down.y / area, -across.y / area}, d{-down.x / area, across.x / area};
         return {{-(origin.x * a.x + origin.y * d.x), -(origin.x * a.y + origin.y * d.y)}, a, d};
     }
 
-    /// This placement first, the next one after it.
+    /// The map that applies this placement first, and `next` after it.
     l3d_placement_2d then(const l3d_placement_2d& next) const {
         const auto turned_only = [&next](l3d_point_2d p) {
             return l3d_point_2d{p.x * next.across.x + p.y * next.down.x,
@@ -77,24 +78,25 @@ struct L3D_PUBLIC l3d_placement_2d {
 
 /// The way in which a pixel gets its colour from an image.
 enum class L3D_PUBLIC l3d_image_filter {
-    /// The colour of the image's pixel whose square holds the sample: hard edges, no new colours. A
-    /// sample on a side belongs to the pixel to its right or below.
+    /// The colour of the image's pixel whose square contains the sample: hard edges, no new
+    /// colours. A sample on a side belongs to the pixel to its right or below.
     nearest,
-    /// Interpolated between the image's four pixels around the sample: smooth where an image is
-    /// enlarged. Where it shrinks, pixels in between are lost.
+    /// Bilinear interpolation between the image's four pixels around the sample. An enlarged image
+    /// becomes smooth; when an image shrinks, pixels in between are lost.
     linear,
     /// The exact mean over the pixel's square, where each pixel of the image is a square of one
-    /// colour. It loses nothing where an image shrinks, and enlarges to squares with smooth edges.
+    /// colour. Nothing is lost when an image shrinks; an enlarged image shows squares with smooth
+    /// edges.
     area
 };
 
-/// An image and its place. Its pixel (i, j) is a square around (i, j), as in l3d_rasterizer_2d, so
-/// a placement that moves nothing draws it into the picture's top left corner.
+/// An image and its place in the picture. The image's pixel (i, j) is a square around (i, j), as in
+/// l3d_rasterizer_2d. So the default placement draws it into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;                                ///< the image; borrowed while drawing
     l3d_placement_2d place{};                         ///< place of the image in the picture
-    l3d_image_filter filter = l3d_image_filter::area; ///< the way to a pixel's colour
-    bool transparent = false; ///< the words' highest byte says how transparent they are
+    l3d_image_filter filter = l3d_image_filter::area; ///< the way to find a pixel's colour
+    bool transparent = false; ///< whether the words' highest byte tells how transparent they are
 };
 
 #endif

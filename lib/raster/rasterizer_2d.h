@@ -16,37 +16,40 @@ class l3d_path;
 struct l3d_mesh_patch;
 struct l3d_placed_image;
 
-/// A corner of a polygon. Units: pixels; pixel (x, y) is sampled at the position (x, y), and is the
-/// square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). So the whole picture lies between (-1/2,
-/// -1/2) and (width - 1/2, height - 1/2): l3d_rasterizer_2d::draw_box and l3d_path::add_box take
-/// whole pixels.
+/// A corner of a polygon.
+///
+/// Pixel (x, y) is sampled at (x, y), and is the square from (x - 1/2, y - 1/2) to
+/// (x + 1/2, y + 1/2). So the whole picture lies between (-1/2, -1/2) and
+/// (width - 1/2, height - 1/2). For whole pixels there are l3d_rasterizer_2d::draw_box and
+/// l3d_path::add_box.
 struct L3D_PUBLIC l3d_point_2d {
-    /// From the left and from the top of the picture.
+    /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
 };
 
-/// A corner with a colour of its own, a pixel word.
+/// A corner with a colour of its own.
 struct L3D_PUBLIC l3d_colored_point_2d {
-    /// From the left and from the top of the picture, in pixels.
+    /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
-    l3d_color color = 0; ///< 0x00RRGGBB
+    l3d_color color = 0; ///< pixel word, 0x00RRGGBB
 };
 
 /// A line between two pixels.
 struct L3D_PUBLIC l3d_line_2d {
-    /// Columns and rows of its two ends, both drawn.
+    /// Columns and rows of both ends, which are drawn, too.
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// How much of each pixel of a rectangle a shape covers, such as a letter.
+/// The coverage of a shape, such as a letter: how much of each pixel of a rectangle it covers.
 ///
-/// Shape: rows of `width` values from 0 to 255, `pitch` values apart. 0 repeats a single row.
+/// Shape: rows of `width` values from 0 to 255, `pitch` values apart. A pitch of 0 repeats a single
+///        row.
 /// Lives: borrows the values.
 struct L3D_PUBLIC l3d_coverage_2d {
     /// The first column and row, and the numbers of columns and rows, which are not negative.
     int left = 0, top = 0, width = 0, height = 0;
     const std::uint8_t* values = nullptr; ///< values of the first row
-    std::ptrdiff_t pitch = 0;             ///< from one row to the next
+    std::ptrdiff_t pitch = 0;             ///< distance from one row to the next
 
     /// Row i of the shape. Expects: 0 <= i < height.
     std::span<const std::uint8_t> row(int i) const {
@@ -54,45 +57,46 @@ struct L3D_PUBLIC l3d_coverage_2d {
     }
 };
 
-/// The closed outline of an area: its corners in order, the last one joined to the first.
+/// The closed outline of an area: corners in order, the last one joined to the first.
 using l3d_outline_2d = std::span<const l3d_point_2d>;
 
 /// The fill rule: which points are inside of outlines that cross themselves or each other. It
-/// counts how often the outlines wind around a point, clockwise less anticlockwise.
+/// depends on a point's winding number: how often the outlines wind around it, clockwise less
+/// anticlockwise.
 enum class L3D_PUBLIC l3d_winding {
-    nonzero, ///< inside if this number is not zero
-    even_odd ///< inside if it is odd
+    nonzero, ///< inside if the winding number is not zero
+    even_odd ///< inside if the winding number is odd
 };
 
-/// The numbers in which two colours are mixed.
+/// The kind of numbers in which two colours are mixed.
 enum class L3D_PUBLIC l3d_blending {
-    coded, ///< those of pixel words: fast, and what most programs do
-    /// Amounts of light, by the sRGB curve: as two colours mix for an eye that is too far away to
-    /// tell them apart. Thin bright lines keep their light on a dark ground.
+    coded, ///< numbers of pixel words: fast, and usual in most programs
+    /// Amounts of light, by the sRGB curve, as colours mix for an eye too far away to tell them
+    /// apart. Thin bright lines keep their light on a dark ground.
     linear
 };
 
-/// How the area inside of a path is filled.
+/// The way in which the area inside of a path is filled.
 struct L3D_PUBLIC l3d_fill {
     l3d_color color = 0x00ffffff; ///< 0x00RRGGBB
-    /// Instead of the colour, colours that change from place to place. Null: the colour.
+    /// Colours that change from place to place, used instead of `color`. Null: `color` is used.
     /// Lives: borrowed while drawing.
     const l3d_gradient* gradient = nullptr;
-    double alpha = 1;                          ///< from 0, nothing, to 1, opaque
-    l3d_winding inside = l3d_winding::nonzero; ///< which of its points are inside
-    /// Only what is inside of this path, too, is filled. Null: everything.
+    double alpha = 1;                          ///< opacity: from 0, invisible, to 1, opaque
+    l3d_winding inside = l3d_winding::nonzero; ///< which points are inside of the path
+    /// A path that limits the filling: only points inside of it are filled. Null: no limit.
     /// Lives: borrowed while drawing.
     const l3d_path* clip = nullptr;
     l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
     /// Only pixels in this box are drawn; by default, all of them.
     l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
-    /// How the colour is mixed with the present one. Outputs that cannot read their own picture mix
-    /// coded.
+    /// The way in which the colour is mixed with the picture's. Outputs that cannot read their own
+    /// picture always mix coded.
     l3d_blending blending = l3d_blending::coded;
 };
 
-/// The drawing operations that each kind of output implements. Programs hold the l3d_rasterizer_2d
-/// in front of it.
+/// The drawing operations that each kind of output implements. Programs use l3d_rasterizer_2d,
+/// which calls them.
 class L3D_PUBLIC l3d_rasterizer_2d_imp {
 public:
     l3d_rasterizer_2d_imp() = default;
@@ -100,8 +104,8 @@ public:
     l3d_rasterizer_2d_imp& operator=(const l3d_rasterizer_2d_imp&) = delete;
     virtual ~l3d_rasterizer_2d_imp() = default;
 
-    /// Draws into these pixels from now on; call it after every resize. Drawing that was not
-    /// finished is lost.
+    /// Sets the pixels that later calls draw into; call it after every resize. Unfinished drawing
+    /// is lost.
     /// Lives: borrows the pixels until the next call.
     void set_target(l3d_pixels target) { do_set_target(target); }
 
@@ -119,40 +123,40 @@ private:
     virtual void do_draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                                   l3d_color color) = 0;
 
-    /// Unless a kind of output has a way of its own, a line is drawn as a batch of one.
+    /// Draws a line. By default, it is a batch of one line.
     virtual void do_draw_line(int x0, int y0, int x1, int y1, l3d_color color);
 
-    /// Unless a kind of output can mix colours, what is covered by half or more gets the colour.
+    /// Draws a shape. By default, pixels that are covered by half or more get the colour unmixed.
     virtual void do_draw_coverage(const l3d_coverage_2d& shape, l3d_color color);
 
-    /// Unless a kind of output has a way of its own, a path is drawn as coverage, run by run.
+    /// Draws a path. By default, it is drawn as coverage, run by run.
     virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
     virtual void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill);
 
-    /// Unless a kind of output has a way of its own, curves are points, and meshes are
-    /// Gouraud-shaded triangles.
+    /// Draws curves. By default, they become points, and do_draw_mesh draws Gouraud-shaded
+    /// triangles.
     virtual void do_draw_curves(const l3d_path& path, l3d_color color);
     virtual void do_draw_mesh(std::span<const l3d_mesh_patch> patches);
 };
 
-/// Draws points, lines and polygons; says nothing about where the pixels are.
+/// Draws points, lines and polygons into any kind of output.
 ///
-/// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; all after that
-/// is exact. A shape with a coordinate that is not a number is not drawn. Coordinates beyond +-2^30
-/// pixels, infinite ones too, are moved to that. Nothing is drawn outside of the target, and inside
-/// of it the same pixels in the same colours however much is outside.
+/// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; everything
+/// after that is exact. A shape with a coordinate that is not a number is not drawn. Coordinates
+/// beyond +-2^30 pixels, infinite ones too, are clamped to it. Drawing is clipped to the target,
+/// and clipping changes no pixel inside of it.
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
 ///          word, 0x00RRGGBB.
 /// Lives:   borrows the implementation, which must outlive it.
 class L3D_PUBLIC l3d_rasterizer_2d {
 public:
-    /// A rasterizer in front of this implementation. Lives: borrows it.
+    /// Makes a rasterizer that draws with this implementation. Lives: borrows it.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
-    /// Makes every pixel this word; without one, black.
+    /// Sets every pixel to this word, by default to black.
     void clear_buffer(l3d_color color = 0) { imp_.do_clear_buffer(color); }
 
-    /// Fills whole pixels: those of the box, and no part of others.
+    /// Fills the whole pixels of a box, and touches no others.
     void draw_box(const l3d_pixel_box& box, l3d_color color);
 
     /// Sets one pixel, if it lies in the picture.
@@ -160,92 +164,98 @@ public:
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
     /// long) lights the pixel nearest to the ideal line. If two are equally near, it lights the
-    /// upper or left one. The same pixels in both directions; clipped, exactly those of them that
-    /// are in the target.
+    /// upper or left one. Both directions of a line light the same pixels, and clipping only
+    /// removes pixels outside of the target.
     void draw_line(int x0, int y0, int x1, int y1, l3d_color color) {
         imp_.do_draw_line(x0, y0, x1, y1, color);
     }
 
-    /// Draws many lines with one call across the bridge.
+    /// Draws many lines in one call of the implementation.
     void draw_lines(std::span<const l3d_line_2d> lines, l3d_color color) {
         imp_.do_draw_lines(lines, color);
     }
 
-    /// Draws a smooth line in Wu's way. A square pen of one pixel is drawn along it. Each pixel
-    /// gets as much of the colour as the pen covers of it, measured along each axis by itself.
+    /// Draws a smooth line by Wu's method. A square pen of one pixel is drawn along the line. Each
+    /// pixel gets as much of the colour as the pen covers of it, measured along each axis
+    /// separately.
     ///
-    /// Let a be the coordinate along the longer axis, from a0 to a1, and b(a) the line's other one.
-    /// Pixel (a, b) is covered by w v. w is the part of [a - 1/2, a + 1/2] that lies in [a0 - 1/2,
-    /// a1 + 1/2]; v is max(0, 1 - |b - b(a)|). The product is rounded to a multiple of 1/255. The
-    /// same pixels in both directions. A pixel word's highest byte stays what it was.
-    /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); the ends are ours.
+    /// Let a be the coordinate along the longer axis, from a0 to a1, and b(a) the line's other
+    /// coordinate. Pixel (a, b) is covered by w v, rounded to a multiple of 1/255. w is the length
+    /// of the part of [a - 1/2, a + 1/2] within [a0 - 1/2, a1 + 1/2]; v is max(0, 1 - |b - b(a)|).
+    /// Both directions of a line give the same pixels. A pixel word's highest byte stays.
+    /// Source:  Wu: An Efficient Antialiasing Technique (SIGGRAPH 1991); w, at the ends, is our
+    ///          addition.
     void draw_line_antialiased(l3d_point_2d from, l3d_point_2d to, l3d_color color) {
         imp_.do_draw_line_antialiased(from, to, color);
     }
 
-    /// Fills a polygon: the pixels (x, y) inside it, or on a left or top edge of it.
+    /// Fills a polygon: the pixels (x, y) whose sample is inside, or on a left or top edge.
     ///
-    /// Polygons that share an edge cover each pixel once. A point of a picture whose pixels are
-    /// sampled at their centres (as surfaces are) is half a pixel less here in x and y.
+    /// Polygons that share an edge cover each pixel once. Surfaces sample pixels at centres
+    /// (x + 1/2, y + 1/2): subtract 1/2 from both coordinates of a surface's point to use it here.
     /// Expects: convex, either winding. Fewer than three corners or no area draws nothing.
     void draw_polygon_flatshaded(l3d_outline_2d corners, l3d_color color) {
         imp_.do_draw_polygon_flatshaded(corners, color);
     }
 
-    /// Fills the same pixels as draw_polygon_flatshaded, in colours between those of the corners.
+    /// Fills the same pixels as draw_polygon_flatshaded, with colours interpolated between the
+    /// corners.
     ///
-    /// Red, green and blue are linear on each of the triangles of corners 0, i and i + 1; what is
-    /// stored is within 1/2 + 2^-12 of that. A highest byte of 0 is stored.
+    /// Red, green and blue are linear on each triangle of corners 0, i and i + 1; the stored levels
+    /// are within 1/2 + 2^-12 of the exact ones. The highest byte of each word becomes 0.
     /// Expects: convex, either winding.
     void draw_polygon_gouraudshaded(std::span<const l3d_colored_point_2d> corners) {
         imp_.do_draw_polygon_gouraudshaded(corners);
     }
 
-    /// Fills what one outline of any form encloses; see draw_outlines.
+    /// Fills the area inside of one outline of any form; see draw_outlines.
     void draw_polygon_complex(l3d_outline_2d outline, l3d_winding inside, l3d_color color) {
         imp_.do_draw_outlines({&outline, 1}, inside, color);
     }
 
-    /// Fills the area inside of outlines: concave, crossing, with holes. A pixel on an edge belongs
-    /// to what is right of or below it, as with convex polygons, whose pixels are the same here.
-    /// One coordinate that is not a number, and nothing is drawn.
+    /// Fills the area inside of outlines, which may be concave, cross and have holes. A pixel on an
+    /// edge belongs to the area right of or below it. So a convex polygon gets the same pixels as
+    /// from draw_polygon_flatshaded. Nothing is drawn if any coordinate is not a number.
     void draw_outlines(std::span<const l3d_outline_2d> outlines, l3d_winding inside,
                        l3d_color color) {
         imp_.do_draw_outlines(outlines, inside, color);
     }
 
-    /// Moves each pixel's red, green and blue towards the colour's by coverage / 255, to the
-    /// nearest. So text has smooth edges, and panels let the picture shine through.
+    /// Moves each pixel's red, green and blue towards the colour's by coverage / 255, rounded to
+    /// the nearest level. It draws text with smooth edges, and panels that let the picture shine
+    /// through.
     ///
-    /// In a picture without background, what is covered becomes less transparent; with GL, it stays
-    /// as transparent as it was.
+    /// In a picture without background, covered pixels become less transparent; with GL, they stay
+    /// as transparent as they were.
     void draw_coverage(const l3d_coverage_2d& shape, l3d_color color) {
         imp_.do_draw_coverage(shape, color);
     }
 
     /// Fills the area inside of a path with smooth edges. Each pixel moves towards the colour by
-    /// the share of its square that is covered, times alpha.
+    /// its coverage, the share of its square that is inside, times alpha.
     ///
-    /// Pixel (x, y) is the square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). Its share is exact
-    /// where outlines cross or lie upon each other, too. Two things alone change it: curves are
-    /// drawn within l3d_flat_enough, and the product is rounded to a multiple of 1/255. A path of
-    /// lines is thus within 1/510, up to the rounding of doubles. Positions are not rounded to a
-    /// lattice. Nothing is drawn if a coordinate is not a number, and beyond +-2^30 it is moved to
-    /// that. In a picture without background, colours count by what they cover. In linear light,
-    /// the rounded share moves the light of each channel, and the level nearest to it is stored:
-    /// near black, a step of 1/255 in the share is up to 13 levels.
+    /// Pixel (x, y) is the square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). Coverage is exact
+    /// even where outlines cross or lie upon each other, with two exceptions. Curves are drawn
+    /// within l3d_flat_enough, and coverage times alpha is rounded to a multiple of 1/255. So a
+    /// path of lines is within 1/510, up to the rounding of doubles. Positions are not rounded to a
+    /// lattice. Nothing is drawn if a coordinate is not a number; coordinates beyond +-2^30 are
+    /// clamped to it.
+    ///
+    /// In a picture without background, colours are weighted by their coverage. In linear light,
+    /// the rounded coverage moves the light of each channel, and the level nearest to the result is
+    /// stored. Near black, a step of 1/255 in coverage is then up to 13 levels.
     /// Expects: alpha in [0, 1].
     /// Cost:    linear in the rows that edges reach and the pixels that are covered. Where n edges
-    ///          share pixels and cross each other m times, n log n (n + m).
+    ///          share pixels and cross each other m times, log n (n + m).
     void draw_path(const l3d_path& path, const l3d_fill& fill) { imp_.do_draw_path(path, fill); }
 
-    /// Draws an image wherever it is placed, over what is there.
+    /// Draws a placed image over the picture.
     ///
-    /// The fill's alpha, clip, clip_inside, box and blending count. l3d_image_filter says which
-    /// colour a pixel gets. The image's own edges and the clip path's are smooth as those of paths;
-    /// with l3d_image_filter::nearest, only the clip path's are. Colours are mixed in double, and
-    /// rounded once: within 1/2 + 10^-6 levels, where shares of 1/255 are exact. Nothing is drawn
-    /// if the placement has no area, or a corner of the image is not within +-2^30 pixels.
+    /// The fill's alpha, clip, clip_inside, box and blending are used. l3d_image_filter tells which
+    /// colour a pixel gets. Edges of the image and of the clip path are smooth as those of paths;
+    /// with l3d_image_filter::nearest, the image's edges are hard. Colours are mixed in doubles and
+    /// rounded once: within 1/2 + 10^-6 levels, where coverage is a multiple of 1/255. Nothing is
+    /// drawn if the placement has no area, or a corner of the image is not within +-2^30 pixels.
     /// Expects: alpha in [0, 1].
     /// Cost:    as draw_path, and for each pixel as many pixels of the image as the filter takes.
     ///          An opaque image that is only moved by whole pixels is copied.
@@ -255,61 +265,64 @@ public:
 
     /// Draws the lines and curves of a path one pixel wide, with hard edges.
     ///
-    /// The pixels form runs that are eight-connected as far as they are in the picture. No sample
-    /// of a pixel is farther from the curve than 1/2 + 2^-20 along either axis. No point of the
-    /// curve is farther from such a sample than 3/2 along both. Pixels are drawn in the order of
-    /// the curve, and those at the corner of a right angle are left out. The same pixels however
-    /// much is outside.
+    /// Within the picture, the pixels form eight-connected runs. Each pixel's sample has a point of
+    /// the curve within 1/2 + 2^-20 in x and in y. Each point of the curve has such a sample within
+    /// 3/2 in x and in y. Pixels are drawn in the order of the curve, and those at the corner of a
+    /// right angle are left out. Clipping changes no pixel inside of the picture.
     /// Cost:    some additions for each pixel, by adaptive forward differences.
     void draw_curves(const l3d_path& path, l3d_color color) { imp_.do_draw_curves(path, color); }
 
-    /// Fills patches with colours between those of their corners, one after another.
+    /// Fills patches one after another, with colours interpolated between their corners.
     ///
-    /// Where a patch lies upon itself, the PDF standard tells what is seen: the larger v, with one
-    /// v the larger u. A pixel gets a colour that the patch has at most 1/16 pixel from its sample,
-    /// within 1/2 + 1/32 levels, and corners are rounded to 1/256 pixel. (A kind of output that has
-    /// only Gouraud-shaded triangles rounds their corners' colours as well.) Patches of one call
-    /// that share a border leave no crack and no double hit there. Patches with coordinates that
-    /// are not finite are left out.
-    /// Cost:    a quarter of a patch, along u or v, is diced as finely as its worst place needs,
-    ///          and so are its neighbours across common borders; a patch into 512 x 512 at most.
-    ///          That keeps the 1/16 pixel for borders like quarters of circles up to a radius of
-    ///          4 10^4 pixels. Beyond, places are off in proportion: 1.3 pixels for 10^6.
+    /// Where a patch folds over itself, the larger v is seen, and for equal v the larger u, as the
+    /// PDF standard has it. A pixel's colour occurs in the patch at most 1/16 pixel from its
+    /// sample, and is within 1/2 + 1/32 levels. Corners are rounded to 1/256 pixel. (Outputs that
+    /// have only Gouraud-shaded triangles also round the colours of triangles' corners.)
+    ///
+    /// Patches of one call that share a border leave no crack and no double hit there. Patches with
+    /// coordinates that are not finite are left out.
+    /// Cost:    each quarter of a patch, along u or v, is diced as finely as its worst place needs.
+    ///          So are neighbours across common borders. A patch has at most 512 x 512 quads. This
+    ///          suffices for the 1/16 pixel if borders are like quarters of circles with radii up
+    ///          to 4 10^4 pixels. Beyond, the error grows in proportion: 1.3 pixels for a radius of
+    ///          10^6.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
-    /// Completes the picture: afterwards, everything drawn so far is in the target's pixels. Call
-    /// it before anybody else reads or writes the pixels. Later drawing goes on top of that.
+    /// Completes the picture: afterwards, the target's pixels hold everything drawn so far. Call it
+    /// before anybody else reads or writes the pixels. Later drawing adds to this picture.
     void finish() { imp_.do_finish(); }
 
 private:
     l3d_rasterizer_2d_imp& imp_;
 };
 
-/// Cuts lines off at the sides of a box, in doubles; they are rounded when they are drawn.
+/// Clips lines at the sides of a box, in doubles. Clipped ends are rounded only when they are
+/// drawn.
 /// Units:   pixels, y down.
 /// Source:  Cohen, Sutherland; in Newman, Sproull: Principles of Interactive Computer Graphics.
 struct L3D_PUBLIC l3d_clip_region {
     /// The box's corners, top left and bottom right; both belong to it.
     l3d_point_2d least{}, most{};
 
-    /// The bits of outcode(), one for each side of the box.
+    /// The bits of outcode() for the sides of the box.
     static constexpr unsigned left = 1, right = 2, below = 4, above = 8;
 
-    /// The sides that a point is beyond, as a sum of bits; 0 if it is inside.
+    /// The sides of the box that a point lies beyond, as a sum of bits; 0 if it is inside.
     unsigned outcode(l3d_point_2d p) const {
         return (p.x < least.x ? left : 0) | (p.x > most.x ? right : 0) |
                (p.y > most.y ? below : 0) | (p.y < least.y ? above : 0);
     }
 
-    /// Moves the ends of a line to the sides. Returns false if no part of it is inside.
+    /// Moves the ends of a line to the sides of the box. Returns false if no part of the line is
+    /// inside.
     /// Expects: finite numbers.
     bool clip(l3d_point_2d& from, l3d_point_2d& to) const;
 
-    /// Draws a line's part inside, between the pixels nearest to its ends.
+    /// Draws the part of a line inside of the box, between the pixels nearest to the part's ends.
     void draw_line(l3d_rasterizer_2d& rasterizer, l3d_point_2d from, l3d_point_2d to,
                    l3d_color color) const;
 
-    /// Draws the four sides.
+    /// Draws the four sides of the box.
     void draw_border(l3d_rasterizer_2d& rasterizer, l3d_color color) const;
 };
 

@@ -16,7 +16,8 @@
 #include <string>
 #include <utility>
 
-/// Makes what draws points, lines and polygons, and what fills surfaces, both of one kind.
+/// Makes rasterizers of one kind: for points, lines and polygons in two dimensions, and for
+/// surfaces.
 class L3D_PUBLIC l3d_rasterizer_factory {
 public:
     l3d_rasterizer_factory() = default;
@@ -24,17 +25,18 @@ public:
     l3d_rasterizer_factory& operator=(const l3d_rasterizer_factory&) = delete;
     virtual ~l3d_rasterizer_factory() = default;
 
-    /// One line for --verbose on what draws; empty if that is the processors.
+    /// Describes in one line what draws, for --verbose; empty if the processors draw.
     /// Errors:  as create_2d.
     std::string describe() const { return do_describe(); }
 
-    /// Makes what draws into these pixels; never null.
-    /// Errors:  l3d_error(no_backend); a kind whose screen factory can serve throws none.
+    /// Makes a rasterizer that draws points, lines and polygons into these pixels; never null.
+    /// Errors:  l3d_error(no_backend), but not from a factory that serves every screen by
+    ///          processors alone.
     std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(l3d_pixels target) const {
         return do_create_2d(target);
     }
 
-    /// Makes what fills surfaces; never null.
+    /// Makes a rasterizer that fills surfaces; never null.
     /// Errors:  as create_2d.
     /// Lives:   borrows the workers.
     std::unique_ptr<l3d_surface_rasterizer> create_surface(l3d_workers& workers) const {
@@ -48,16 +50,17 @@ private:
     do_create_surface(l3d_workers& workers) const = 0;
 };
 
-/// The kind of edges of polygons of one colour, and of lines.
+/// The edges that lines and polygons of one colour get.
 enum class L3D_PUBLIC l3d_edges {
-    hard,  ///< at whole pixels, as l3d_rasterizer_2d says
-    smooth ///< as paths and smooth lines do, whatever call draws them
+    hard,  ///< edges at whole pixels, as l3d_rasterizer_2d says
+    smooth ///< edges of paths and smooth lines, whatever call draws them
 };
 
-/// Serves every screen, since all of them have their pixels in memory.
+/// Makes rasterizers that use the processors. They serve every screen, as all have pixels in
+/// memory.
 class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 public:
-    /// Makes rasterizers with these edges in two dimensions.
+    /// Takes the edges of its two-dimensional rasterizers.
     explicit l3d_rasterizer_factory_sw(l3d_edges edges = l3d_edges::hard) : edges_(edges) {}
 
 private:
@@ -70,12 +73,12 @@ private:
     l3d_edges edges_;
 };
 
-/// Gives every rasterizer a GL context of its own; serves every screen, as GL's picture is copied
-/// to the screen's pixels. A rasterizer belongs to the thread that made it.
+/// Makes rasterizers that use GL, each with a GL context of its own. They serve every screen, as
+/// GL's picture is copied to the screen's pixels. A rasterizer belongs to the thread that made it.
 class L3D_PUBLIC l3d_rasterizer_factory_mesa final : public l3d_rasterizer_factory {
 public:
-    /// Takes the GL of this library: auto, egl or osmesa; empty: what the environment variable
-    /// L3D_MESA says. `auto` tries EGL first.
+    /// Takes the name of the GL library: auto, egl or osmesa. An empty name takes the one in the
+    /// environment variable L3D_MESA. `auto` tries EGL first.
     explicit l3d_rasterizer_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
@@ -91,29 +94,33 @@ private:
     std::string library_;
 };
 
-/// A screen and a factory of the rasterizers that draw on it. Every pipeline takes one first.
+/// A screen and a factory of the rasterizers that draw on it. It is the first argument of every
+/// pipeline.
 ///
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.
 struct L3D_PUBLIC l3d_canvas {
     std::unique_ptr<l3d_screen> screen; ///< shows the pictures; its pixels are drawn into
-    std::shared_ptr<const l3d_rasterizer_factory> rasterizers; ///< for its pixels
+    /// makes rasterizers for the screen's pixels
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizers;
     l3d_font font{}; ///< the letters of panels and status lines
-    /// Whether lessons draw as the book does: hard edges, letters of dots, a black ground.
+    /// Whether lessons look as in the book: hard edges, letters made of dots, a black ground.
     bool is_classic = false;
 };
 
-/// Pixels in memory, drawn by the CPU: for programs without a window. Text has the letters of this
-/// machine, l3d_font::of_system; for the same picture on every machine, replace the font.
+/// Makes a canvas of pixels in memory, drawn by the CPU: for programs without a window. Text has
+/// the letters of this machine, l3d_font::of_system. Replace the font to get the same picture on
+/// every machine.
 /// Expects: a width and height of at least 1.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(l3d_size size);
 
-/// The same for memory of one's own, such as an image that a toolkit shows: pictures are drawn
-/// right into these words.
+/// Makes a canvas of the caller's memory, such as an image that a toolkit shows. Pictures are drawn
+/// directly into these words.
 /// Expects: as l3d_screen_memory.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(const l3d_pixels& words);
 
-/// The same for pixels of another layout. They hold the picture after `screen().show()`.
+/// Makes a canvas of the caller's memory in another layout. It holds the picture after
+/// `screen().show()`.
 /// Expects: as l3d_screen_memory.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(const l3d_packed_pixels& packed);
 

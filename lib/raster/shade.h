@@ -18,17 +18,19 @@
 #include <utility>
 #include <vector>
 
-/// The way in which a surface's pixels get their colour.
+/// The way in which a surface's pixels get their colour. n is the unit normal, turned to the eye,
+/// and l the direction to the light.
 enum class L3D_PUBLIC l3d_shade {
-    /// A unit normal for each pixel; its grey level is round(255 (0.1 + 0.9 max(0, n.l))).
+    /// Each pixel takes a unit normal of its own; its grey level is round(255 (0.1 + 0.9
+    /// max(0, n.l))).
     lambert,
-    /// The same grey level for each vertex, interpolated between them.
+    /// Each vertex has lambert's grey level; pixels interpolate between vertices.
     gouraud,
-    /// One grey level for each quad, from the mean of its normals.
+    /// Each quad has one grey level, from the mean of its normals.
     flat,
-    /// Red, green and blue are round(255 (n + 1) / 2).
+    /// Each pixel shows its normal: red, green and blue are round(255 (n + 1) / 2).
     normals,
-    /// Each part has one colour, its `error_color`, by the known bound of its error.
+    /// Each part has one colour, its `error_color`, which shows the known bound of its error.
     error,
 
     // The next five take the patch's exact derivatives at each pixel; l3d_inspection describes
@@ -38,23 +40,24 @@ enum class L3D_PUBLIC l3d_shade {
     zebra,
     /// Stripes of equal light.
     isophotes,
-    /// Gaussian curvature.
+    /// A colour scale of Gaussian curvature.
     gaussian,
-    /// Mean curvature.
+    /// A colour scale of mean curvature.
     mean,
-    /// The angle between the surface and a direction.
+    /// A colour scale of the angle between the surface and a direction.
     draft,
 
-    /// The program's function, l3d_own_shade, colours each pixel's exact place on its patch. It has
-    /// no name: users cannot choose it.
+    /// The program's function, l3d_own_shade, colours each pixel by its exact place on its patch.
+    /// Users cannot choose this shade, so it has no name.
     own,
 
-    /// Lambert's grey from levels that were made with the surface: vertices have their level and
-    /// their sides' bends (l3d_micro_vertex) in place of normals. Users cannot choose it.
+    /// Pixels have Lambert's grey, interpolated between levels that were computed with the surface.
+    /// Vertices have their level and their sides' bends (l3d_micro_vertex) in place of normals.
+    /// Users cannot choose this shade.
     levels,
 };
 
-/// The names of the ways that users can choose, in the order of their values.
+/// The names of the shades that users can choose, in the order of their values.
 inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_names{
     {{"lambert", l3d_shade::lambert},
      {"gouraud", l3d_shade::gouraud},
@@ -67,30 +70,30 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_nam
      {"mean", l3d_shade::mean},
      {"draft", l3d_shade::draft}}};
 
-/// The number of ways, from the first on, that need normals and nothing else.
+/// The number of shades, from the first on, that need normals and nothing else.
 inline constexpr std::size_t l3d_shades_of_normals = 4;
 
-/// Whether a way inspects a surface by the exact derivatives of patches.
+/// Whether a shade inspects a surface by the exact derivatives of patches.
 constexpr bool l3d_is_inspection(l3d_shade shade) {
     return shade >= l3d_shade::zebra && shade <= l3d_shade::draft;
 }
 
-/// Whether a way looks at the exact patches.
+/// Whether a shade takes exact patches.
 constexpr bool l3d_sees_patches(l3d_shade shade) {
     return l3d_is_inspection(shade) || shade == l3d_shade::own;
 }
 
-/// Whether a way shows the light of lamps.
+/// Whether a shade shows the light of lamps.
 constexpr bool l3d_is_light(l3d_shade shade) {
     return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_sees_patches(shade);
 }
 
-/// Whether a way's colours are those of a scale, which fog would falsify.
+/// Whether a shade's colours are those of a scale, which fog would falsify.
 constexpr bool l3d_has_scale(l3d_shade shade) {
     return shade == l3d_shade::error || l3d_is_inspection(shade);
 }
 
-/// The place of a patch that the eye sees in a pixel. Places and directions are in world space.
+/// The place of a patch that is seen in a pixel. Places and directions are in world space.
 struct L3D_PUBLIC l3d_seen_place {
     double x = 0, y = 0; ///< place in the picture, from its top left corner, in pixels
     double u = 0, v = 0; ///< the patch's parameters there
@@ -98,66 +101,68 @@ struct L3D_PUBLIC l3d_seen_place {
     /// The unit normal, turned to the eye; 0 where the patch has none.
     l3d_vector<double, 3> normal{0.0, 0.0, 0.0};
     double light = 0;        ///< 0.1 + 0.9 max(0, n . l), where l goes towards the first light
-    l3d_material material{}; ///< the patch's
+    l3d_material material{}; ///< the patch's material
 };
 
 /// A function of the program that colours surfaces, for l3d_shade::own.
 ///
-/// It gets runs of neighbouring pixels of a row, and writes a pixel word 0x00RRGGBB for each. At
-/// edges, it gets single places within a pixel, whose colours are mixed. Colours that depend on
-/// more than the places make the picture depend on the number of threads.
+/// The function gets runs of neighbouring pixels of a row, and writes a pixel word 0x00RRGGBB for
+/// each. At edges, it gets single places within a pixel, whose colours are mixed. If its colours
+/// depend on more than the places, the picture depends on the number of threads.
 /// Expects: a function that may be called by several threads at once, and does not throw.
 struct L3D_PUBLIC l3d_own_shade {
-    /// Colours places. Shape: as many words as places.
+    /// Colours places. Shape: one word for each place.
     std::function<void(std::span<const l3d_seen_place> places, std::span<std::uint32_t> words)>
         colors{};
 
-    /// The largest error of a word against the colour that the program means for the place. Frames
-    /// report it as their bound of shades. Units: levels of 255; infinite if it is unknown.
+    /// The largest error of a word against the colour that the program means for the place. A frame
+    /// reports it as the bound of its shades.
+    /// Units: levels of 255; infinite if it is unknown.
     double error = std::numeric_limits<double>::infinity();
 };
 
 /// The settings of the shades that inspect a surface. n is the unit normal, turned to the eye.
 ///
-/// - `zebra`: dark and bright stripes of the angle between the direction and the ray that the eye
-///   sees reflected. Where they break, normals do; where they have a corner, curvatures break.
-/// - `isophotes`: the same for the angle between n and the light.
-/// - `gaussian`, `mean`: curvature, from blue over white, 0, to red. Mean curvature is positive
-///   where the surface bends towards n, as a bowl that is seen from above.
-/// - `draft`: the angle between the surface and the direction, from red over yellow, 0, to green.
-///   It is positive where n goes along the direction.
+/// - `zebra`: dark and bright stripes of the angle between `direction` and the reflected ray that
+///   reaches the eye. Stripes break where normals jump, and have a corner where curvatures jump.
+/// - `isophotes`: stripes of the angle between n and the light.
+/// - `gaussian`, `mean`: curvature, from blue (negative) over white (0) to red. Mean curvature is
+///   positive where the surface bends towards n, as a bowl that is seen from above.
+/// - `draft`: the angle between the surface and `direction`, from red (negative) over yellow (0) to
+///   green. It is positive where n goes along `direction`.
 struct L3D_PUBLIC l3d_inspection {
     /// The direction from which `zebra` and `draft` measure angles. World space, any length but 0.
     l3d_vector<double, 3> direction{0.0, 1.0, 0.0};
 
-    /// The number at the scale's end; its negative is at the beginning. 0 chooses one that suits
-    /// the scene. Units: 1 / world units squared for `gaussian`, 1 / world units for `mean`,
-    /// degrees for `draft`.
+    /// The number at the end of the colour scale, which begins at its negative. 0 chooses a number
+    /// that suits the scene.
+    /// Units: 1 / world units squared for `gaussian`, 1 / world units for `mean`, degrees for
+    ///        `draft`.
     double scale = 0;
 
     /// The width of each stripe of `zebra` and `isophotes`. Units: degrees.
     double stripe = 10;
 
-    /// The end of a draft angle's scale that suits most parts. Units: degrees.
+    /// A scale for draft angles that suits most parts. Units: degrees.
     static constexpr double usual_draft = 15;
 
     friend bool operator==(const l3d_inspection&, const l3d_inspection&) = default;
 };
 
-/// The pixel word of a number by the scale of a shade; numbers beyond the ends get the ends'
-/// colours.
-/// Expects: `gaussian`, `mean` or `draft`; a positive scale; NaN gives grey.
+/// The pixel word of a number on a shade's colour scale, which goes from -scale to scale. Numbers
+/// beyond an end get its colour; NaN gives grey.
+/// Expects: `gaussian`, `mean` or `draft`; a positive scale.
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 
-/// The pixel word of stripes, in the mean over a square in which the angle is linear. Beyond 0 and
-/// 180 degrees it turns back.
+/// The pixel word of a square with stripes: the mean over the square, in which the angle changes
+/// linearly. An angle beyond 0 or 180 degrees counts as mirrored there.
 /// Units: all in degrees: the angle in the middle, its changes along both sides of the square, the
 ///        width of a stripe.
 /// Expects: a positive stripe; changes of at least 0.
 L3D_PUBLIC l3d_color l3d_stripe_color(double angle, double across, double down, double stripe);
 
-/// The colours of a shade's scale, evenly spaced, as l3d_panel::add_scale takes them: from -scale
-/// to scale, or for stripes from 0 to 180 degrees.
+/// The colours of a shade's scale, evenly spaced, for l3d_panel::add_scale. They go from -scale to
+/// scale, or for stripes from 0 to 180 degrees.
 /// Expects: l3d_is_inspection(shade).
 L3D_PUBLIC std::vector<std::uint32_t> l3d_inspection_colors(l3d_shade shade,
                                                             const l3d_inspection& inspection);

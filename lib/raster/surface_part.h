@@ -14,13 +14,13 @@
 #include <cstdint>
 #include <vector>
 
-/// Sub-pixel resolution of every surface vertex: 8 fraction bits, so that products of two
-/// coordinate differences of a 64-pixel quad fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
+/// The number of fraction bits in the place of every surface vertex. Products of two coordinate
+/// differences of a 64-pixel quad then fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
 inline constexpr int l3d_subpixel_bits = 8;
-/// One pixel in these units.
+/// One pixel, in units of these places.
 inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
-/// One vertex of a surface.
+/// A vertex of a surface.
 ///
 /// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
 ///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
@@ -29,41 +29,41 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 ///
 /// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
 /// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
-/// - [1] and [2] are bends of sides: the level in a side's middle less the mean of both ends. In a
-///   grid they belong to the sides to the next vertex along u and v.
+/// - [1] and [2] are bends of sides: a side's level in its middle less the mean of its ends. In a
+///   grid these are the sides to the next vertices along u and v.
 /// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
 ///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
     /// The place in the picture.
     std::int32_t x = 0, y = 0;
     float inv_w = 0;             ///< 1 / distance along the view axis
-    float normal[3] = {0, 0, 0}; ///< the normal, or levels
+    float normal[3] = {0, 0, 0}; ///< the normal; in mode `levels`, a level and two bends
 };
 
-/// A rows x columns array of vertices, one array per component so that a row can be stepped,
-/// projected and set up in SIMD lanes.
+/// A grid of rows x columns vertices. Each component has an array of its own, so that a row can be
+/// stepped, projected and set up in SIMD lanes.
 ///
-/// Shape: index = row * pitch + column; columns run along u, rows along v. pitch >= columns is a
-///        multiple of 16 so that every row starts a full vector.
+/// Shape: index = row * pitch + column; columns run along u, rows along v. The pitch is at least
+///        `columns`, and a multiple of 16 so that every row starts a full vector.
 /// Cost:  resize allocates only when a grid is larger than any before.
 struct L3D_PUBLIC l3d_micro_grid {
     /// Vertices along u, vertices along v, and the distance between rows in the arrays.
     int columns = 0, rows = 0, pitch = 0;
-    /// Places in the picture, of all vertices. Units: 1/256 pixel.
+    /// The places of all vertices in the picture. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
     std::vector<float> inv_w;     ///< 1 / distance, of all vertices
     std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
-    /// Whether some quads show the side of dS/du x dS/dv, and others the other one. Levels and
-    /// bends, or normals, belong to the first. A quad, or a piece of a folded one, that turns to
-    /// the right in the picture shows the other side: all its light has the other sign.
+    /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
+    /// the side to which dS/du x dS/dv points. A quad (or a piece of a folded quad) that turns to
+    /// the right in the picture shows the other side. Its light has the other sign.
     bool shows_both = false;
 
-    /// Whether the projection is parallel: then w is the same everywhere, whatever inv_w.
+    /// Whether the projection is parallel. Then w is the same everywhere, whatever inv_w is.
     bool is_parallel = false;
 
-    /// Quads that are not drawn, since triangles stand for them: index() of their first corners, in
-    /// rising order.
+    /// The quads that are not drawn, as triangles stand for them. Each is the index() of its first
+    /// corner, in rising order.
     std::vector<std::uint32_t> cut;
 
     /// Whether a quad is in `cut`. Expects: the index of its first corner.
@@ -71,7 +71,7 @@ struct L3D_PUBLIC l3d_micro_grid {
         return !cut.empty() && std::binary_search(cut.begin(), cut.end(), p00);
     }
 
-    /// Makes room for so many vertices along u and v. Former contents of the arrays are lost.
+    /// Sets the numbers of vertices along u and v. Former contents of the arrays are lost.
     void resize(int new_columns, int new_rows) {
         shows_both = is_parallel = false;
         cut.clear();
@@ -97,34 +97,36 @@ struct L3D_PUBLIC l3d_micro_grid {
 
     /// All numbers of a vertex. Expects: a row and a column of the grid.
     l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
-    /// All numbers of the vertex at that index.
+    /// All numbers of the vertex at an index.
     l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }
 };
 
-/// Triangles that belong to no grid: those of slits between pieces, and of clipped pieces.
+/// Triangles that belong to no grid: they fill slits between pieces, or are parts of clipped
+/// pieces.
 ///
 /// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
 ///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row,
-///        mostly in one page of memory, for walks from block to block in any order.
+///        mostly in one page of memory, which suits walks from block to block in any order.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16; ///< triangles in a block
 
-    /// One corner of the triangles of a block; components as of l3d_micro_vertex.
+    /// One corner of all triangles of a block; the components are those of l3d_micro_vertex.
     struct alignas(64) corner {
         /// Places in the picture. Units: 1/256 pixel.
         std::array<std::int32_t, lanes> x, y;
         std::array<float, lanes> inv_w;                 ///< 1 / distance along the view axis
-        std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels
+        std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels and bends
     };
-    /// The corners of its triangles.
+    /// The three corners of a block's triangles.
     using block = std::array<corner, 3>;
 
     std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes
     std::size_t count = 0;     ///< the number of triangles
-    /// Each triangle's material, if not all have the one of their l3d_surface_part; else empty.
+    /// Each triangle's material; empty if all triangles have the material of their
+    /// l3d_surface_part.
     std::vector<std::uint32_t> materials;
 
     /// Forgets all triangles.
@@ -142,27 +144,27 @@ struct L3D_PUBLIC l3d_micro_triangles {
         ++count;
     }
 
-    /// Adds a triangle of a material. Expects: all others have a material, too.
+    /// Adds a triangle with a material. Expects: all other triangles have a material, too.
     void add(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
              std::uint32_t material) {
         add(a, b, c);
         materials.push_back(material);
     }
 
-    /// Makes room in the blocks for more triangles, which the caller writes and counts.
+    /// Makes room in the blocks for more triangles. The caller writes them and raises `count`.
     void make_room(std::size_t more) {
         if (count + more > blocks.size() * lanes)
             grow(count + more);
     }
 
-    /// One corner of the triangles of a triangle's block. Expects: room for it; at < 3.
+    /// Corner number `at` of all triangles in a triangle's block. Expects: room for it; at < 3.
     corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
-    /// The same, read-only.
+    /// Corner number `at` of all triangles in a triangle's block, for reading.
     const corner& corners(std::size_t triangle, std::size_t at) const {
         return blocks[triangle / lanes][at];
     }
 
-    /// One corner of one triangle. Expects: triangle < count, at < 3.
+    /// Corner number `at` of one triangle. Expects: triangle < count, at < 3.
     l3d_micro_vertex vertex(std::size_t triangle, std::size_t at) const {
         const corner& c = corners(triangle, at);
         const std::size_t i = triangle % lanes;
@@ -170,7 +172,9 @@ struct L3D_PUBLIC l3d_micro_triangles {
     }
 
     /// Twice the area of a triangle in the picture, positive if its corners turn to the right
-    /// there. Units: 1/65536 square pixel. Expects: triangle < count.
+    /// there.
+    /// Units: 1/65536 square pixel.
+    /// Expects: triangle < count.
     std::int64_t double_area(std::size_t triangle) const {
         const auto& [a, b, c] = blocks[triangle / lanes];
         const std::size_t i = triangle % lanes;
@@ -195,22 +199,22 @@ private:
     }
 };
 
-/// The beginnings of a grid's blocks, in rows or columns of its quads; the last entry is their
-/// number. A block is tested for being hidden, and sorted front to back, as a whole.
+/// The first rows or columns of a grid's blocks of quads. Each block as a whole is tested for being
+/// hidden, and sorted front to back.
 struct L3D_PUBLIC l3d_block_starts {
     /// The limit of blocks along a row or a column.
     static constexpr int most_blocks = 4;
     /// The number of blocks.
     int blocks = 1;
-    /// The first row or column of quads in each, and the end of the last one.
+    /// The first row or column of quads in each block; the last entry is the number of all of them.
     std::array<int, most_blocks + 1> first{};
 };
 
-/// A straight piece of the line at which a grid of a surface ends, or a side of a loose triangle.
+/// A straight piece of the border of a surface's grid, or a side of a loose triangle.
 ///
-/// Units: as l3d_micro_vertex. The quad beside it is on its right, seen in the picture, if that
-///        quad's corners p00 p10 p11 p01 turn to the right there. A triangle's side goes from
-///        corner to corner likewise.
+/// Units: as l3d_micro_vertex. Seen in the picture, the quad beside the line is on its right if the
+///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
+///        side, which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
     /// The column at which the line begins.
     std::int32_t from_x = 0;
@@ -220,61 +224,62 @@ struct L3D_PUBLIC l3d_border_edge {
     std::int32_t to_x = 0;
     /// The row at which the line ends.
     std::int32_t to_y = 0;
-    /// The inv_w at which it begins.
+    /// The inv_w at which the line begins.
     float from_inv_w = 0;
-    /// The inv_w at which it ends.
+    /// The inv_w at which the line ends.
     float to_inv_w = 0;
-    /// The level of the light beside the line in mode l3d_shade::levels; not a number in others.
+    /// The level of the light beside the line in mode l3d_shade::levels; NaN in other modes.
     float level = 0;
-    /// The grid's row of the quad beside the line; 0 if the line is a triangle's side.
+    /// The grid's row of the quad beside the line; 0 for a triangle's side.
     int row = 0;
-    /// The grid's column of that quad, or the place of the triangle.
+    /// The grid's column of that quad, or the triangle's number.
     int column = 0;
-    /// The number of the quad's side: p00 to p10, p10 to p11, p11 to p01, p01 to p00. Or the corner
-    /// at which the triangle's side begins.
+    /// The number of the quad's side: 0 is p00 to p10, then p10 to p11, p11 to p01, p01 to p00. For
+    /// a triangle, the number of the corner at which the side begins.
     int side = 0;
-    /// Whether the line is a contour whatever lies beside it: the surface folds over or is cut off
-    /// here.
+    /// Whether the line is a contour whatever lies beside it, since the surface folds over or is
+    /// cut off there.
     bool always = false;
 
-    /// The larger inv_w of its ends.
+    /// The larger inv_w of its ends, which belongs to the nearer end.
     float nearest() const { return std::max(from_inv_w, to_inv_w); }
 };
 
-/// A grid of micro-quads and loose triangles, drawn together.
+/// A part of a surface: a grid of micro-quads and loose triangles, drawn together.
 ///
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
 ///          (column) of quads; normals have unit length or are zero.
 struct L3D_PUBLIC l3d_surface_part {
-    /// The regular part.
+    /// The micro-quads.
     l3d_micro_grid grid;
-    /// The blocks along v.
+    /// The grid's division into blocks along v.
     l3d_block_starts block_rows;
-    /// The blocks along u.
+    /// The grid's division into blocks along u.
     l3d_block_starts block_columns;
     /// Triangles that belong to no grid.
     l3d_micro_triangles triangles;
-    /// The lines at which the surface ends or goes on in another part, for anti-aliasing. If some
-    /// are missing, pixels there are drawn in a slower way, and shapes thinner than a pixel may be
-    /// missed. A part without a grid has the sides of its triangles, in their order.
+    /// The lines at which the surface ends or continues in another part, for anti-aliasing. Where
+    /// some are missing, pixels are drawn in a slower way, and shapes thinner than a pixel may be
+    /// missed. In a part without a grid, these are the sides of its triangles, in their order.
     std::vector<l3d_border_edge> border;
-    /// Bit 4 * row + column is set for a block of the grid that need not be drawn.
+    /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each.
     unsigned unseen = 0;
-    /// The colour of everything in it in mode `error`, as a pixel word.
+    /// The colour of the whole part in mode `error`, a pixel word.
     l3d_color error_color = 0;
-    /// Index of l3d_surface_rasterizer::use_materials, of all but triangles that have their own.
+    /// The part's material, an index of l3d_surface_rasterizer::use_materials. Triangles may have
+    /// their own.
     std::uint32_t material = 0;
-    /// Whether each quad of the grid has a material of its own: `material` and the index of its
-    /// first corner.
+    /// Whether each quad of the grid has a material of its own: the sum of `material` and the index
+    /// of the quad's first corner.
     bool names_quads = false;
 
-    /// The index of a quad's material. Expects: the index of its first corner.
+    /// The material of a quad. Expects: the index of its first corner.
     std::uint32_t material_of_quad(std::size_t p00) const {
         return names_quads ? material + static_cast<std::uint32_t>(p00) : material;
     }
 
-    /// The index of a triangle's material.
+    /// The material of a triangle.
     std::uint32_t material_of(std::size_t triangle) const {
         return triangles.materials.empty() ? material : triangles.materials[triangle];
     }

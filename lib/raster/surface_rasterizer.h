@@ -20,32 +20,34 @@
 #include <span>
 #include <utility>
 
-/// How the surfaces of a frame get their colours.
+/// The way in which the surfaces of a frame get their colours.
 struct L3D_PUBLIC l3d_shading {
     l3d_shade mode = l3d_shade::lambert; ///< how the colour of a pixel is found
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
-    /// From the eye through the picture's top left corner, and what a pixel to the right and one
-    /// down add to that. World space, any length. All zero if normals are turned to the eye
+    /// The ray from the eye through the picture's top left corner, and its change for one pixel to
+    /// the right and one down. World space, any length. All zero if normals are turned to the eye
     /// already.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
-    bool keep_unit_normals = false; ///< lambert: one in each pixel, even where less would do
+    bool keep_unit_normals = false; ///< lambert: a unit normal in each pixel, even where a plane of
+                                    ///< light would do
 
-    /// Pixels at edges show the mean, over their squares, of the light of all that is seen there.
-    /// Light is linear: levels are decoded by the sRGB curve, and the mean is encoded again. A
-    /// rasterizer that cannot do it draws as without (l3d_surface_rasterizer::antialiases).
+    /// Whether pixels at edges show the mean light over their squares. Light is linear: levels are
+    /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot do it
+    /// ignores the wish (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
-    /// The picture's colours where no surface covers a pixel, or a part of it.
+    /// The picture's colours where no surface covers a pixel, or a part of a pixel.
     l3d_background background{};
 
-    /// The colour that far surfaces fade into. A rasterizer that inspects has fog, others draw
-    /// without.
+    /// The colour that far surfaces fade into. Only rasterizers that inspect
+    /// (l3d_surface_rasterizer::inspects) draw fog.
     l3d_fog fog{};
 
-    /// Depths are 1 / distance where `depth_step` is 0, and depth_base + depth_step distance in a
-    /// parallel projection. Units: distances along the view axis.
+    /// The meaning of depths. They are 1 / distance if `depth_step` is 0. In a parallel projection
+    /// they are depth_base + depth_step * distance.
+    /// Units: distances along the view axis.
     double depth_base = 0, depth_step = 0;
 
     /// The distance along the view axis that a depth stands for. Expects: a depth > 0.
@@ -54,38 +56,42 @@ struct L3D_PUBLIC l3d_shading {
                                : static_cast<float>((double{depth} - depth_base) / depth_step);
     }
 
-    /// A pixel word as it looks behind the fog, whose colour in the pixel's row is given.
+    /// The pixel word of a surface as it looks behind the fog. The fog's colour is that of the
+    /// pixel's row.
     /// Expects: fog that is on; a depth > 0.
     std::uint32_t fogged(std::uint32_t word, l3d_color fog_color, float depth) const {
         return l3d_fog::word(word, fog_color, fog.amount(distance(depth)));
     }
 
-    l3d_lighting lighting{}; ///< colours of lights, and lights beside `light`
+    l3d_lighting lighting{}; ///< colours of lights, and lights besides `light`
 
-    /// From the eye to a place, as `ray` has it, whether or not normals are turned to the eye.
+    /// The ray from the eye to a place, as `ray`, but also set if normals are turned to the eye
+    /// already.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
-    /// The place that a pixel shows is eye + aside + distance / look_depth look, where `aside`
-    /// grows with the pixel's place as `look` does. It is 0 in perspective; in a parallel
-    /// projection `look` is the same everywhere. World space.
+    /// The eye, in world space. A pixel shows the place eye + aside + distance / look_depth * look.
+    /// Both `aside` and `look` change linearly with the pixel's place. In perspective `aside` is 0;
+    /// in a parallel projection `look` is the same everywhere.
     std::array<double, 3> eye{};
     float look_depth = 1;
     std::array<float, 3> aside{}, aside_right{}, aside_down{};
 
-    /// The quantity that inspecting shades show, and its settings. Such shades expect patches,
-    /// vertices with their parameters u and v in place of the first two numbers of normals, and
-    /// parts whose material is the index of their patch.
+    /// The settings of the shades that inspect a surface. These shades expect patches in
+    /// `inspected`, and vertices with the parameters u and v in the first two numbers of normals. A
+    /// part's material is the index of its patch.
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed likewise
+    const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed until the frame's
+                                        ///< finish
 
-    /// Triangles that have colours of their own; borrowed until the frame's finish. Parts name them
-    /// as materials. Expects: null for a mode that is not light.
+    /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
+    /// them by numbers of materials.
+    /// Expects: null for a mode that does not show light.
     const l3d_face_paints* paints = nullptr;
 
-    /// Whether surfaces of these materials take more than one level in each pixel: unless the
-    /// lights are the usual ones and nothing has highlights. Modes that are not light never do.
-    /// Gouraud and levels then are as lambert.
+    /// Whether pixels of these materials need more than a grey level. They do if the lights are not
+    /// the usual ones, or a material has highlights. Modes that do not show light never do. Modes
+    /// `gouraud` and `levels` are then drawn as `lambert`.
     bool is_lit(std::span<const l3d_material> materials) const {
         return l3d_is_light(mode) &&
                !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
@@ -93,38 +99,42 @@ struct L3D_PUBLIC l3d_shading {
                  }));
     }
 
-    /// A pixel depends on what is drawn in pixels so near in x and y. A jump of level to one beside
-    /// it is told by that one and the next.
+    /// The distance in x and y, in pixels, within which other pixels can change a pixel. With
+    /// anti-aliasing, a jump of level towards a neighbour is found from this neighbour and the next
+    /// one.
     int reach() const { return antialias ? 2 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
-/// The error of levels that quads other than parallelograms, and the change of w in them, may add
-/// in polygons of which anything is said. Units: levels of 255.
+/// The largest error of interpolated levels that frames report; polygons with more are counted in
+/// `unproven_levels`. Errors come from quads that are not parallelograms, and from changes of w.
+/// Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
-/// The same of normals that are interpolated over polygons in lit frames: their length.
+/// The largest error of interpolated normals that lit frames report: the length of the difference.
+/// Polygons with more are counted in `unproven_levels`.
 inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
 /// Counts of the work of one frame.
 struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
-    /// Pixel centres tested against the depth buffer. How many are not, because a whole block is
-    /// seen to be hidden, depends on how the work was divided, but not among how many threads.
+    /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
+    /// not tested. Their number depends on how the work was divided, but not on the number of
+    /// threads.
     std::int64_t samples = 0;
     std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
     std::int64_t covered = 0; ///< pixels that show something; none_counted if nobody asked
 
     static constexpr std::int64_t none_counted = -1; ///< the value of `covered` if nobody asked
 
-    /// Polygons, each as often as it was set up, whose light is a plane instead of that of a unit
-    /// normal in each pixel.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
+    /// as often as it was set up.
     std::int64_t by_plane = 0;
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
 
-    /// Adds the counts of other parts of the picture.
+    /// Adds the counts of another part of the picture.
     void add(const l3d_surface_counts& other) {
         quads += other.quads;
         samples += other.samples;
@@ -138,17 +148,19 @@ struct L3D_PUBLIC l3d_surface_counts {
         unsolved += other.unsolved;
     }
 
-    /// Mode `levels`: how far a level may be from the one that the corners' levels and bends give
-    /// for the same parameters. Units: levels; at most l3d_most_level_error.
+    /// The largest error of levels in mode `levels`, compared with those that the corners' levels
+    /// and bends give for the same parameters.
+    /// Units: levels; at most l3d_most_level_error.
     double level_error = 0;
-    /// Lit frames: how far a normal may be from the one that the corners' normals give for the same
-    /// parameters, but for a quarter of what they are off one plane. At most l3d_most_normal_error.
+    /// The largest error of normals in lit frames, compared with those that the corners' normals
+    /// give for the same parameters. A quarter of the corners' deviation from one plane is not
+    /// included. At most l3d_most_normal_error.
     double normal_error = 0;
-    /// Shades that inspect a surface: tested pixels whose exact place on their patch was not found.
-    /// They show what is at the place between the drawn vertices.
+    /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
+    /// surface. They show the values interpolated between the drawn vertices.
     std::int64_t unsolved = 0;
     std::int64_t unproven_levels =
-        0; ///< polygons where it may be more, as often as they are set up
+        0; ///< polygons whose errors exceed these limits, counted at each set-up
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
@@ -160,10 +172,10 @@ struct L3D_PUBLIC l3d_subpixel_box {
 /// Fills surfaces into a picture and a depth buffer of the same size.
 ///
 /// A pixel belongs to a polygon if its centre (x + 1/2, y + 1/2) is inside, or on a left or top
-/// edge. Vertices are exact 1/256 pixel integers, and the rule is evaluated exactly. So polygons
-/// that share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: normals
-/// are turned to the eye. The nearer (larger inv_w) sample wins; of equals, one of them, always the
-/// same.
+/// edge. Vertices are integers in 1/256 pixel, and the rule is evaluated exactly. So polygons that
+/// share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: normals are
+/// turned to the eye. The nearer sample, with larger inv_w, is seen. Among equals, the choice is
+/// always the same.
 class L3D_PUBLIC l3d_surface_rasterizer {
 public:
     l3d_surface_rasterizer() = default;
@@ -171,56 +183,55 @@ public:
     l3d_surface_rasterizer& operator=(const l3d_surface_rasterizer&) = delete;
     virtual ~l3d_surface_rasterizer() = default;
 
-    /// One line on what fills, for reports; empty if that is the processors.
+    /// Describes in one line what fills, for reports; empty if the processors fill.
     std::string describe() const { return do_describe(); }
 
-    /// Whether mode `levels` may be asked for.
+    /// Whether this rasterizer draws mode l3d_shade::levels.
     bool takes_levels() const { return do_takes_levels(); }
 
-    /// Whether it obeys l3d_shading::antialias.
+    /// Whether this rasterizer obeys l3d_shading::antialias.
     bool antialiases() const { return do_antialiases(); }
 
-    /// Whether it draws the shades that inspect a surface.
+    /// Whether this rasterizer draws the shades that inspect a surface.
     bool inspects() const { return do_inspects(); }
 
-    /// Starts a frame: from now on, the picture shows the background, and depth is 0. Each
-    /// rasterizer decides when it sets their memory, at finish at the latest.
+    /// Starts a frame: the picture shows the background, and depth is 0. Each rasterizer decides
+    /// when it writes them to memory, at finish at the latest.
     ///
-    /// Without a depth buffer nobody wants depth afterwards, and one call of draw makes the whole
-    /// frame; that is the fastest. In a picture that is `untouched` since the last finish, empty
-    /// parts need not be set again.
-    /// Expects: target and depth of equal size; both outlive the frame. `untouched` only if nobody
-    ///          else wrote to the target's words since then, should it be the same target.
+    /// A null depth buffer is the fastest: depth is not kept, and a single call of draw makes the
+    /// whole frame. A picture that is `untouched` since the last finish need not be cleared where
+    /// it is empty.
+    /// Expects: target and depth of equal size; both outlive the frame. `untouched` is true only if
+    ///          the target is another one, or nobody else wrote to its words since the last finish.
     void begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
                bool untouched = false) {
         begin_frame(shading);
         do_begin(target, depth, shading, untouched);
     }
 
-    /// The materials that parts name by their place here, in frames that are begun from now on; at
-    /// first and if there are none, all surfaces are white. Shades that are not light have no use
-    /// for them.
-    /// Expects: at most most_materials, with those that the shading's paints name; parts name none
-    ///          beyond the last.
+    /// Sets the materials of frames that are begun later. Parts name them by their index here. At
+    /// first, and if there are none, all surfaces are white. Shades that do not show light ignore
+    /// them.
+    /// Expects: at most most_materials, including those that the shading's paints name; parts name
+    ///          none beyond the last.
     /// Lives:   until the frame's finish; the next frame needs the call again.
     void use_materials(std::span<const l3d_material> materials) { materials_ = materials; }
 
     /// The most materials that a frame may have: their numbers share a word with levels.
     static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
-    /// Whether frames that are begun from now on count covered pixels; at first they do. That takes
-    /// some 2 % of a frame. With GL, `samples` and `written` are counted only then, too, for each
-    /// is drawing all once more.
+    /// Sets whether frames that are begun later count covered pixels; at first they do. Counting
+    /// takes some 2 % of a frame. With GL, it also decides about `samples` and `written`, each of
+    /// which takes drawing everything once more.
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
-    /// Whether begin_part may be called: not where a picture is kept elsewhere and comes whole.
+    /// Whether begin_part may be called: not if the picture is kept elsewhere and comes as a whole.
     bool draws_parts() const { return do_draws_parts(); }
 
-    /// Starts a frame that draws a part of a picture again: what is outside of it stays as it is.
+    /// Starts a frame that draws a part of a picture again and leaves the rest as it is.
     ///
-    /// Inside, the pixels are the same bits as if the frame were drawn whole. Polygons that touch
-    /// no pixel of the part need not be handed in. The counts are of the part, or of things near
-    /// it.
+    /// The part's pixels are the same bits as if the frame were drawn whole. Polygons that touch no
+    /// pixel of the part need not be handed in. Counts cover only the part, or things near it.
     /// Expects: as begin; draws_parts(); the part is not empty and lies in the picture. Depth has
     ///          no meaning after the frame.
     void begin_part(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
@@ -229,15 +240,14 @@ public:
         do_begin_part(target, depth, shading, part);
     }
 
-    /// Fills the quads and triangles of the parts. Convex quads are covered as such, folded ones
-    /// as four triangles around their projective centre. It is fastest if the first parts are
-    /// mostly the nearest.
+    /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded one is
+    /// four triangles around its projective centre. It is fastest if the nearest parts come first.
     /// Expects: called once a frame if there is no depth buffer.
-    /// Lives:   with anti-aliasing, parts until finish.
+    /// Lives:   with anti-aliasing, borrows the parts until finish.
     void draw(std::span<const l3d_surface_part* const> parts) { do_draw(parts); }
 
-    /// Whether all that is in a box and no nearer than `nearest_inv_w` would change no pixel,
-    /// because of what earlier calls of draw drew in this frame. False when in doubt.
+    /// Whether anything in a box, no nearer than `nearest_inv_w`, would change no pixel, since
+    /// earlier calls of draw in this frame hide it. False when in doubt.
     ///
     /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may ask
     ///          while none draws.
@@ -245,8 +255,8 @@ public:
         return do_hidden(box, nearest_inv_w);
     }
 
-    /// Afterwards, the target's pixels and depth hold everything drawn. Call it before anybody else
-    /// reads or writes them; then the frame is over.
+    /// Completes the frame: afterwards, the target's pixels and the depth buffer hold everything
+    /// drawn. Call it before anybody else reads or writes them.
     void finish() { do_finish(); }
 
     /// Counts of the drawing between begin and the last finish.
@@ -259,7 +269,7 @@ protected:
     /// The materials of the frame that was begun last; none if its mode shows no light.
     std::span<const l3d_material> materials() const { return materials_of_frame_; }
 
-    /// The first step of each kind of begin: takes the settings of the next frame.
+    /// Takes the settings of the next frame, as the first step of each kind of begin.
     void begin_frame(const l3d_shading& shading) {
         counts_pixels_ = counting_wanted_;
         materials_of_frame_ =

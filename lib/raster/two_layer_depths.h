@@ -13,52 +13,54 @@
 #include <span>
 #include <vector>
 
-/// A patch that stands in the picture, and those of its model that it touches.
+/// A patch in the picture, and the patches of its model that it touches.
 ///
 /// Lives: borrows the list.
 struct l3d_sheet_patch {
     std::uint32_t instance = 0, patch = 0;
-    std::span<const std::uint32_t> touching; ///< patches that share a corner; in order
+    std::span<const std::uint32_t> touching; ///< patches that share a corner with it, in order
 
     bool is(const l3d_sheet_patch& other) const {
         return instance == other.instance && patch == other.patch;
     }
 
-    /// Whether the two are neighbours, or one patch.
+    /// Whether both are neighbours, or the same patch.
     bool meets(const l3d_sheet_patch& other) const;
 };
 
-/// Draws the polygons of all parts once more, one by one, for what the picture does not keep.
+/// Draws the polygons of all parts once more, one by one, to find the two nearest sheets of surface
+/// in each pixel.
 ///
-/// A polygon covers the pixels that the picture's own rule gives it, so a sheet that is not folded
-/// is met once in each pixel. Along the rims of patches, slits and rims may overlap by less than
-/// the bound. There, those of one patch and of its neighbours are one sheet, if their slopes are
-/// alike.
-/// Cost:    36 bytes and some 20 ns a pixel and sheet.
+/// A polygon covers pixels by the picture's own rule, so a sheet that is not folded is met once in
+/// each pixel. At the rims of patches, slits and rims may overlap by less than the bound. There,
+/// the polygons of a patch and of its neighbours count as one sheet if their slopes are alike.
+/// Cost:    36 bytes for each pixel, and some 20 ns for each pixel and sheet.
 class l3d_two_layer_depths {
 public:
-    /// Nothing is anywhere. In a parallel projection, depths are linear in the distance, and change
-    /// by depth_by_pixel where that changes by a pixel's width; in perspective it is 0.
+    /// Starts an empty picture. In a parallel projection, depths are linear in the distance. They
+    /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective it is 0.
     /// Units: focal in pixels.
     void begin(l3d_size size, double focal, double depth_by_pixel = 0);
 
     void add(const l3d_surface_part& part, const l3d_sheet_patch& of);
 
-    /// 1 / w of the nearest sheet, 0 where none is. Units: as l3d_micro_vertex.
+    /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
-    /// If places in the picture, and distances along normals, are off by `bound` on each sheet, the
-    /// nearest sheet need not be the right one where this is at most `bound`. Units: pixels.
+    /// The least error at which the nearest sheet may be the wrong one. An error of a sheet is that
+    /// of its place in the picture, or of its distance along normals.
+    /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 
 private:
-    /// Where in its part a polygon lies; what slits are closed by, are triangles.
+    /// The kinds of polygons, by their place in a part. Triangles close slits.
     static constexpr std::uint32_t inner = 0, rim = 1, slit = 2, kinds = 3;
 
-    /// A sheet at a pixel's centre.
+    /// A sheet at the centre of a pixel.
     struct fragment {
-        float inv_w = 0, along_x = 0, along_y = 0; ///< and its change to the next pixels
-        std::uint32_t owner = 0; ///< kinds times its index in patches_, and its kind
+        float inv_w = 0, along_x = 0, along_y = 0; ///< inv_w, and its change to the next pixels
+        std::uint32_t owner = 0; ///< kinds times the patch's index in patches_, plus the polygon's
+                                 ///< kind
     };
     struct pixel {
         fragment front, second;

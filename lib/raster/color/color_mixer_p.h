@@ -12,19 +12,20 @@
 
 namespace l3d_detail {
 
-/// A colour that covers a share of its place.
+/// A colour that covers a share of a place.
 struct mixed_color {
     std::array<double, 3> values{}; ///< red, green and blue as a color_mixer has them, each times
-    double opacity = 0;             ///< this share, from 0 to 1
+                                    ///< `opacity`
+    double opacity = 0;             ///< the covered share, from 0 to 1
 };
 
-/// Mixes colours; the result is rounded once, to the nearest level.
+/// Mixes colours, and rounds the result once, to the nearest level.
 class color_mixer {
 public:
     explicit color_mixer(l3d_blending how)
         : light_(how == l3d_blending::linear ? &exact_light_tables() : nullptr) {}
 
-    /// The amount that a level stands for.
+    /// The amount that stands for a level: the light, or the level itself.
     double value(std::uint32_t level) const {
         return light_ != nullptr ? light_->light(level) : static_cast<double>(level);
     }
@@ -32,7 +33,7 @@ public:
         return light_ != nullptr ? light_->level(value) : static_cast<std::uint32_t>(value + 0.5);
     }
 
-    /// The mixed colour that covers `share` of a place with a word's colour.
+    /// The mixed colour of a place of which a share has a word's colour.
     mixed_color color(std::uint32_t word, double share = 1) const {
         mixed_color result{{}, share};
         for (std::size_t k = 0; k < 3; ++k)
@@ -40,7 +41,7 @@ public:
         return result;
     }
 
-    /// The word of a colour, without its transparency.
+    /// The pixel word of a mixed colour, without its transparency.
     std::uint32_t word(const mixed_color& color) const {
         std::uint32_t result = 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -48,8 +49,8 @@ public:
         return result;
     }
 
-    /// A word with a share of a colour put upon it. If the word is transparent, both colours count
-    /// by their coverage.
+    /// A pixel word with a colour mixed over it by a share. If the word is transparent, both
+    /// colours are weighted by their coverage.
     std::uint32_t over(std::uint32_t word, const mixed_color& color, double share) const {
         const double covers = color.opacity * share;
         if (covers <= 0)
@@ -72,7 +73,7 @@ private:
         return word >> shift_of(k) & 255;
     }
 
-    const linear_light_of<double>* light_; ///< null: levels as they are
+    const linear_light_of<double>* light_; ///< null: amounts are levels as they are
 };
 
 } // namespace l3d_detail

@@ -10,24 +10,26 @@
 
 namespace l3d_detail {
 
-/// Adds up the light of pictures, each with a weight. A pixel that is partly transparent adds less.
+/// Adds up the light of pictures, each with a weight. A partly transparent pixel adds less light.
 /// Cost: keep one object for many pictures, since it keeps its memory.
 class light_mix {
 public:
-    /// Starts an empty sum over this part of the next pictures.
+    /// Starts an empty sum over a box of the pictures that are added later.
     void begin(const l3d_pixel_box& box);
 
-    /// Expects: the box lies in the picture. Over all pictures, weights add up to 1.
+    /// Adds a picture.
+    /// Expects: the box of begin() lies in the picture. The weights of all pictures add up to 1.
     void add(const l3d_pixels& picture, float weight, l3d_workers& workers);
 
-    /// Writes the nearest levels of the sums. A word that all pictures share stays.
+    /// Writes the levels nearest to the sums. A word that is the same in all pictures stays as it
+    /// is.
     void write(const l3d_pixels& target, l3d_workers& workers) const;
 
 private:
-    /// Units: linear, from 0 to 1.
+    /// The sums of one pixel. Units: linear, from 0 to 1.
     struct sum {
         float red = 0, green = 0, blue = 0;
-        float empty = 0; ///< the part that shows nothing
+        float empty = 0; ///< the weight of the transparent part
     };
 
     template <class Visit> void for_rows(l3d_workers& workers, const Visit& visit) const;

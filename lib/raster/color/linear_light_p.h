@@ -9,29 +9,29 @@
 
 namespace l3d_detail {
 
-/// Tables of the sRGB curve. A level that is taken to light and back is the same level.
-/// Real: float for many pixels, or double where the nearest level is wanted exactly.
+/// Tables of the sRGB curve. A level that is converted to light and back is the same level.
+/// Real: float for many pixels, or double where the nearest level must be exact.
 template <class Real> class linear_light_of {
 public:
     linear_light_of();
 
-    /// The light of a level of 255.
+    /// The light of a level from 0 to 255; level 255 has light 1.
     Real light(std::uint32_t level) const { return light_[level]; }
 
     /// The level of ambient light alone, and the largest level that lights add.
     static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
 
-    /// The level of a surface whose level above the ambient one is `lit`, as l3d_micro_vertex has
-    /// it.
+    /// The level of a surface that is lit by lamps. `lit` is the level above the ambient one, as in
+    /// l3d_micro_vertex.
     static Real level_of(Real lit) {
         return ambient + (lit > 0 ? (lit < most_lit ? lit : most_lit) : Real(0));
     }
 
-    /// The light of that level.
+    /// The light of level_of(lit).
     Real light_between(Real lit) const { return light_at_level(level_of(lit)); }
 
     /// The light of a level that need not be whole, linear between the tables' levels. Levels below
-    /// 0 or above 255 count as these.
+    /// 0 or above 255 count as 0 or 255.
     Real light_at_level(Real level) const {
         const Real held = level > 0 ? level : Real(0);
         const auto below = static_cast<std::size_t>(held);
@@ -41,7 +41,7 @@ public:
                (held - static_cast<Real>(below)) * (light_[below + 1] - light_[below]);
     }
 
-    /// The level that has this light, as light_at_level finds it. It need not be whole.
+    /// The inverse of light_at_level: the level, not rounded, that has this light.
     Real level_at_light(Real light) const {
         std::size_t below = level(light);
         if (below > 0 && light < light_[below])
@@ -52,10 +52,10 @@ public:
                (light - light_[below]) / (light_[below + 1] - light_[below]);
     }
 
-    /// The lights of all levels that are whole numbers.
+    /// The lights of all levels from 0 to 255.
     const std::array<Real, 256>& lights() const { return light_; }
 
-    /// The nearest level: the light lies between those of the level -+ 1/2.
+    /// The nearest level: the light lies between those of level - 1/2 and level + 1/2.
     std::uint32_t level(Real light) const {
         const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
         std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
@@ -64,14 +64,14 @@ public:
         return found;
     }
 
-    /// Steps of the table of guesses: near black a level spans 1 / (255 * 12.92) = 1 / 3295 of
-    /// white, so a guess errs by less than two levels.
+    /// The number of entries in the table of guesses. Near black a level spans 1 / (255 * 12.92) =
+    /// 1 / 3295 of white, so a guess errs by less than two levels.
     static constexpr std::size_t guesses = 4096;
 
-    /// The level from which level() begins to look. Expects: i < guesses.
+    /// The level at which level() begins to search in step i of the table. Expects: i < guesses.
     std::uint8_t first_guess(std::size_t i) const { return first_[i]; }
 
-    /// The lights at which levels begin.
+    /// The lights at which each level begins.
     const std::array<Real, 256>& begins() const { return begins_; }
 
 private:
@@ -81,7 +81,7 @@ private:
 
 using linear_light = linear_light_of<float>;
 
-/// The tables, made at the first call.
+/// The sRGB tables, made at the first call.
 const linear_light& linear_light_tables();
 const linear_light_of<double>& exact_light_tables();
 

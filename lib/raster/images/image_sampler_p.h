@@ -12,24 +12,25 @@
 
 namespace l3d_detail {
 
-/// Takes pixels of a picture back to the image by the inverse of its placement.
+/// Finds the colours of a picture's pixels in a placed image, by the inverse of its placement.
 ///
-/// There the image's pixel (i, j) is the square [i, i + 1) x [j, j + 1).
+/// In the image, pixel (i, j) is the square [i, i + 1) x [j, j + 1).
 /// Lives:   borrows the image and the mixer.
 class image_sampler {
 public:
     image_sampler(const l3d_placed_image& image, const color_mixer& mixer);
 
-    /// The part of the picture that the image may reach: its outline, or for hard edges the pixels
-    /// around it. Empty if nothing is to be drawn.
+    /// The part of the picture that the image may reach. It is the image's outline, or for hard
+    /// edges the pixels around it. Empty if nothing is to be drawn.
     l3d_path reach() const;
 
-    /// Whether the image is only moved by whole pixels, and how many to the right and down.
+    /// Whether the image is only moved by whole pixels. Then moved_x() and moved_y() are its way to
+    /// the right and down.
     bool is_moved_only() const { return moved_only_; }
     std::int32_t moved_x() const { return moved_x_; }
     std::int32_t moved_y() const { return moved_y_; }
 
-    /// The colour of the picture's pixel (x, y): the mean over its part in the image.
+    /// The colour of the picture's pixel (x, y): the mean over the part of its square in the image.
     mixed_color at(std::int32_t x, std::int32_t y);
 
 private:
@@ -53,7 +54,8 @@ private:
     std::int32_t moved_x_ = 0, moved_y_ = 0;
     // for area_mean: the columns and rows of the image that a pixel reaches
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<double> areas_; ///< row by row, sums of areas yet to be summed from left to right
+    std::vector<double> areas_; ///< row by row: the differences from column to column of the
+                                ///< covered areas
 };
 
 } // namespace l3d_detail

@@ -9,17 +9,17 @@
 
 #include <span>
 
-/// Clears the picture and draws the sides of triangles whose surface has been filled into a depth
-/// buffer.
+/// Clears the picture to the background, and draws the visible sides of triangles.
 ///
-/// A line's pixel is up to a pixel away from the place that its depth belongs to. Therefore a
-/// surface hides the pixel only if it is nearer by the rise of the triangle's plane over a pixel in
-/// x and in y.
+/// A pixel of a line is up to a pixel away from the place to which its depth belongs. Therefore a
+/// surface hides the pixel only if it is nearer by more than a margin. The margin is the rise of
+/// the triangle's plane over a pixel in x and in y.
 ///
-/// A plane seen nearly from its edge rises without limit. But no point of a triangle is nearer than
-/// its nearest corner, so all surfaces nearer than that corner hide the line.
+/// The plane of a triangle that is seen nearly edge-on rises without limit. But no point of the
+/// triangle is nearer than its nearest corner. So surfaces nearer than this corner hide the line in
+/// any case.
 ///
-/// Lines take the background and the fog from the shading.
+/// The background and the lines' fog are those of the shading.
 /// Expects: target and depth of equal size; the depth has been filled by the same triangles.
 void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                          std::span<const l3d_painter_triangle> triangles,

@@ -22,9 +22,10 @@
 
 namespace l3d_detail {
 
-/// Calls visit(x, y, along, coverage) for the pixels of a line between two vertices; `along` is 0
-/// at its first end and 1 at the other. A line that is not smooth covers its pixels wholly.
-/// Units:   coverage 1 to 255.
+/// Calls visit(x, y, along, coverage) for the pixels of a line between two vertices. `along` goes
+/// from 0 at the first end to 1 at the other. Pixels of a line that is not smooth are covered
+/// wholly.
+/// Units:   coverage from 1 to 255.
 template <class Visit>
 void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size size, bool smooth,
                 const Visit& visit) {
@@ -39,20 +40,21 @@ void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size s
     });
 }
 
-/// Notes the coverage of a pixel by a line in a picture of coverage.
+/// Stores a line's coverage in a pixel of a picture of coverage, if it is larger than that there.
 inline void cover_pixel(std::uint32_t& word, int coverage) {
     word = std::max(word, static_cast<std::uint32_t>(coverage));
 }
 
-/// Covers a pixel where fog needs the depth of the nearest line in it. A depth has no meaning
-/// where nothing is covered.
+/// Stores a line's coverage in a pixel, and for fog the depth of the nearest line there. A pixel's
+/// depth has no meaning while its coverage is 0.
 inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double inv_w) {
     const auto here = static_cast<float>(inv_w);
     depth = word == 0 ? here : std::max(depth, here);
     cover_pixel(word, coverage);
 }
 
-/// Gives rows of a picture of coverage their colours, and fog by these depths if there is any.
+/// Turns rows of a picture of coverage into colours. If the shading has fog, the depths tell its
+/// amount.
 inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_shading& shading,
                         std::uint32_t line_color, const l3d_depth_buffer& depths) {
     const bool is_foggy = shading.fog.is_on();

@@ -13,35 +13,39 @@
 
 namespace l3d_detail {
 
-/// A line as seen along its longer ("major") axis, from its smaller to its larger major end.
+/// A line in steps along its longer ("major") axis, from its smaller to its larger major end.
 ///
-/// Pixel i of length + 1 is (major + i, minor + ceil(i rise / length - 1/2)): nearest, ties to the
-/// smaller minor. As a floor: floor((2 i rise + length - 1) / (2 length)).
+/// Pixel i of length + 1 is (major + i, minor + ceil(i rise / length - 1/2)), the nearest one; ties
+/// go to the smaller minor. As a floor, the second term is floor((2 i rise + length - 1) / (2
+/// length)).
 struct line_steps {
     bool x_major;
     std::int64_t major, minor;
     std::int64_t length, rise;         ///< 0 <= |rise| <= length < 2^32
     std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the target
 
-    /// The minor coordinates of pixels, as floors, from step `first` on.
+    /// The minor coordinates of the pixels, from step `first` on.
     exact_steps minors() const {
         return {2 * wide_integer{first} * rise + length - 1, 2 * wide_integer{rise}, 2 * length};
     }
 };
 
-/// The same floors by an addition in fixed point for each step, from step 0 on.
+/// The minor coordinates of line_steps, found by one addition in fixed point for each step, from
+/// step 0 on.
 ///
-/// Each is (2 i rise + length - 1) / (2 length), whose fraction is at most 1 - 1 / (2 length).
-/// (length - 1) / (2 length) is 1/2 less a half of 1 / length. Start and step have 40 fraction bits
-/// and are too large, by more than 0 and less than `excess` units, whichever way double rounds and
-/// truncates. At step i that is less than excess (i + 1) 2^-40. As i is at most `length`, it stays
-/// below 1 / (2 length), and so no floor changes.
+/// Each is the floor of (2 i rise + length - 1) / (2 length), whose fraction is at most 1 - 1 / (2
+/// length). At i = 0 it is (length - 1) / (2 length), which is 1/2 less a half of 1 / length.
+///
+/// Start and step have 40 fraction bits. Both are too large by more than 0 and less than `excess`
+/// units, whichever way double rounds and truncates. At step i, the error is less than excess (i +
+/// 1) 2^-40. As i is at most `length`, this is below 1 / (2 length), so no floor changes.
 class swift_minors {
 public:
-    /// Whether this class serves lines of this length.
+    /// Whether this class works for lines of this length.
     static bool serve(std::int64_t length) { return length > 0 && length < std::int64_t{1} << 18; }
 
-    /// The excess is below 4, and 4 * 2^18 * 2 * 2^18 < 2^40.
+    /// The steps of a line, by one division. The class's `excess` is below 4 here, and 4 * 2^18 * 2
+    /// * 2^18 < 2^40.
     /// Expects: serve(length), |rise| <= length.
     static swift_minors of(std::int64_t length, std::int64_t rise) {
         const double unit = static_cast<double>(one) / static_cast<double>(length);
@@ -52,7 +56,8 @@ public:
     /// Lines below this length need no division.
     static constexpr std::int32_t short_length = 16;
 
-    /// The excess is below 32, and 32 * 2^4 * 2 * 2^4 < 2^40.
+    /// The steps of a line shorter than short_length, with a table in place of a division. The
+    /// class's `excess` is below 32 here, and 32 * 2^4 * 2 * 2^4 < 2^40.
     /// Expects: 0 <= length < short_length, |rise| <= length.
     static swift_minors of_short(std::int32_t length, std::int32_t rise) {
         const std::int64_t unit = units[static_cast<std::size_t>(length)];
@@ -62,14 +67,15 @@ public:
     std::int64_t floor() const { return value_ >> fraction_bits; }
     std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
-    /// Skips steps. Expects: it ends between step 0 and step `length`.
+    /// Skips steps, forwards or backwards.
+    /// Expects: the place reached is between step 0 and step `length`.
     void skip(std::int64_t steps) { value_ += steps * step_; }
 
 private:
     static constexpr int fraction_bits = 40;
     static constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
 
-    /// floor(2^40 / length) of short lines. A line of length 0 has one pixel and no rise.
+    /// floor(2^40 / length) for short lines. A line of length 0 has one pixel and no rise.
     static constexpr auto units = [] {
         std::array<std::int64_t, short_length> result{};
         for (std::size_t length = 1; length < result.size(); ++length)
@@ -82,10 +88,11 @@ private:
     std::int64_t value_, step_;
 };
 
-/// Marks the steps that are in a picture of that size, by arithmetic and not by stepping.
+/// Marks the steps of a line that lie in a picture of this size, by arithmetic and not by stepping.
 void mark_seen(line_steps& line, l3d_size size);
 
-/// The steps of a line, those in a picture of that size marked. Expects: two different ends.
+/// The steps of a line. Steps that lie in a picture of this size are marked.
+/// Expects: two different ends.
 inline line_steps steps_of(const l3d_line_2d& line, l3d_size size) {
     const std::int64_t dx = std::int64_t{line.x1} - line.x0, dy = std::int64_t{line.y1} - line.y0;
     const bool x_major = std::abs(dx) >= std::abs(dy);

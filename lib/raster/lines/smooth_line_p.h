@@ -12,13 +12,14 @@
 
 namespace l3d_detail {
 
-/// A smooth line along its longer axis; for each step there are two pixels side by side.
+/// An anti-aliased line, one step for each pixel along its longer axis. Each step covers at most
+/// two neighbouring pixels across that axis.
 ///
-/// Its place is kept exactly, so that no coverage depends on clipping.
+/// The line's place is kept in whole numbers without rounding, so clipping changes no coverage.
 class smooth_line {
 public:
-    /// Finds the steps of which at least one pixel is in a picture of that size.
-    /// Expects: numbers.
+    /// Finds the steps of the line that have a pixel in a picture of this size.
+    /// Expects: coordinates that are numbers.
     smooth_line(l3d_point_2d from, l3d_point_2d to, l3d_size size);
 
     /// Calls put(x, y, coverage) for each covered pixel of the picture; 0 < coverage <= 255.
@@ -42,7 +43,7 @@ public:
     }
 
 private:
-    /// The part of the pixel that lies between the ends of the pen's way, in 1/256.
+    /// The part of a step that lies between the ends of the pen's way. Units: 1/256 pixel.
     int pen_at(std::int64_t major) const {
         const std::int64_t here = l3d_subpixel_one * major;
         return static_cast<int>(l3d_subpixel_one + std::min(here, last_major_) -
@@ -50,7 +51,7 @@ private:
     }
 
     bool x_major_;
-    std::int64_t first_major_, last_major_; ///< in 1/256 pixel
+    std::int64_t first_major_, last_major_; ///< the ends of the line, in 1/256 pixel
     std::int64_t minor_size_;
     wide_integer start_, slope_; ///< in step i the line is at (start + i slope) / denominator
     std::int64_t denominator_;

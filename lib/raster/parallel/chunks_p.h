@@ -10,13 +10,13 @@
 
 namespace l3d_detail {
 
-/// The number of chunks of so many items, the last of which may be shorter.
+/// The number of chunks into which items are divided; the last chunk may be shorter.
 constexpr std::size_t chunks_of(std::size_t items, std::size_t chunk) {
     return (items + chunk - 1) / chunk;
 }
 
-/// Calls work(begin, end, chunk's number) once for each chunk, on any worker. Most chunks meet the
-/// same worker whenever a range of so many items is worked on.
+/// Calls work(begin, end, number of the chunk) once for each chunk, on any worker. In repeated
+/// calls with as many items, most chunks meet the same worker.
 /// Expects: as l3d_workers::for_each_beside; chunk > 0.
 template <class Work>
 void for_each_chunk(l3d_workers& workers, std::size_t items, std::size_t chunk, const Work& work) {

@@ -13,15 +13,15 @@
 
 namespace l3d_detail {
 
-/// Things in the order of their height, like the bands of a picture. So the worker that makes a
-/// thing mostly fills it, too, and finds it in the cache of its core.
+/// Sorts things by height, in the order of the picture's bands. So most things are filled by the
+/// worker that made them, whose core has them in its cache.
 ///
 /// Lives: keeps its memory from frame to frame.
 class height_order {
 public:
     void clear() { places_.clear(); }
 
-    /// Adds the next thing. Units: y of any kind, growing downwards, the same for all.
+    /// Adds the next thing. Units: y in any unit, growing downwards, the same for all things.
     void add(std::int32_t y) { places_.push_back({y, static_cast<std::uint32_t>(places_.size())}); }
 
     /// Sorts the things, unless there is only one worker.
@@ -30,7 +30,7 @@ public:
             std::sort(places_.begin(), places_.end());
     }
 
-    /// The number of the i-th thing from the top.
+    /// The number, in the order of add(), of the i-th thing from the top.
     std::size_t operator[](int i) const { return places_[static_cast<std::size_t>(i)].index; }
 
 private:

@@ -20,8 +20,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using eight_doubles = hn::CappedTag<double, 8>;
 
-/// One number a lane. Products and sums are rounded each by itself, so every instruction set gives
-/// the same bits.
+/// A double in each lane. Each product and each sum is rounded separately, so every instruction set
+/// gives the same bits.
 struct number {
     hn::Vec<eight_doubles> v;
 

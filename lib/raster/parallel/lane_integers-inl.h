@@ -30,13 +30,13 @@ HWY_ATTR HWY_INLINE int_vec set(std::int32_t value) {
     return hn::Set(ints(), value);
 }
 
-/// The lanes whose bits are set: lane i is bit i.
+/// The mask of the lanes whose bits are set: lane i is bit i.
 HWY_ATTR HWY_INLINE int_mask lanes_of(std::uint64_t bits) {
     return hn::TestBit(set(static_cast<std::int32_t>(bits)), hn::Shl(set(1), hn::Iota(ints(), 0)));
 }
 
-/// The bits of the lanes that are set. Read byte by byte, since a wider load would wait for the
-/// stores.
+/// A bit for each lane that is set in a mask. The bits are read byte by byte, since a wider load
+/// would wait for the stores.
 HWY_ATTR HWY_INLINE std::uint64_t bits_of(int_mask mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(ints(), mask, bytes);

@@ -21,8 +21,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 alignas(64) constexpr std::int32_t places_of_lanes[16] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                           8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The numbers first, first + 1, first + 2 ... in at most sixteen lanes. Highway's Iota writes a
-/// number a lane to memory and waits for all of them.
+/// The numbers first, first + 1, first + 2 ... in at most sixteen lanes. Highway's Iota would write
+/// each number to memory, and wait for all of them.
 template <class D> HWY_INLINE hn::Vec<D> places_from(D d, std::int32_t first) {
     return hn::Add(hn::Load(d, places_of_lanes), hn::Set(d, first));
 }

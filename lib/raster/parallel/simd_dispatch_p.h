@@ -13,19 +13,20 @@
 
 namespace l3d_detail {
 
-/// Place of the instruction set in use in the tables below.
+/// The place of the instruction set in use, in the tables below.
 std::size_t simd_place();
 
 } // namespace l3d_detail
 
-/// Makes the table of a function's versions, best first; the last one serves everywhere. Use it in
-/// the part of a file that is compiled once, in the function's namespace but for N_<target>.
+/// Defines the table of a function's versions, best first; the last one serves everywhere. Use it
+/// in the part of a file that is compiled once, in the function's namespace, but outside of
+/// N_<target>.
 #define L3D_SIMD_TABLE(function)                                                                   \
     constexpr decltype(&HWY_STATIC_DISPATCH(function)) function##_by_target[] = {                  \
         HWY_CHOOSE_AVX3(function), HWY_CHOOSE_AVX2(function), HWY_CHOOSE_SSE4(function),           \
         &HWY_STATIC_DISPATCH(function)}
 
-/// The version in use, to be called.
+/// The version of a function for the instruction set in use, ready to be called.
 #define L3D_SIMD_CALL(function) (*function##_by_target[l3d_detail::simd_place()])
 
 #endif

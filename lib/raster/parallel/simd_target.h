@@ -8,16 +8,16 @@
 #include <vector>
 
 /// The instruction sets that this processor has and the library was built for, best first. Names
-/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4. BASE is the compiler's own
-/// target.
+/// are spelled as in Highway: AVX3 (that is AVX-512), AVX2, SSE4. BASE stands for the set that the
+/// compiler assumes anyway.
 std::vector<std::string> l3d_simd_targets();
 
-/// The instruction set in use: the best, unless told otherwise.
+/// The instruction set in use: the best one, unless another was set.
 std::string l3d_simd_target();
 
-/// Sets the instruction set of the fast paths, for the whole process; an empty name stands for the
-/// best. It is for comparisons: pictures are the same bits with every one.
-/// Errors:  false, and nothing changes, if there is none of this name.
+/// Sets the instruction set of the fast paths for the whole process; an empty name means the best
+/// one. It serves comparisons: pictures are the same bits with every set.
+/// Errors:  false, and nothing changes, if there is no set of this name.
 /// Expects: nothing is being drawn meanwhile.
 bool l3d_set_simd_target(std::string_view name);
 

@@ -16,15 +16,17 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whether some lanes cost no more to store than all, on every processor that has these
-/// instructions. SSE has no masked store, and AVX2's is 18 and more micro-operations on AMD's.
+/// Whether storing some lanes costs no more than storing all, on every processor with these
+/// instructions. SSE has no masked store, and AVX2's takes 18 or more micro-operations on AMD's
+/// processors.
 #if HWY_TARGET <= HWY_AVX3
 constexpr bool masked_stores_are_cheap = true;
 #else
 constexpr bool masked_stores_are_cheap = false;
 #endif
 
-/// Stores those lanes of a vector that `mask` has. The others may be read and written back.
+/// Stores the lanes of a vector that are in `mask`. The memory of other lanes may be read and
+/// written back.
 template <class D>
 HWY_INLINE void store_where(hn::Mask<hn::RebindToFloat<D>> mask, hn::Vec<D> value, D d,
                             hn::TFromD<D>* to) {

@@ -15,22 +15,23 @@
 #include <type_traits>
 #include <utility>
 
-/// The limit of threads that draw together. No machine has more processors to share, and each
+/// The limit of threads that draw together. Machines have fewer processors to share, and each
 /// thread takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
 
-/// A stack that is large enough for every thread that draws: a host may have threads with small
-/// ones. No drawing takes more, however large or fine it is. Sanitizers take several times as much.
+/// The size of a stack that suffices for every thread that draws, however large or fine the drawing
+/// is. A host's own threads may have smaller stacks. Sanitizers need several times as much.
 /// Units: bytes.
 inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
-/// The reason why so many threads cannot draw together, with the number; "" if they can.
+/// The reason why this number of threads cannot draw together, which names the number; "" if they
+/// can.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
 /// The limit of threads that draw by default.
-/// Source:  a picture of 1024x768 is filled in 12 bands, and the teapot is 28 patches to dice. So 8
-///          threads have two bands and four patches each at the most. If one thread takes 1 ms for
-///          a frame, the next 8 could save 0.06 ms. Waking them costs about as much.
+/// Source:  a picture of 1024x768 is filled in 12 bands, and the teapot has 28 patches to dice. So
+///          each of 8 threads has at most two bands and four patches. If one thread takes 1 ms for
+///          a frame, 8 more threads could save 0.06 ms. Waking them costs about as much.
 inline constexpr int l3d_most_usual_threads = 8;
 
 /// The number of threads that draw by default: as many as processors, up to l3d_most_usual_threads.
@@ -44,14 +45,14 @@ public:
 
 /// Threads that do independent items of work.
 ///
-/// The caller is one of them and goes on working until nothing is left to be taken. A worker that
-/// the system does not let run delays only the item that it has begun. Workers sleep between calls.
+/// The caller's thread works too, until no item is left to begin. If the system does not let a
+/// worker run, only the item that this worker has begun is late. Workers sleep between calls.
 class L3D_PUBLIC l3d_workers {
 public:
-    /// Starts threads, up to `threads` with the caller's. With 1, the caller does all work, in
-    /// order. Where the system makes no more threads, there are fewer: count() and take_shortage()
+    /// Starts threads, until there are `threads` including the caller's. With 1, the caller does
+    /// all work, in order. If the system refuses some, there are fewer: count() and take_shortage()
     /// tell.
-    /// Errors:  l3d_error with l3d_threads_complaint, if there is one; std::bad_alloc.
+    /// Errors:  l3d_error with l3d_threads_complaint, if there is a complaint; std::bad_alloc.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
     l3d_workers& operator=(const l3d_workers&) = delete;
@@ -60,16 +61,17 @@ public:
     /// The number of threads, the caller's included.
     int count() const { return count_; }
 
-    /// One line, once: how many threads there are, how many were asked for, and the system's
-    /// reason; "" if there are as many.
+    /// A line on missing threads, given once: how many there are, how many were asked for, and the
+    /// system's reason. "" if none is missing.
     std::string take_shortage() { return std::exchange(shortage_, {}); }
 
     /// Sets a question that the caller's thread asks while it works, some fifty times a second.
-    /// Once the answer is true, the work ends by l3d_interrupted, after the items that were begun.
+    /// Once the answer is true, the items that were begun are finished, and l3d_interrupted ends
+    /// the work.
     void interrupt_when(std::function<bool()> wanted) { is_unwanted_ = std::move(wanted); }
 
-    /// Asks the question of interrupt_when, if it is time to. Long loops of the caller's thread
-    /// that have no items call it.
+    /// Asks the question of interrupt_when, if a fiftieth of a second has passed. Long loops of the
+    /// caller's thread that are not divided into items call it.
     /// Errors:  l3d_interrupted.
     /// Cost:    a look at the clock.
     void ask() {
@@ -77,19 +79,19 @@ public:
             ask_if_due();
     }
 
-    /// Calls work(item, worker) once for each item in [0, items), on any worker in [0, count()),
-    /// and returns when all are done. Lower items are begun first. No two calls at a time have the
-    /// same worker.
-    /// Expects: one call at a time, and none from within work.
+    /// Calls work(item, worker) once for each item in [0, items), and returns when all are done.
+    /// `worker` is a number in [0, count()). Lower items are begun first. Calls that run at the
+    /// same time have different workers.
+    /// Expects: one call of for_each at a time, and none from within work.
     /// Errors:  the first exception of work. Items that were not begun before it are left out.
     template <std::invocable<int, int> Work> void for_each(int items, Work&& work) {
         run(items, call_of<Work>, context_of(work));
     }
 
-    /// Calls work as for_each does, for items in a row where neighbours use the same memory, in no
-    /// order. Each worker begins at a place of its own and goes on beside it. So most items meet
-    /// the same worker whenever such a row is worked on, and find their memory in the caches of its
-    /// core.
+    /// Calls work as for_each does, but in no fixed order, for items whose neighbours use the same
+    /// memory. Each worker begins at its own place in the row of items and continues next to it. So
+    /// in repeated calls most items meet the same worker, and find their memory in its core's
+    /// caches.
     template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
         run_beside(items, call_of<Work>, context_of(work));
     }

@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// A chain in neighbouring rows of pixels, a lane a row.
+/// A chain in a block of neighbouring rows of pixels. Each lane is a row.
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
@@ -21,47 +21,50 @@ struct side_block {
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
 
-    /// x at the row's top, or where the chain begins.
+    /// In each row, x at the row's top, or where the chain begins.
     alignas(64) lanes enters;
-    /// x at the row's bottom, or where the chain ends.
+    /// In each row, x at the row's bottom, or where the chain ends.
     lanes leaves;
-    /// The number of corners between `enters` and `leaves`.
+    /// In each row, the number of corners between `enters` and `leaves`.
     lanes corners;
-    /// The corners, from top to bottom.
+    /// The corners of each row, from top to bottom.
     std::array<lanes, most_corners> x, y;
-    /// The first corner of each row.
+    /// The first corner of each row, in memory.
     std::array<const l3d_point_2d*, rows> first;
-    /// Rows with more corners are left to others: all lanes wait for the one with the most.
+    /// The largest number of corners of a row that is done in lanes. Rows with more are left to
+    /// slower code, as all lanes wait for the one with the most.
     double few_corners;
-    /// If `straight`, the chain is this edge in all rows, and nothing else counts.
+    /// The edge that is the chain in all rows, if `straight`. Then the members above have no
+    /// meaning.
     straight_edge edge;
     bool straight;
 };
 
-/// Goes down a chain, and lays it out in blocks.
+/// Walks down a chain, and lays it out in blocks of rows.
 class side_walk {
 public:
-    /// Expects: the chain has not entered a row yet.
+    /// Begins at the top of a chain. Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights where the chain begins and ends. Level edges at its ends are left out, for they
-    /// bound no area.
+    /// The heights at which the chain begins and ends. Level edges at its ends are left out, as
+    /// they bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
-    /// The number of rows from `row` on before the row of the chain's next corner, or to its end.
-    /// Expects: the walk has gone to `row`.
+    /// The number of rows from `row` on that an edge crosses without a corner, up to the row of the
+    /// next corner or the chain's end.
+    /// Expects: the walk has reached `row`.
     std::size_t straight_rows(std::int32_t row) const;
 
-    /// Lays out `count` rows from `row` on, and goes to their end.
-    /// Expects: the walk has gone to `row`; no more rows than a block has, than are straight, or
-    ///          than are left.
+    /// Lays out `count` rows from `row` on, and walks to their end.
+    /// Expects: the walk has reached `row`; the rows fit into a block, or are straight, and are not
+    ///          beyond the chain's end.
     void lay_out(std::int32_t row, std::size_t count, side_block& block);
 
-    /// x at the place that the walk has gone to.
+    /// x at the place that the walk has reached.
     double x() const { return x_; }
 
-    /// The chain's piece in a row of a block.
+    /// The part of the chain in a row of a block.
     row_piece piece_of(const side_block& block, std::int32_t row, std::size_t lane) const;
 
 private:
@@ -77,34 +80,35 @@ private:
     const l3d_point_2d* edge_end_ = nullptr;
 };
 
-/// Two chains in the same rows, the left one first, and the way their area is drawn.
+/// Two chains in the same rows, the left one first, and the place of the spans between them.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
-    /// The heights where both begin and end.
+    /// The heights at which both chains begin and end.
     double begin, end;
-    /// The first row, and the number of rows: more than a block's only if both chains are straight.
+    /// The first row, and the number of rows. They exceed a block's only if both chains are
+    /// straight.
     std::int32_t row;
     std::size_t count;
     /// The visible columns are 0 to width - 1.
     std::int32_t width;
-    /// Offsets that are added to the columns and rows of spans.
+    /// Offsets that are added to columns and rows of spans.
     std::int32_t x, y;
     /// The value of a pixel that is covered wholly.
     double full;
 };
 
-/// Memory that spans and their values are written to.
+/// Memory for spans and their values.
 struct pair_spans {
-    static constexpr std::size_t most_values = 64; ///< values of a row
+    static constexpr std::size_t most_values = 64; ///< limit of values in a row
 
-    covered_span* spans;       ///< has room for one for each row
-    std::uint8_t* values;      ///< has room for most_values for each row
-    std::size_t values_before; ///< the place of the first value
+    covered_span* spans;       ///< room for one span in each row
+    std::uint8_t* values;      ///< room for most_values in each row
+    std::size_t values_before; ///< the index that the first value gets
     std::size_t span_count = 0, value_count = 0;
 };
 
-/// Finds the spans of rows in which the chains do not cross, and neither goes across many columns
-/// nor has many corners. Gives the other rows, as bits.
+/// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross, or
+/// one has many corners or reaches across many columns. Returns these rows, a bit for each.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

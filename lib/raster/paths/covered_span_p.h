@@ -11,23 +11,24 @@
 
 namespace l3d_detail {
 
-/// Columns first <= column < last of a row, all of which have one value, or each its own.
+/// A run of columns first <= column < last in a row. They share one value, or have a value each.
 struct covered_run {
     std::int32_t row, first, last;
     std::int32_t value; ///< value of all columns; -1: each has its own
-    std::size_t values; ///< the place of the first column's value
+    std::size_t values; ///< index of the first column's value, if each has its own
 };
 
-/// Columns first <= column < last of a row, and the covered share of each: a value for each one
-/// before `between` and from `beyond` on, and the same for all in the middle.
+/// The coverage of columns first <= column < last in a row. Columns before `between`, and from
+/// `beyond` on, have a value each; the columns in the middle share one.
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
-    std::int32_t value; ///< value of the middle
-    std::size_t values; ///< the place of the first value; those from `beyond` on follow
+    std::int32_t value; ///< value of the columns in the middle
+    std::size_t values; ///< index of the first value; the values from `beyond` on come after those
+                        ///< before `between`
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
 
-    /// Calls take(covered_run) for the span's runs that have columns, from left to right.
+    /// Calls take(covered_run) for the span's runs from left to right, except empty ones.
     template <class Take> void visit_runs(const Take& take) const {
         if (first < between)
             take(covered_run{row, first, between, -1, values});
@@ -43,19 +44,19 @@ template <class T> class kept_list {
 public:
     void clear() { used_ = 0; }
     std::size_t size() const { return used_; }
-    /// Room for `more` items behind the last one. Lives: until the next call.
+    /// Makes room for `more` items after the last one. Lives: until the next call.
     T* room(std::size_t more) {
         if (room_.size() < used_ + more)
             room_.resize(std::max(2 * room_.size(), used_ + more));
         return room_.data() + used_;
     }
-    /// Makes `more` items of the room part of the list.
+    /// Makes the next `more` items of the room part of the list.
     void use(std::size_t more) { used_ += more; }
     void push(const T& last) {
         *room(1) = last;
         use(1);
     }
-    /// Keeps only the first items. Expects: the list has as many.
+    /// Shortens the list to its first items. Expects: the list has as many.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     const T& operator[](std::size_t i) const { return room_[i]; }

@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// A thin run of pixels, eight-connected. Where it would turn by way of a corner, the corner is
-/// left out.
+/// Lights pixels as a thin, eight-connected run: the pixel in the corner of a right angle is left
+/// out.
 template <class Light> class thin_run {
 public:
     explicit thin_run(const Light& light) : light_(light) {}
@@ -23,8 +23,9 @@ public:
     thin_run(const thin_run&) = delete;
     thin_run& operator=(const thin_run&) = delete;
 
-    /// Adds a pixel. Expects: in each coordinate at most 1 from the last pixel, or the first of a
-    /// run.
+    /// Adds a pixel to the run.
+    /// Expects: both coordinates differ by at most 1 from those of the last pixel, unless it is the
+    ///          first of a run.
     void add(std::int64_t x, std::int64_t y) {
         if (count_ > 0 && x == last_.x && y == last_.y)
             return;
@@ -60,14 +61,14 @@ private:
     int count_ = 0;
 };
 
-/// A curve as forward differences that halve and double their step.
+/// Walks along a curve by forward differences that halve and double their step.
 ///
-/// Over a step with differences d1, d2, d3 a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
-/// 3, the bound of its derivative. The step is halved until that change is at most one pixel, and
+/// In a step with differences d1, d2, d3, a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
+/// 3, the bound of its derivative. The step is halved until this change is at most one pixel. It is
 /// doubled as soon as a double step would do.
-/// Units:   pixels, from `origin`, which keeps numbers small and so rounding.
-/// Expects: 512 equal steps or fewer would do, so that no more than 1024 are made. Then rounding is
-///          below 2^-20 pixel; NUMERICS.md, section 20.
+/// Units:   pixels from `origin`, which keeps numbers, and so rounding errors, small.
+/// Expects: 512 equal steps, or fewer, would do, so that at most 1024 are made. Then rounding
+///          errors are below 2^-20 pixel; NUMERICS.md, section 20.
 class adaptive_walk {
 public:
     explicit adaptive_walk(const l3d_curve_2d& curve)
@@ -95,12 +96,12 @@ public:
         return {origin_.x + d_[0].value() / w, origin_.y + d_[1].value() / w};
     }
 
-    /// The parameter of the place reached, exactly.
+    /// The curve's parameter at the place reached, exactly.
     double parameter() const { return 1 - static_cast<double>(left_) / whole; }
 
     bool done() const { return left_ == 0; }
 
-    /// Goes on by less than a pixel in each coordinate.
+    /// Moves on by less than a pixel in each coordinate.
     void step() {
         while (change() > 1 && step_ > 1) {
             for (auto& d : d_)
@@ -119,7 +120,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t whole = 1 << 20; ///< shortest steps of a whole curve
+    static constexpr std::int64_t whole = 1 << 20; ///< the number of shortest steps in a curve
 
     double change() const {
         const auto most = [](const l3d_forward_difference<double, 3>& d) {
@@ -141,7 +142,8 @@ private:
     std::int64_t step_ = whole, left_ = whole;
 };
 
-/// The number of equal steps of the parameter that move by at most a pixel each.
+/// The number of equal steps of a curve's parameter, each of which moves its point by at most a
+/// pixel.
 inline double pixel_steps(const l3d_curve_2d& curve) {
     const auto& p = curve.points;
     const l3d_point_2d origin = projected(p[0]);
@@ -158,7 +160,8 @@ inline double pixel_steps(const l3d_curve_2d& curve) {
     return 3 * (place + reach * weight) / least;
 }
 
-/// Adds the pixels nearest to the points of a curve. A part out of sight ends the run.
+/// Adds the pixels nearest to the points of a curve to a run. The run ends where the curve is out
+/// of sight.
 template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& seen, Run& run) {
     if (seen.misses(curve))
         return run.end();
@@ -180,7 +183,7 @@ template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& 
     }
 }
 
-/// Calls light(x, y) for the pixels of all lines and curves of a path that are in a picture.
+/// Calls light(x, y) for the pixels of a path's lines and curves that lie in a picture.
 template <class Light>
 void visit_curve_pixels(const l3d_path& path, l3d_size size, const Light& light) {
     const auto in_picture = [&](std::int64_t x, std::int64_t y) {

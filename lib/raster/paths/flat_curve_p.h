@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// The point that homogeneous coordinates stand for.
+/// The point of the plane that homogeneous coordinates stand for.
 inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
     // Ends mostly weigh 1, and then nobody waits for a division.
     if (p[2] == 1)
@@ -22,11 +22,11 @@ inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// The box of points that are seen. Units: pixels.
+/// The box in which points are seen. Units: pixels.
 struct seen_box {
     double left, top, right, bottom;
 
-    /// Whether a curve lies wholly beyond one side. It lies in the hull of its control points.
+    /// Whether a curve lies wholly beyond one side of the box, by its convex hull.
     bool misses(const l3d_curve_2d& curve) const {
         const auto all = [&curve](auto beyond) {
             return std::ranges::all_of(curve.points, beyond);
@@ -39,30 +39,29 @@ struct seen_box {
     }
 };
 
-/// Whether all weights are 1, so that no division is needed.
+/// Whether a curve is not rational: all weights are 1, so that no division is needed.
 inline bool is_plain(const l3d_curve_2d& curve) {
     return std::ranges::all_of(curve.points, [](const auto& p) { return p[2] == 1; });
 }
 
-/// The steps of the parameter in which a curve goes from 0 to 1.
+/// The way in which a curve is divided into chords.
 struct flat_plan {
-    double steps; ///< a whole number, but it may be too many for an integer
-    bool halved;  ///< the curve is halved, and each half takes as many steps as it needs
+    double steps; ///< number of chords, a whole number, perhaps too large for an integer
+    bool halved;  ///< whether the curve is halved; then each half takes as many steps as it needs
 };
 
-/// Finds the number of steps that keeps the chords between their ends within a distance of the
-/// curve.
+/// Finds the number of chords that keep within a distance of the curve.
 ///
-/// The ends are moved off the curve, to the outer side of its bend, so that chords err to both
-/// sides alike. NUMERICS.md, section 20.
+/// The chords' ends are moved off the curve, to the outer side of its bend, so that chords err to
+/// both sides alike. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
-/// The length of the first and the last step of several, if the others are 1: the curve's own ends
-/// stay in place. Its value is (1 + sqrt 2) / sqrt 8.
+/// The length of the first and the last step, in units of the other steps' length. They differ
+/// because the curve's own ends stay in place. The value is (1 + sqrt 2) / sqrt 8.
 inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
 
-/// The length of a step, if so many go from 0 to 1, except of those at the ends.
-/// Expects: at least 2.
+/// The length of a step in the curve's parameter, except for those at the ends.
+/// Expects: at least 2 steps.
 constexpr double flat_step(std::size_t steps) {
     return 1 / (static_cast<double>(steps - 2) + 2 * flat_step_at_ends);
 }
@@ -70,19 +69,19 @@ constexpr double flat_step(std::size_t steps) {
 /// The limit of steps of a curve that is not halved.
 inline constexpr std::size_t most_flat_steps = 64;
 
-/// The number of points that are found together.
+/// The number of points that are computed together.
 inline constexpr std::size_t flat_points_at_once = 8;
 
-/// Finds the points between steps, one fewer than steps.
-/// Shape:   there is room for flat_points_at_once more.
+/// Finds the ends between a curve's chords, one fewer than `steps`.
+/// Shape:   `points` has room for flat_points_at_once more.
 void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
 
 /// Memory for the points of a curve until they are taken. Callers that flatten many curves keep it,
-/// for setting it up takes as long as a short curve.
+/// as setting it up takes as long as a short curve.
 using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
 
-/// Calls lines(points) for the ends of chords, some at a time. A part out of sight becomes one
-/// chord.
+/// Divides a curve into chords, and calls lines(points) for their ends, some at a time. A part that
+/// is out of sight becomes one chord.
 template <class Lines>
 void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, flat_room& room,
              const Lines& lines) {
@@ -101,7 +100,8 @@ void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, f
     lines(std::span<const l3d_point_2d>(room.data(), count));
 }
 
-/// Calls begin(point), lines(points) and end(closed) for each outline of a path.
+/// Calls begin(point), lines(points) and end(closed) for each outline of a path, with curves as
+/// chords.
 template <class Begin, class Lines, class End>
 void visit_flat(const l3d_path& path, double distance, const seen_box& seen, flat_room& room,
                 const Begin& begin, const Lines& lines, const End& end) {

@@ -14,14 +14,14 @@
 
 namespace l3d_detail {
 
-/// A corner of a triangle of a mesh; its colour is not rounded.
+/// A corner of a mesh's triangle. Its colour is not rounded.
 struct mesh_corner {
     l3d_point_2d at;
-    std::array<double, 3> color; ///< red, green, blue; 0 to 255
+    std::array<double, 3> color; ///< red, green, blue, from 0 to 255
 };
 
-/// A row of corners.
-/// Shape:   `size` of them, and room for so many more that lanes may read past the last.
+/// A row of corners, with an array for each coordinate and channel.
+/// Shape:   `size` corners, and `room` more that lanes may read past the last.
 struct mesh_row {
     static constexpr std::size_t room = mesh_knots::room;
 
@@ -35,19 +35,19 @@ struct mesh_row {
     }
 };
 
-/// The patch at one v: the control points of a curve along u, and the colours at its ends.
+/// A curve of a patch at one v: its control points along u, and the colours at its ends.
 struct mesh_curve {
     std::array<double, 4> x, y;
     std::array<std::array<double, 3>, 2> ends;
 };
 
-/// A part of the patch between two steps along u and two along v.
+/// A cell of a patch, between two steps along u and two along v.
 struct mesh_cell {
-    std::array<mesh_corner, 4> corners; ///< at (0, 0), (1, 0), (0, 1), (1, 1) of it
-    bool rises;                         ///< its diagonal, from (0, 1) to (1, 0)
+    std::array<mesh_corner, 4> corners; ///< corners at the cell's (0, 0), (1, 0), (0, 1), (1, 1)
+    bool rises;                         ///< whether its diagonal goes from (0, 1) to (1, 0)
 
-    /// The corners of its triangles, that above the diagonal first. The first and the last corner
-    /// of each are on the diagonal.
+    /// The corners of the cell's two triangles, the one above the diagonal first. The first and the
+    /// last corner of each are on the diagonal.
     std::array<std::array<std::size_t, 3>, 2> triangles() const {
         if (rises)
             return {{{2, 0, 1}, {1, 3, 2}}};
@@ -55,10 +55,10 @@ struct mesh_cell {
     }
 };
 
-/// The cells between two rows. Their triangles have the order of the standard.
+/// A strip of cells between two rows of corners. Its triangles have the order of the PDF standard.
 struct mesh_strip {
     const mesh_row &above, &below;
-    const std::vector<double>& rises; ///< 1 or 0 for each cell
+    const std::vector<double>& rises; ///< whether each cell's diagonal rises, 1 or 0
 
     std::size_t cells() const { return above.size - 1; }
     mesh_cell cell(std::size_t i) const {
@@ -67,22 +67,22 @@ struct mesh_strip {
     }
 };
 
-/// Dices the patches of a mesh, so that neighbours meet without cracks.
+/// Dices the patches of a mesh so that neighbours meet without cracks.
 ///
-/// A border depends on its four control points and its steps alone, and on no direction: i / n and
-/// (n - i) / n are both rounded once, and terms are added in pairs.
+/// The points of a border depend only on its four control points and its steps, and not on its
+/// direction. For this, i / n and (n - i) / n are both rounded once, and terms are added in pairs.
 /// Lives:   no longer than the patches.
 class mesh_dicer {
 public:
     mesh_dicer(std::span<const l3d_mesh_patch> patches, mesh_colors colors)
         : patches_(patches), dicings_(dicings_of(patches, colors)) {}
 
-    /// The visited patch's parameters at corners.
+    /// The parameters u and v of the corners in the patch that is being visited.
     const mesh_knots& along() const { return along_; }
     const mesh_knots& down() const { return down_; }
 
-    /// Calls shade(mesh_strip) for each patch of finite numbers. In the order of the standard, the
-    /// larger v comes later and stays; at equal v, the larger u.
+    /// Calls shade(mesh_strip) for the strips of each patch with finite numbers. By the order of
+    /// the PDF standard, larger v come later and cover earlier ones; at equal v, larger u do.
     template <class Shade> void visit(const Shade& shade) {
         for (std::size_t i = 0; i < patches_.size(); ++i) {
             if (!is_finite(patches_[i]))
@@ -107,7 +107,7 @@ private:
     std::span<const l3d_mesh_patch> patches_;
     std::vector<mesh_dicing> dicings_;
     mesh_knots along_, down_;
-    std::vector<double> rises_; ///< with room for lanes, as rows have
+    std::vector<double> rises_; ///< with room for more lanes, as rows have
     mesh_row above_, below_;
 };
 

@@ -13,51 +13,53 @@
 
 namespace l3d_detail {
 
-/// Whether all coordinates are finite numbers.
+/// Whether all coordinates of a patch are finite numbers.
 bool is_finite(const l3d_mesh_patch& patch);
 
-/// Steps along one parameter of a patch: equal ones if few are enough, else so many in each
-/// quarter.
+/// The numbers of steps along one parameter of a patch. If `whole` is at most `few`, the patch has
+/// that many equal steps. Otherwise each quarter has its own number of steps.
 struct mesh_steps {
-    /// The number of steps from which on quarters pay: with one step each they are as many.
+    /// The largest number of equal steps. Beyond it quarters pay, as one step in each makes no
+    /// more.
     static constexpr int few = 4;
 
     int whole = 1;
     std::array<int, 4> of_quarter{1, 1, 1, 1};
 
     bool is_quartered() const { return whole > few; }
-    /// Takes as many steps as both need.
+    /// Raises the numbers of steps to those of another border, where these are larger.
     void cover(const mesh_steps& other);
-    /// The steps of the parameter that runs the other way.
+    /// The same steps for the parameter that runs in the opposite direction.
     mesh_steps backwards() const;
 };
 
-/// Parameters where steps begin or end, from 0 to 1. Those of backwards() are 1 less these, with
-/// the same bits in their weights.
+/// The parameters, from 0 to 1, at which steps begin or end. Knots of mesh_steps::backwards() are 1
+/// minus these, and their weights have the same bits.
 ///
-/// Shape:   `size` of each, and so many more that lanes may read past the last.
+/// Shape:   `size` elements in each array, and `room` more that lanes may read past the last.
 struct mesh_knots {
     static constexpr std::size_t room = 8;
 
     std::size_t size = 0;
     std::vector<double> at;
-    std::array<std::vector<double>, 4> weights; ///< the Bernstein polynomials of control points
-    std::vector<std::size_t> quarter;           ///< quarter of the step that ends here
+    std::array<std::vector<double>, 4> weights; ///< values of the four cubic Bernstein polynomials
+    std::vector<std::size_t> quarter;           ///< the quarter in which the step that ends here
+                                                ///< lies
 
     void set(const mesh_steps& steps);
 };
 
-/// The colours between the corners of a triangle.
+/// The way in which triangles of a mesh get the colours between their corners.
 enum class mesh_colors {
-    linear,  ///< the colours of its corners
-    bilinear ///< those of the patch, at parameters that are linear
+    linear,  ///< linear between the corners' colours
+    bilinear ///< the patch's bilinear colours, at parameters that are linear between the corners'
 };
 
-/// How a patch is diced.
+/// The way in which a patch is diced.
 struct mesh_dicing {
     mesh_steps along, down; ///< along u and along v
-    /// Bit 4 r + c: in row r and column c of the quarters, diagonals lead from (1, 0) to (0, 1) of
-    /// a cell, instead of from (0, 0) to (1, 1).
+    /// The cells' diagonals. If bit 4 r + c is set, cells in row r and column c of the quarters
+    /// have diagonals from (1, 0) to (0, 1). Otherwise they go from (0, 0) to (1, 1).
     std::uint16_t rising = 0;
 
     bool rises(std::size_t row, std::size_t column) const {
@@ -65,13 +67,14 @@ struct mesh_dicing {
     }
 };
 
-/// The dicing of each patch: its triangles err by no more than is allowed, and patches have the
-/// same steps along a common border, whichever way it runs in each. Patches that are not finite
-/// have any.
+/// Finds the dicing of each patch. Errors of its triangles are within the allowed ones. Patches
+/// with a common border have the same steps along it, in whichever direction it runs in each.
+/// Patches that are not finite get an arbitrary dicing.
 std::vector<mesh_dicing> dicings_of(std::span<const l3d_mesh_patch> patches, mesh_colors colors);
 
-/// Lets patches whose borders have the same four control points take as many steps along them as
-/// each of them needs. So do the opposite borders, and the patches that share them.
+/// Gives patches that share a border the same steps along it, as many as each of them needs. A
+/// border is shared if its four control points are the same. The opposite borders, and the patches
+/// that share these, take part, too.
 /// Expects: a dicing for each patch.
 void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings);
 

@@ -13,18 +13,19 @@
 
 namespace l3d_detail {
 
-/// Shades the triangles of a strip from `first` on, in their order. A colour is the nearest to the
-/// bilinear one of its cell, within 2^-8.
+/// Shades the triangles of a strip in their order, from number `first` on. A colour is the nearest
+/// one to its cell's bilinear colour, within 2^-8.
 ///
-/// Triangles are set up together, a lane each, and then filled one by one. Returns the first that
-/// it does not take, or the number of all triangles. It takes triangles that are small, lie wholly
-/// in the picture, and do not change their colour too fast.
+/// Triangles are set up together, one in each lane, and then filled one by one. It takes triangles
+/// that are small, lie wholly in the picture, and do not change colour too fast. Returns the number
+/// of the first triangle that it does not take, or of all triangles.
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 std::size_t shade_strip(const l3d_pixels& target, const mesh_strip& strip,
                         const std::array<double, 2>& ends, std::size_t first);
 
-/// Shades spans of a triangle of a cell; a colour is the nearest to the bilinear one, within 2^-8.
-/// Shape:   the first two colours of the spans are the place in the cell, 0 to 1.
+/// Shades spans of a triangle of a cell. A colour is the nearest one to the cell's bilinear colour,
+/// within 2^-8.
+/// Shape:   the first two colours of the spans are the place in the cell, from 0 to 1.
 /// Expects: the spans are in the picture.
 void shade_bilinear(const l3d_pixels& target, const mesh_cell& cell,
                     std::span<const shaded_span> spans);

@@ -25,21 +25,21 @@
 /// Expects: weights above 0.
 using l3d_curve_2d = l3d_bezier_curve<double, 3>;
 
-/// The largest distance of a drawn curve from the exact one, in pixels. NUMERICS.md, section 20:
-/// together with rounding to 8 bits, two pixels' length of curves in a pixel change its coverage by
-/// less than 1 / 255.
+/// The largest distance of a drawn curve from the exact one, in pixels. Two pixels' length of
+/// curves with such errors changes a pixel's coverage by less than 1 / 255, with rounding to 8
+/// bits. See NUMERICS.md, section 20.
 inline constexpr double l3d_flat_enough = 1.0 / 1024;
 
-/// Outlines that begin with move_to, and go on with lines and curves.
+/// A path: outlines that begin with move_to, and continue with lines and curves.
 ///
-/// For filling, every outline counts as closed. A piece without an outline to go on with begins one
-/// at (0, 0).
+/// When a path is filled, every outline counts as closed. A line or curve that follows no outline
+/// begins a new one at (0, 0).
 /// Units:   pixels, as in l3d_rasterizer_2d: pixel (x, y) is sampled at (x, y), y down.
-/// Lives: as long as it likes; it owns its points.
-/// Cost:    the memory of its points; adding allocates when there are more than ever before.
+/// Lives:   a value; it owns its points.
+/// Cost:    the memory of its points. Adding allocates if there are more points than ever before.
 class L3D_PUBLIC l3d_path {
 public:
-    /// The kind of a piece, with the number of its own points.
+    /// The kind of a piece. Each kind's comment tells how many points a piece adds.
     enum class kind : std::uint8_t {
         move,  ///< 1 point: an outline begins
         line,  ///< 1 point
@@ -47,7 +47,7 @@ public:
         close  ///< 0 points: back to the outline's beginning
     };
 
-    /// Begins another outline at a point.
+    /// Begins a new outline at a point.
     void move_to(l3d_point_2d to);
     /// Adds a straight line.
     void line_to(l3d_point_2d to);
@@ -55,31 +55,31 @@ public:
     void quadratic_to(l3d_point_2d control, l3d_point_2d to);
     /// Adds a cubic Bezier curve.
     void cubic_to(l3d_point_2d first, l3d_point_2d second, l3d_point_2d to);
-    /// Adds a rational cubic. The point that it begins at weighs 1.
+    /// Adds a rational cubic. Its first point, the present end of the outline, has weight 1.
     /// Expects: weights between 1e-6 and 1e6.
     void rational_to(const std::array<l3d_point_2d, 3>& points,
                      const std::array<double, 3>& weights);
-    /// Adds an arc of an ellipse, and first a straight line to the arc's beginning. Without an open
-    /// outline, one begins there.
+    /// Adds an arc of an ellipse, after a straight line to the arc's beginning. If no outline is
+    /// open, one begins there instead.
     ///
-    /// The arc has the points center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
-    /// begin + sweep. It is exact: a rational curve for each quarter or less.
+    /// The arc's points are center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
+    /// begin + sweep. The arc is exact: a rational curve for each quarter or less.
     /// Units:   degrees, clockwise as y points down.
     /// Expects: |sweep| at most 60 000.
     void arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin, double sweep);
     /// Closes the outline by a straight line to its beginning, and joins its ends.
     void close();
 
-    /// Adds a full circle, an outline of its own.
+    /// Adds a full circle as an outline of its own.
     void add_circle(l3d_point_2d center, double radius);
-    /// Adds the squares of whole pixels, an outline of its own: filled, it leaves no fringe. Adds
-    /// nothing if the box is empty.
+    /// Adds the squares of whole pixels as an outline of its own. Filling it colours exactly these
+    /// pixels. Adds nothing if the box is empty.
     void add_box(const l3d_pixel_box& box);
-    /// Adds a polygon, an outline of its own. Adds nothing if it has no corner.
+    /// Adds a polygon as an outline of its own. Adds nothing if it has no corner.
     void add_polygon(l3d_outline_2d corners);
 
-    /// Adds the outlines of a path, with its points placed anew. The curves' weights stay, so they
-    /// are turned, stretched or slanted exactly.
+    /// Adds the outlines of another path, with its points moved by a placement. The curves' weights
+    /// stay, so curves are turned, stretched or slanted exactly.
     void add(const l3d_path& other, const l3d_placement_2d& place = {});
 
     /// Removes all outlines; the memory stays.
@@ -90,8 +90,8 @@ public:
     bool is_number() const;
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
-    /// each piece in order. Coordinates beyond +-2^30 are clamped to it. A visitor that has
-    /// lines(std::span<const l3d_point_2d>) gets many lines at once.
+    /// the pieces in order. Coordinates beyond +-2^30 are clamped to it. If the visitor has a
+    /// function lines(std::span<const l3d_point_2d>), this gets many lines at once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:
@@ -166,8 +166,9 @@ template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
     }
 }
 
-/// Points of a circle, evenly spaced: the corners of a regular polygon with `resolution` sides,
-/// from the right on towards larger y. The first one is not repeated at the end.
+/// Evenly spaced points of a circle: the corners of a regular polygon with `resolution` sides. The
+/// first is the rightmost, the next ones go towards larger y. The first one is not repeated at the
+/// end.
 /// Expects: resolution >= 1.
 inline std::vector<l3d_point_2d> l3d_sampled_circle(l3d_point_2d center, double radius,
                                                     int resolution) {
@@ -195,46 +196,51 @@ inline std::vector<l3d_point_2d> l3d_sampled_quadratic(l3d_point_2d from, l3d_po
 
 /// The shape of the ends of open outlines and dashes.
 enum class L3D_PUBLIC l3d_cap {
-    butt,  ///< cut off where the outline ends
-    round, ///< half a disc
-    square ///< half a square
+    butt,  ///< cut off at the end of the outline
+    round, ///< half a disc beyond the end
+    square ///< half a square beyond the end
 };
 
 /// The shape of a corner where two pieces of an outline meet.
 enum class L3D_PUBLIC l3d_join {
-    miter, ///< their sides go on until they meet; beyond the limit, bevel
-    round, ///< a disc
-    bevel  ///< cut off from corner to corner
+    miter, ///< both sides extended until they meet; bevel beyond the miter limit
+    round, ///< a disc around the corner
+    bevel  ///< straight from the end of one side to the beginning of the next
 };
 
-/// A pen.
+/// The pen that strokes a path.
 struct L3D_PUBLIC l3d_stroke {
     double width = 1;                ///< in pixels; more than 2^30 counts as 2^30
     l3d_cap cap = l3d_cap::butt;     ///< shape of ends
     l3d_join join = l3d_join::miter; ///< shape of corners
-    /// The longest miter, from the inner corner to the outer one, in widths of the pen.
+    /// The longest miter, from the inner to the outer corner, in multiples of the pen's width.
     double miter_limit = 4;
-    /// Lengths of a dash, of a gap, of a dash and so on, again and again; empty: no gaps. With an
-    /// odd number of lengths, dashes and gaps change places each time. In pixels along the path.
+    /// Lengths of a dash, a gap, a dash and so on, repeated; empty: no gaps. With an odd number of
+    /// lengths, dashes and gaps change places in each repetition.
+    /// Units: pixels along the path.
     std::vector<double> dashes{};
     double dash_begin = 0; ///< distance into the dashes at which an outline begins, in pixels
 };
 
-/// The path that a pen covers, to be filled with l3d_winding::nonzero.
+/// The outline of the area that a pen covers along a path. Fill it with l3d_winding::nonzero.
 ///
-/// Curves become chords within l3d_flat_enough. Inside of a curve the chords meet in round joins,
-/// so the covered area along it is within twice that distance. Ends of curves and of dashes on them
-/// are square to the curve. Corners that turn so little that a disc's arc is within that distance
-/// of its chord have one point on either side, whatever the join. Other round joins, and caps,
-/// become chords that change the area of no pixel by more than l3d_flat_enough: arcs and chords
-/// bound equal areas. An outline of a single point shows a round or a square cap. Where the lines
-/// of a very short outline turn by half a turn, nothing is missing. Where a closed outline begins
-/// within a dash, its first and last dash are one. A dash without length shows a cap as a single
-/// point does; a square one is turned along the path.
+/// Curves become chords within l3d_flat_enough. Chords of a curve meet in round joins, so the
+/// covered area along the curve is within twice that distance. Ends of curves, and ends of dashes
+/// on curves, are square to the curve.
+///
+/// A corner that turns very little has one point on either side, whatever the join: a disc's arc
+/// there is within l3d_flat_enough of its chord. Other round joins, and round caps, become chords
+/// that enclose the same area as their arcs. They change the area of no pixel by more than
+/// l3d_flat_enough.
+///
+/// An outline of a single point shows a round or a square cap. A very short outline is complete
+/// even where its lines turn by half a turn. If a closed outline begins within a dash, its first
+/// and last dash are joined. A dash of length 0 shows a cap as a single point does, and a square
+/// cap is turned along the path.
 /// Expects: numbers; width at least 0; lengths of dashes at least 0, with a sum of 1e-3 or more.
 ///          Otherwise the result is empty.
-/// Cost:    linear in chords and dashes, of which there are at most 10^6. If a path may have more,
-///          the first to be left out are those that no picture of the largest size shows.
+/// Cost:    linear in chords and dashes, of which there are at most 10^6. If a path would have
+///          more, those outside of a picture of the largest size are left out first.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
 
 #endif

@@ -20,41 +20,44 @@
 
 namespace l3d_detail {
 
-/// Turns paths into spans, exactly but for the distance of chords from curves and for rounding.
+/// Turns paths into spans. They are exact except for rounding, and for the distance of chords from
+/// curves.
 ///
-/// Pieces of chains in one row whose columns meet form a cluster. Outlines are closed, and pieces
-/// that follow each other meet. So windings do not change down the row between two clusters, and
-/// pixels there are covered wholly or not at all. The same holds for a gap between pieces within a
-/// cluster. A run lies between two gaps: mostly a single piece, or two that only meet where an
-/// outline turns. The others go to row_areas::add_cluster.
-/// Cost:    a few operations for each edge and row; for each row and piece, some more; linear in
-///          the columns of clusters; nothing for columns between them. Allocates when a path has
-///          more edges or spans than ever before.
+/// Chains are cut into pieces, one for each row of pixels. Pieces whose columns meet form a
+/// cluster. As outlines are closed and consecutive pieces meet, windings do not change down the row
+/// between two clusters. So pixels there are covered wholly or not at all. The same holds for a gap
+/// between pieces within a cluster.
+///
+/// A run is the part of a cluster between two gaps. Mostly it is a single piece, or two that only
+/// meet where an outline turns. All other runs go to row_areas::add_cluster.
+/// Cost:    a few operations for each edge and row, and some more for each row and piece. Clusters
+///          take time linear in their columns, and columns between them take none. Allocates when a
+///          path has more edges or spans than ever before.
 class path_scan {
 public:
     /// A request to draw a path.
     struct order {
         const l3d_path& path;
         l3d_winding inside;
-        const l3d_path* clip; ///< null: all of the box
+        const l3d_path* clip; ///< null: the whole box
         l3d_winding clip_inside;
-        l3d_pixel_box box; ///< in the picture
-        double full;       ///< the value of a pixel that is covered wholly: at most 255
+        l3d_pixel_box box; ///< a part of the picture
+        double full;       ///< value of a pixel that is covered wholly, at most 255
     };
 
-    /// The spans in any order, without overlap. Those that are not covered
-    /// are left out.
+    /// Finds the spans of a path, in any order and without overlap. Pixels that are not covered
+    /// have none.
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of columns that have their own. Beyond a span's values, as many more may be read
-    /// as a vector has lanes of 32 bits.
+    /// The values of columns that have a value each. After a span's values, as many more may be
+    /// read as a vector has 32-bit lanes.
     const std::uint8_t* values() const { return values_.data(); }
 
 private:
     static constexpr std::size_t most_lanes = 16; ///< lanes of span_kernels' vectors
 
-    /// A chain's piece in the row.
+    /// The piece of a chain in the present row.
     struct place {
         double left, right;
         std::uint32_t chain;
@@ -64,7 +67,7 @@ private:
         }
     };
 
-    /// First and last column.
+    /// The first and the last column that a cluster reaches.
     struct reached_columns {
         std::int32_t first, last;
     };
@@ -104,17 +107,17 @@ private:
     fill_rules rules_;
     path_chains chains_;
     flat_room flat_room_;
-    std::vector<place> places_; ///< places of the row, from left to right
+    std::vector<place> places_; ///< the pieces of the row, from left to right
     std::vector<place> begun_, merged_;
     std::vector<row_edge> edges_;
-    bool bordered_ = false; ///< the cluster has a border
+    bool bordered_ = false; ///< whether the cluster has a border
     row_areas areas_;
     std::array<side_block, 2> blocks_;
     kept_list<covered_span> spans_;
     kept_list<std::uint8_t> values_;
 };
 
-/// The order for l3d_rasterizer_2d::draw_path, in a picture.
+/// The request that l3d_rasterizer_2d::draw_path makes, for a picture.
 inline path_scan::order order_of(const l3d_path& path, const l3d_fill& fill,
                                  const l3d_pixel_box& picture) {
     return {path,

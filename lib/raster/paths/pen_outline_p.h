@@ -10,48 +10,51 @@
 
 namespace l3d_detail {
 
-/// An end of a chord.
+/// An end of a chord of a path that is stroked.
 struct pen_point {
     l3d_point_2d at;
-    bool smooth = false; ///< two chords of one curve meet here
-    /// The directions of a curve that ends here and of one that begins here, of length 1. (0, 0)
+    bool smooth = false; ///< whether two chords of one curve meet here
+    /// The unit directions of the curve that ends here, and of the curve that begins here. (0, 0)
     /// means the chord's direction.
     l3d_point_2d arrives{}, leaves{};
 };
 
-/// Adds to a path, for each chain of chords, one outline, or two if the chain is closed.
+/// Adds the outline of a pen along chains of chords to a path: one outline for each chain, or two
+/// if the chain is closed.
 ///
-/// Such an outline is the sum of a rectangle for each chord and a wedge for each joint, all wound
-/// the same way. For that, it goes by way of the joint itself on a joint's inner side. So each
-/// place that is covered is wound about once or more, never back to 0.
+/// An outline is the sum of a rectangle for each chord and a wedge for each joint, all wound in the
+/// same direction. For that, it passes through the joint itself on the joint's inner side. So the
+/// winding number of each covered place is 1 or more, and never returns to 0.
 class pen_outline {
 public:
     pen_outline(const l3d_stroke& pen, l3d_path& result);
 
-    /// Adds a chain's outline. If all points are one, a square cap has sides along `along`.
+    /// Adds a chain's outline. If all points are the same, a square cap has sides along `along`.
     void add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along = {1, 0});
 
 private:
-    /// A chord from a point to the next different one.
+    /// A chord from a point to the next one with another place.
     struct chord {
         l3d_point_2d from, to;
         double length;
-        l3d_point_2d begins, ends; ///< directions that the pen is square to
+        l3d_point_2d begins, ends; ///< directions to which the pen is square at both ends
         bool smooth;               ///< whether its beginning lies within a curve
     };
 
-    /// Two chords meet.
+    /// The place where two chords meet.
     struct joint {
         l3d_point_2d at;
-        l3d_point_2d ends, begins; ///< directions of the first and of the second
-        double shortest;           ///< the shorter length
+        l3d_point_2d ends, begins; ///< direction at the first one's end, and at the second one's
+                                   ///< beginning
+        double shortest;           ///< the length of the shorter chord
         l3d_join join;
     };
 
     void find_chords(const std::vector<pen_point>& points, bool closed);
     bool add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to);
     void add_dot(l3d_point_2d at, l3d_point_2d along);
-    /// A side of the pen: the left one of travel, or the right one, from its begin to its end.
+    /// The points of one side of the pen, on the left or on the right of its way, from begin to
+    /// end.
     using side = std::vector<l3d_point_2d>;
 
     void add_ends(l3d_point_2d at, l3d_point_2d direction);
@@ -59,14 +62,14 @@ private:
     void add_left(const joint& j, side& to);
     void add_outside(const joint& j, double sine, double cosine, side& to);
     void add_cap(l3d_point_2d at, l3d_point_2d arrives);
-    /// Finds points near the circle about (0, 0), from the direction (1, 0) on.
+    /// Finds points near the unit circle around (0, 0), over an angle from the direction (1, 0) on.
     void find_turns(double angle, std::vector<l3d_point_2d>& turns) const;
-    /// Adds the points of a circle about `center`, from the direction `left` on.
+    /// Adds the points of a circle around `center`, from the direction `left` on.
     static void add_arc(l3d_point_2d center, l3d_point_2d left,
                         const std::vector<l3d_point_2d>& turns, side& to);
     void end_outline(side& outline);
 
-    /// The point beside a joint, in the middle between the left of both chords.
+    /// A point beside a joint, on the mean of the left directions of both chords.
     static l3d_point_2d between(const joint& j, double scale) {
         return {j.at.x + scale * (j.ends.y + j.begins.y), j.at.y - scale * (j.ends.x + j.begins.x)};
     }
@@ -80,9 +83,10 @@ private:
     double least_cosine_; ///< cosine of most_angle_
     double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    side left_, right_; ///< the outline that is being made
+    side left_, right_; ///< the sides of the present outline
     std::vector<l3d_point_2d> turns_;
-    std::vector<l3d_point_2d> half_turn_; ///< arc of all round caps; empty before the first one
+    std::vector<l3d_point_2d> half_turn_; ///< points of the arc of all round caps; empty before the
+                                          ///< first one
 };
 
 } // namespace l3d_detail

@@ -16,34 +16,35 @@
 namespace l3d_detail {
 
 /// The part of an edge in one row of pixels.
-/// Units:   x in pixels from the picture's left, y from 0 to 1 down the row; y0 <= y1.
+/// Units:   x in pixels from the picture's left side, y from 0 to 1 down the row; y0 <= y1.
 struct row_edge {
     double x0, y0, x1, y1;
-    std::int8_t direction; ///< 1 if it leads upwards, and adds 1 to the winding right of it
-    std::uint8_t layer;    ///< 0: of what is filled; 1: of what clips it
+    std::int8_t direction; ///< 1 if the outline leads upwards, which adds 1 to the winding on the
+                           ///< right; else -1
+    std::uint8_t layer;    ///< 0: an edge of the filled path; 1: of its clip path
 };
 
-/// The windings of outlines around a place: those of the filled path, and those of the path that
-/// clips it.
+/// The winding numbers of a place: in the filled path, and in the path that clips it.
 struct windings {
     std::array<int, 2> turns{};
 
-    /// Crosses a border, which has a direction and a layer.
+    /// Moves the place to the right across a border, which has a direction and a layer.
     template <class Border> void cross(const Border& border) {
         turns[border.layer] += border.direction;
     }
 };
 
-/// Winding rules of both layers.
+/// The winding rules of both layers: the filled path and its clip path.
 struct fill_rules {
     std::array<l3d_winding, 2> rule{};
-    bool clips = false; ///< there is a second layer
+    bool clips = false; ///< whether there is a clip path
 
     bool inside(const windings& w) const {
         return layer_inside(w, 0) && (!clips || layer_inside(w, 1));
     }
 
-    /// Whether inside and outside are surely the same wherever windings lie between two bounds.
+    /// Whether all windings between two bounds are surely on the same side: all inside, or all
+    /// outside.
     bool same_between(const windings& low, const windings& high) const {
         const bool first = layer_same(low, high, 0);
         if (!clips)
@@ -64,35 +65,37 @@ private:
     }
 };
 
-/// Exact areas of the pixels of one row, summed up from the borders of the inside.
+/// Finds the exact covered areas of the pixels of one row, as running sums from left to right.
 ///
-/// A border adds the area right of it in its own columns. So the running sum over columns is
-/// the area of each pixel, also behind the last column that a border reaches.
-/// Cost:    add: linear in the columns that are reached. add_cluster: n log n for n edges, times
-///          the number of their ends and crossings; if they are many, for those of two columns.
+/// A border between inside and outside adds to the columns that it reaches the area on its right.
+/// So the running sum over columns is the covered area of each pixel, also behind the last border.
+/// Cost:    add_border: linear in the columns that are reached. add_cluster: n log n for n edges,
+///          times the number of their ends and crossings; if there are many, only of those in two
+///          columns.
 class row_areas {
 public:
-    /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as users leave them.
+    /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as callers leave them.
     void set_width(std::int32_t width);
 
-    /// Adds edges of a cluster, which have the windings `left` on their left.
+    /// Adds the edges of a cluster. `left` are the windings on the left of all of them.
     ///
-    /// Edges may cross and lie upon each other. The row is cut at their ends and crossings.
-    /// Between two cuts edges have an order, and only edges at which inside and outside change
-    /// count.
+    /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
+    /// two cuts edges have an order from left to right. Edges count only if one side is inside and
+    /// the other outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left,
                      const fill_rules& rules);
 
-    /// Adds a single border, whatever lies between it and others. The height is negative if the
-    /// inside is left of it.
+    /// Adds a single border, whatever else is added. The height is negative if the inside is on the
+    /// left.
     void add_border(double x0, double x1, double height);
 
-    /// The sums of columns, to be run up. Beyond the last column there are two more.
+    /// The differences of areas from column to column, to be summed up from the left. There are two
+    /// more than columns.
     double* sums() { return sums_.data(); }
 
 private:
     struct chord {
-        double x0, x1; ///< at the top and at the bottom of the slab
+        double x0, x1; ///< x at the top and at the bottom of the slab
         const row_edge* edge;
 
         bool operator<(const chord& other) const {
@@ -100,7 +103,7 @@ private:
         }
     };
 
-    /// A height from which on the windings left of the strip are others.
+    /// A change of the windings on the left of the strip, at a height and below.
     struct change {
         double y;
         windings by;
@@ -117,16 +120,16 @@ private:
     windings add_ordered(std::span<const chord> chords, double top, double bottom,
                          const windings& left, const fill_rules& rules);
 
-    /// Two chords change places.
+    /// A crossing, where two chords change places.
     struct crossing {
         double y;
         std::size_t from_left, from_right;
     };
-    /// A chord among those that cross.
+    /// The state of a chord among chords that cross.
     struct track {
-        std::size_t place; ///< from left to right
-        double since;      ///< the height from which on it has been a border, if its sign is not 0
-        int sign;          ///< 1: the inside is right of it
+        std::size_t place; ///< place in the order from left to right
+        double since;      ///< the height at which it became a border, if its sign is not 0
+        int sign;          ///< 0: no border; 1: the inside is on its right; -1: on its left
     };
 
     std::vector<double> sums_;
@@ -134,9 +137,10 @@ private:
     std::vector<chord> chords_;
     std::vector<crossing> crossings_, waiting_;
     std::vector<track> tracks_;
-    std::vector<windings> before_; ///< windings left of each place
+    std::vector<windings> before_; ///< the windings on the left of each place
     std::vector<std::size_t> by_lower_;
-    std::vector<double> least_after_; ///< least of the lower ends, from each chord on
+    std::vector<double> least_after_; ///< for each chord, the least lower end among it and those
+                                      ///< after it
     std::vector<const row_edge*> sorted_;
     std::vector<std::vector<row_edge>> strips_;
     std::vector<change> changes_; ///< from top to bottom
@@ -177,7 +181,7 @@ inline void row_areas::add_border(double x0, double x1, double height) {
     }
 }
 
-/// Puts borders that follow each other together as long as they stay in one pixel.
+/// Adds consecutive borders as a single one as long as they stay in one pixel.
 class pixel_sum {
 public:
     /// Begins at x, the place of the first border.
@@ -186,7 +190,7 @@ public:
     pixel_sum(const pixel_sum&) = delete;
     pixel_sum& operator=(const pixel_sum&) = delete;
 
-    /// As row_areas::add_border, but for the order of sums.
+    /// Adds a border as row_areas::add_border does, but sums in another order.
     void add_border(double x0, double x1, double height) {
         const auto column = static_cast<std::int32_t>(x1);
         if (column == column_) {

@@ -23,7 +23,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A window's values are in groups of columns, each a word. It has up to most_groups.
+/// The columns of a window are stored in groups, four values to a word. A window has up to
+/// most_groups.
 constexpr std::size_t group = sizeof(std::uint32_t), most_groups = 4;
 constexpr std::size_t rows = side_block::rows;
 
@@ -41,12 +42,12 @@ HWY_ATTR HWY_INLINE integers truncated(number x) {
     return hn::DemoteTo(lane_integers(), x.v);
 }
 
-/// The byte of a word of four that is the i-th in memory.
+/// The shift that takes a byte to place i of a word, counted in the order of memory.
 constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }
 
-/// The heights at which both chains begin and end in their rows.
+/// The heights at which both chains begin and end, in each row.
 struct row_heights {
     number top, bottom;
 
@@ -63,10 +64,10 @@ HWY_ATTR HWY_INLINE number x_at(const straight_edge& edge, number y) {
     return smallest(largest(x, same(edge.least)), same(edge.most));
 }
 
-/// A chain in lanes.
+/// A chain in a block of rows, each lane a row.
 struct side_lanes {
     number enters, leaves, corners, least, most;
-    mask few; ///< rows that have few enough corners, if it is not straight
+    mask few; ///< rows with few enough corners; unset if the chain is straight
     std::size_t most_corners = 0;
 
     HWY_ATTR HWY_INLINE side_lanes(const side_block& block, const row_heights& y, std::size_t at) {
@@ -95,31 +96,37 @@ struct side_lanes {
         }
     }
 
-    /// The rows that have corner i.
+    /// The rows that have a corner number i.
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }
-    /// Columns that the side reaches.
+    /// An upper bound of the number of columns that the chain reaches in each row.
     HWY_ATTR HWY_INLINE number columns() const { return most - floor_of(least); }
 };
 
-/// A chain's areas to its right in columns from `first` on.
+/// The columns near a chain, in each row of a block. `areas` holds how much of each pixel lies
+/// right of the chain. Column 0 is the picture's column first[row].
 struct window {
     alignas(64) double areas[most_groups * group][rows];
-    std::int32_t words[most_groups][rows]; ///< values, four in a word
+    std::int32_t words[most_groups][rows]; ///< values of pixels, four in a word
     std::int32_t first[rows];
-    std::int32_t used[rows];  ///< columns that have values, some groups
-    std::int32_t known[rows]; ///< columns that have areas; all others have the height
+    std::int32_t used[rows];  ///< number of columns that have values, a multiple of a group's
+    std::int32_t known[rows]; ///< number of columns that have areas; the columns after them have
+                              ///< the whole height
 };
 
-/// The sum over edges of height * G(x), where G(x) is the area right of an edge from l to r of
-/// height 1, and left of x. It is 0 up to l, and (x - l)^2 / 2 (r - l) up to r. From there on it
-/// grows by one a pixel. So it is b - i (1 - i / 2 (r - l)) for b = x - l or 0, and i = b or r - l.
+/// The sums that give a chain's areas: for each column, the area right of the chain and left of the
+/// column's end x.
+///
+/// An edge of height 1 from l to r adds G(x). G is 0 up to l, (x - l)^2 / (2 (r - l)) up to r, and
+/// then grows by 1 for each pixel. So G(x) is b - i (1 - i / (2 (r - l))). Here b is the larger one
+/// of x - l and 0, and i the smaller one of b and r - l. Edges of other heights add height * G(x).
 template <std::size_t Columns> struct area_sum {
     number first;
     std::array<number, Columns> sums;
 
-    /// Sets the sum to a single edge. It begins in the first column, so b is never below 0.
+    /// Sets the sums to those of a single edge. It begins in the first column, so b is never
+    /// negative.
     HWY_ATTR HWY_INLINE void set(number x0, number x1, number height) {
         const edge e(x0, x1, height);
         number beyond = first - e.left;
@@ -128,7 +135,7 @@ template <std::size_t Columns> struct area_sum {
             sum = e.area(beyond);
         }
     }
-    /// Adds one of several edges.
+    /// Adds an edge of a chain that has several.
     HWY_ATTR HWY_INLINE void add(number x0, number x1, number height) {
         const edge e(x0, x1, height);
         number after_left = first - e.left;
@@ -154,7 +161,7 @@ private:
     };
 };
 
-/// A pixel's area is the difference of the sums at its ends.
+/// Finds the areas of a chain's pixels, as differences of the sums at their ends, and their values.
 template <std::size_t Columns, bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at, bool joint,
@@ -203,7 +210,7 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
     hn::Store(hn::Set(di, static_cast<std::int32_t>(Columns)), di, &result.known[at]);
 }
 
-/// Finds the windows of a chain, and tells whether all are one group of columns.
+/// Finds the windows of a chain. Returns whether one group of columns suffices for all of them.
 template <bool is_left>
 HWY_ATTR HWY_INLINE bool find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at,

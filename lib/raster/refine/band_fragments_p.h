@@ -17,54 +17,55 @@
 
 namespace l3d_detail {
 
-/// The marked pixels of a band, row by row, and what of polygons is seen in them.
+/// The marked pixels of a band, row by row, and the fragments of polygons that are seen in them.
 ///
-/// Lives: one per worker, kept for its memory.
-/// Cost:  memory for the marked pixels, for what is seen in them, and for as many fragments more:
-///        what is hidden goes whenever these have doubled.
+/// Lives: one for each worker, kept for its memory.
+/// Cost:  memory for the marked pixels, for the fragments that are seen, and for as many more.
+///        Hidden fragments are removed whenever their number has doubled.
 class band_fragments {
 public:
-    /// Starts a band of a picture. Expects: it begins with a whole tile of marked_pixels.
+    /// Starts a band of a picture. Expects: the band begins at a tile of marked_pixels.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
 
-    /// The colours of the frame's materials, if it has any and they are levels'; whether shaders
-    /// want to know the place of the material itself.
+    /// Sets the colours of the frame's materials, if it has any and words are levels. `by_material`
+    /// tells whether shaders take the index of the material instead.
     /// Lives: until the next call.
     void use_colors(std::span<const std::uint32_t> colors, bool by_material) {
         colors_ = colors;
         by_material_ = by_material;
     }
 
-    /// Adds those of an item's quads and triangles that reach a marked pixel and are no farther
-    /// than all that was drawn there and around. Folded quads come in pieces; `levels`: those of
-    /// mode l3d_shade::levels.
+    /// Adds those quads and triangles of an item that reach a marked pixel and may be seen there.
+    /// They are seen if no farther than everything drawn in the pixel and around it. Folded quads
+    /// are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
-    /// Whether samples of pixels that are closed are left empty, by slits or by gaps through which
-    /// something behind is seen. Then all are to be added once more, for these pixels alone.
+    /// Empties and opens the closed pixels with samples that no polygon covers, and returns whether
+    /// there are any. Slits leave such samples, or gaps through which farther things are seen. All
+    /// items are then to be added once more, for these pixels only.
     bool reopen() { return pixels_.reopen(); }
 
-    /// Finds what is seen.
+    /// Finds the fragments that are seen.
     void finish();
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }
 
-    /// Whether something was drawn in pixel i and in all around it. Then what is left empty by the
-    /// polygons is no background: they are not all here.
+    /// Whether something was drawn in pixel i and in all pixels around it. Then samples without a
+    /// polygon do not show the background: some polygons have not been added.
     bool closed(std::size_t i) const { return pixels()[i].is_closed; }
 
-    /// The fragments that are seen in pixel i. Expects: finish came before.
+    /// The fragments that are seen in pixel i. Expects: finish() was called.
     std::span<const seen_fragment> seen_in(std::size_t i) const {
         return std::span(seen_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
     }
     const fragment_polygon& polygon(const seen_fragment& of) const { return polygons_[of.polygon]; }
 
-    /// All of them.
+    /// All polygons that were added.
     std::span<const fragment_polygon> polygons() const {
         return std::span(polygons_).first(polygon_count_);
     }
 
-    /// The fragments for which there is room.
+    /// The number of fragments for which there is memory.
     std::size_t kept_fragments() const { return fragments_.size(); }
 
 private:
@@ -86,11 +87,12 @@ private:
     l3d_pixel_box inside_; ///< the item's box within the band
     marked_pixels pixels_;
     quad_boxes boxes_;
-    std::vector<fragment_polygon> polygons_; ///< with room for more
+    std::vector<fragment_polygon> polygons_; ///< polygons, with room for more
     std::size_t polygon_count_ = 0;          ///< polygons in use
-    std::vector<fragment> fragments_;        ///< with room for more
+    std::vector<fragment> fragments_;        ///< fragments, with room for more
     std::size_t count_ = 0;                  ///< fragments in use
-    std::size_t most_fragments_ = 0;         ///< limit at which hidden ones are left out
+    std::size_t most_fragments_ = 0;         ///< number of fragments at which hidden ones are
+                                             ///< removed
     std::vector<seen_fragment> seen_;
     std::vector<std::uint32_t> begins_, names_;
 };

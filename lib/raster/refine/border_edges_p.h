@@ -13,11 +13,11 @@
 
 namespace l3d_detail {
 
-/// Finds out which borders of a band's parts are contours. Two parts that share an edge have the
-/// same vertices there, bit by bit. If both lie on the same side of it, the surface folds over.
-/// If they lie on either side, the surface goes on, and there is nothing to see unless their levels
-/// differ.
-/// Lives: one per worker, kept for its memory.
+/// Finds the borders of a band's parts that are contours. Two parts that share an edge have the
+/// same vertices there, bit by bit. If both lie on the same side of the edge, the surface folds
+/// over there. If they lie on different sides, the surface continues, and the edge is seen only if
+/// their levels differ.
+/// Lives: one for each worker, kept for its memory.
 class border_edges {
 public:
     /// Starts pixel rows [top, bottom).
@@ -27,10 +27,10 @@ public:
         edges_.clear();
     }
 
-    /// Adds the border beside an item's quads, or beside its triangles.
+    /// Adds the border edges of an item's quads or triangles.
     void add(const band_item& item);
 
-    /// Finds the contours among the borders that were added. Returns: valid until the next call.
+    /// Finds the contours among the added edges. Returns: valid until the next call.
     std::span<const contour_edge> match();
 
 private:
@@ -46,7 +46,7 @@ private:
 
     std::int32_t top_ = 0, bottom_ = 0;
     std::vector<border> edges_;
-    std::vector<std::uint32_t> table_; ///< 1 + index of an edge
+    std::vector<std::uint32_t> table_; ///< a hash table of 1 + the index of an edge
     std::vector<contour_edge> contours_;
 };
 

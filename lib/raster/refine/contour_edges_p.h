@@ -13,24 +13,24 @@
 
 namespace l3d_detail {
 
-/// An edge from one vertex to another; in the picture the surface lies on its right, and things
-/// behind the surface on its left.
+/// An edge of a contour, from one vertex to another. In the picture, the surface lies on its right,
+/// and farther things are seen on its left.
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
-    float nearest = 0;   ///< larger inv_w of both vertices
+    float nearest = 0;   ///< the larger inv_w of both vertices
 };
 
-/// Finds the edges between a polygon that turns to the right and one that does not. A folded quad
-/// is the four triangles that it is filled as.
+/// Finds the edges between a polygon that turns to the right in the picture and one that does not.
+/// A folded quad is taken as the four triangles by which it is filled.
 ///
-/// Round a vertex, the polygons that turn to the right fill the same angle as those that turn to
-/// the left. So at such an edge both end, and a surface has no other outlines than these and its
+/// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
+/// left. So both kinds end at such an edge. A surface has no outlines except these edges and its
 /// borders.
-/// Lives: one per worker, kept for its memory.
+/// Lives: one for each worker, kept for its memory.
 class contour_edges {
 public:
-    /// The edges of an item's quads that may reach into pixel rows [top, bottom): those on its
-    /// upper and left ends are its own, those on the others are its neighbours'.
+    /// The edges of an item's quads that may reach pixel rows [top, bottom). Edges at the item's
+    /// upper and left ends are its own; edges at its lower and right ends are its neighbours'.
     /// Returns: valid until the next call.
     std::span<const contour_edge> find(const band_list& list, const band_item& item,
                                        std::int32_t top, std::int32_t bottom);
@@ -41,7 +41,8 @@ private:
                      bool left_turns);
     void add_spokes(const l3d_micro_grid& grid, int row, int column);
 
-    std::vector<std::uint64_t> above_, here_; ///< a row's turns, then which quads are folded
+    std::vector<std::uint64_t> above_, here_; ///< a row's bits: which quads turn to the right, then
+                                              ///< which are folded
     std::vector<contour_edge> edges_;
 };
 

@@ -10,19 +10,19 @@
 
 namespace l3d_detail {
 
-/// The difference of two neighbours' levels in a channel that makes an edge between them, beyond
-/// the part that shading explains. A picture may be wrong by half of it at edges that are not
-/// refined.
+/// The difference of two neighbours' levels in a channel that makes an edge between them, after the
+/// part that shading explains is taken off. At edges that are not refined, a picture may be wrong
+/// by half of this.
 ///
-/// Steady shading explains twice the smaller of the differences before and behind, as far as these
-/// go the same way. A kink explains the larger of them.
+/// Steady shading explains twice the smaller one of the differences before and behind, if they have
+/// the same sign. A kink of the shading explains the larger one.
 inline constexpr int jump_levels = 8;
 
-/// The largest difference that a kink explains. Where shading of 16 levels a pixel begins in a
-/// pixel's middle, the mean is an eighth of it off, 2 levels.
+/// The largest difference that a kink explains. If shading of 16 levels a pixel begins in the
+/// middle of a pixel, the pixel's mean is wrong by an eighth, 2 levels.
 inline constexpr int most_kink_levels = 16;
 
-/// Jumps from pixels to their neighbours: on the right, and below.
+/// The pixels from which levels jump to a neighbour, on the right or below.
 struct level_jumps {
     l3d_pixel_bits right, down;
 
@@ -36,8 +36,8 @@ struct level_jumps {
     }
 };
 
-/// Finds the jumps of the pixels of `where`.
-/// Expects: `where` lies inside the picture; all have the same size; the rows' bits are clear.
+/// Finds the jumps of level at the pixels of `where`.
+/// Expects: `where` lies inside the picture; both have the same size; the rows' bits are clear.
 void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps);
 
 } // namespace l3d_detail

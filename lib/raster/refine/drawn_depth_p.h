@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// The depths of a picture that has been drawn. Where nothing was, they are not defined.
+/// The depths of a picture after drawing. They are not defined where nothing was drawn.
 class drawn_depth {
 public:
     drawn_depth() = default;
@@ -21,7 +21,7 @@ public:
                 const coarse_depth& coarse)
         : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
 
-    /// The farthest depth in a pixel and those around it; 0 if nothing is in one of them.
+    /// The farthest depth in a pixel and its neighbours; 0 if one of these pixels is empty.
     /// Expects: (x, y) lies in the window.
     float farthest(std::int32_t x, std::int32_t y) const {
         const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top),
@@ -42,8 +42,9 @@ public:
         return result;
     }
 
-    /// Whether a pixel and all around it show what is nearer than `inv_w`. It is fastest if the one
-    /// at (x + to_x, y + to_y) does not. Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
+    /// Whether a pixel and all its neighbours show surfaces at least as near as `inv_w`. The
+    /// neighbour (x + to_x, y + to_y) is tested first, so choose one that likely does not.
+    /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {
         const std::int32_t first_x = std::clamp(x + to_x, window_.left, window_.right - 1);

@@ -10,34 +10,39 @@
 
 namespace l3d_detail {
 
-/// A table of masks of 64 places in a square of side 1, for lines by direction and distance.
+/// A table for anti-aliasing: it tells which of 64 places in a square of side 1 lie on one side of
+/// a line.
 ///
-/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1. A place (x, y) from the square's
-/// middle is on its side if e + dx y - dy x >= 0. So lines with |e| > 1/2 pass the square by.
-/// Both dx and e are taken in steps. Half of one is 1/128 in dx, which moves a line by less than
-/// 1/128 within the square, and 1/252 in e. The share of the square on one side is then off by
-/// 1/126 / sqrt(12) = 0.0023 in the root of the mean square, a fifth of what counting 64 samples
-/// makes.
+/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place
+/// (x, y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So
+/// lines with |e| > 1/2 miss the square.
+///
+/// Both dx and e are rounded to steps. Half a step is 1/128 in dx, which moves a line by less than
+/// 1/128 within the square, and 1/252 in e. The share of the square on one side then has an error
+/// of 1/126 / sqrt(12) = 0.0023 in the root of the mean square. Counting 64 samples has five times
+/// this error.
 class half_planes {
 public:
-    static constexpr std::size_t turns = 128; ///< from one direction to its opposite
-    static constexpr std::size_t steps = 126; ///< values of e, from -1/2 to 1/2
+    static constexpr std::size_t turns = 128; ///< steps of dx, from a direction to the opposite one
+    static constexpr std::size_t steps = 126; ///< steps of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
-    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row
-    static constexpr float first_turn = turns / 2.0f;   ///< the row of dx = 0
+    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row of the
+                                                        ///< table
+    static constexpr float first_turn = turns / 2.0f;   ///< the row of the table for dx = 0
 
-    /// Places are the middles of some of cells x cells cells of the square.
+    /// Makes the table. Each place is the middle of one of cells x cells cells of the square.
     half_planes(std::span<const std::int16_t, 64> x, std::span<const std::int16_t, 64> y,
                 int cells);
 
-    /// The masks. Shape: a row for each direction, dx from -1 to 1. In each row are no place, e
-    /// from -1/2 to 1/2 in the middles of its steps, and all places. From `others` on, all rows are
-    /// there once more, with the places that are not on the line's side.
+    /// The masks of places.
+    /// Shape: a row for each direction, dx from -1 to 1. A row has an empty mask, then one for each
+    ///        step of e from -1/2 to 1/2 (at its middle), and a full mask. From index `others` on,
+    ///        all rows are repeated for the places that are not on the line's side.
     const std::uint64_t* masks() const { return masks_.data(); }
     static constexpr std::size_t others = (turns + 1) * in_row;
 
-    /// The places where a number that is linear over the square is not negative: `in_middle` in its
-    /// middle, and what a side to the right and one down add.
+    /// The places where a linear function is not negative. It has the value `in_middle` in the
+    /// square's middle, and grows by `right` and `down` over one side of the square.
     std::uint64_t not_negative(float in_middle, float right, float down) const {
         constexpr std::uint64_t all = ~std::uint64_t{0};
         const float size = (right < 0 ? -right : right) + (down < 0 ? -down : down);
@@ -57,10 +62,10 @@ private:
     std::array<std::uint64_t, 2 * others> masks_{};
 };
 
-/// The samples of a pixel. The table is made at the first call.
+/// The table for the samples of a pixel, made at the first call.
 const half_planes& planes_of_samples();
 
-/// The middles of the 8 x 8 pixels of a tile, row by row.
+/// The table for the middles of the 8 x 8 pixels of a tile, row by row.
 const half_planes& planes_of_pixels();
 
 } // namespace l3d_detail

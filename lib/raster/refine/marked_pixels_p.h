@@ -14,42 +14,43 @@
 
 namespace l3d_detail {
 
-/// A pixel that is sampled.
+/// A marked pixel: one that is sampled for anti-aliasing.
 struct marked_pixel {
     std::int32_t x, y;
-    std::uint32_t last; ///< the fragment that came last
-    bool is_closed;     ///< something was drawn in it and in all pixels around it
-    /// No polygon farther than this is seen: the farthest depth that was drawn in it and around it,
-    /// or of the polygons that cover all samples.
+    std::uint32_t last; ///< the fragment that was added last
+    bool is_closed;     ///< whether something was drawn in the pixel and in all pixels around it
+    /// The farthest depth that can be seen. It is the farthest depth drawn in the pixel and around
+    /// it, or that of polygons that cover all samples.
     float farthest;
-    float least;           ///< inv_w of polygons that came
-    std::uint64_t covered; ///< by these
+    float least;           ///< the least inv_w of the polygons that were added
+    std::uint64_t covered; ///< the samples that these polygons cover
 };
 
 /// The marked pixels of a band.
 ///
-/// Shape: rows of tiles of 8 x 8 pixels, each with a bit for a pixel: 8 row + column. Pixels are in
-///        the order of tiles, and in each in that of bits.
-/// Lives: one per worker, kept for its memory.
+/// Shape: rows of tiles of 8 x 8 pixels. A tile has a bit for each pixel: bit 8 row + column.
+///        Pixels are listed tile by tile, and in each tile in the order of bits.
+/// Lives: one for each worker, kept for its memory.
 class marked_pixels {
 public:
     static constexpr std::int32_t side = 8;
     struct tile {
         std::uint64_t bits = 0;
-        std::uint64_t open = 0;  ///< those of its marked pixels that take something
-        std::uint32_t first = 0; ///< the place of its first marked pixel
+        std::uint64_t open = 0;  ///< the marked pixels that still take fragments
+        std::uint32_t first = 0; ///< the index of its first marked pixel
     };
 
-    /// Expects: the band begins with a whole tile.
+    /// Starts a band. Expects: the band begins at a tile.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
 
-    /// Begins again in pixels that are closed and not covered by what came, for all that is behind
-    /// them as well. The others take nothing more. Returns whether there are any.
+    /// Empties the closed pixels that the added polygons do not cover wholly. It opens them for all
+    /// polygons, also those behind what was drawn there. All other pixels take no more fragments.
+    /// Returns whether any pixel is open.
     bool reopen();
 
-    /// Calls visit(tile, left, top, its open pixels that lie in a box) for each tile that has
-    /// such, until it returns true. Returns whether it did. Expects: the box lies in the band, and
-    /// is not empty.
+    /// Calls visit(tile, left, top, bits of its open pixels in the box) for each tile that has such
+    /// pixels. It ends when visit returns true, and returns whether that happened.
+    /// Expects: the box lies in the band, and is not empty.
     template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
         constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
                                 a_column = 0x0101010101010101;
@@ -77,19 +78,19 @@ public:
         return false;
     }
 
-    /// Whether there is an open pixel in a box. Expects: as visit.
+    /// Whether a box has an open pixel. Expects: as visit.
     bool reached(const l3d_pixel_box& box) const {
         return visit(box,
                      [](const tile&, std::int32_t, std::int32_t, std::uint64_t) { return true; });
     }
 
-    /// A tile, by the numbers of its column and row in the picture.
+    /// The tile with this column and row of tiles, counted from the picture's first.
     const tile& at(std::int32_t x, std::int32_t y) const {
         return tiles_[static_cast<std::size_t>(y - first_row_) * columns_ +
                       static_cast<std::size_t>(x)];
     }
 
-    /// Where there are pixels that take something.
+    /// The box of the pixels that still take fragments.
     const l3d_pixel_box& band() const { return band_; }
     std::vector<marked_pixel>& pixels() { return pixels_; }
     const std::vector<marked_pixel>& pixels() const { return pixels_; }
@@ -99,7 +100,7 @@ private:
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;
-    std::size_t columns_ = 0; ///< tiles in a row
+    std::size_t columns_ = 0; ///< the number of tiles in a row
     std::int32_t first_row_ = 0;
     std::vector<tile> tiles_;
     std::vector<marked_pixel> pixels_;

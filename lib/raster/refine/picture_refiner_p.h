@@ -18,34 +18,35 @@
 
 namespace l3d_detail {
 
-/// The data of a frame that refining needs: all of its items, and what has been drawn of them.
+/// The data of a frame that refining needs: all of its items, and the picture drawn from them.
 struct drawn_frame {
     const l3d_pixels& target;
     l3d_depth_buffer& depth; ///< depth of the whole picture
     const l3d_shading& shading;
     std::span<const l3d_material> materials;
-    std::span<const std::uint32_t> colors; ///< colours of the materials, if words are levels
+    std::span<const std::uint32_t> colors; ///< the materials' colours, if words are levels
     const band_list& list;
     const coarse_depth& coarse;
     l3d_pixel_box window; ///< the drawn part of the target
-    int rows = 0;         ///< rows of a band
+    int rows = 0;         ///< the number of rows in a band
 };
 
-/// Finds the pixels at edges, and draws these again: those that a contour passes through where it
-/// is not hidden, and both sides of jumps of level. A pixel then shows the mean light of what is
-/// seen at its 64 samples.
+/// Finds the pixels at edges, and draws them again with anti-aliasing. These are pixels through
+/// which a visible contour passes, and pixels on both sides of jumps of level. Each then shows the
+/// mean light of its 64 samples.
 ///
-/// Pixels of a band depend on the items of the frame, and on the levels and depths beside them
-/// before any pixel was refined. So they depend neither on the bands nor on the number of workers.
+/// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
+/// around them. So they depend neither on the division into bands nor on the number of workers.
 /// Lives: kept for its memory.
 class picture_refiner {
 public:
-    /// Expects: one draws at a time; items have the boxes of all squares that they reach.
-    /// Returns how many pixels were refined.
+    /// Refines the picture of a frame, and returns the number of refined pixels.
+    /// Expects: one call at a time; items have the boxes of all squares that they reach.
     std::int64_t refine(const drawn_frame& frame, l3d_workers& workers);
 
 private:
-    /// Shape: begins two cache lines, so that workers do not take each other's.
+    /// The memory of one worker.
+    /// Shape: begins at two cache lines, so that workers do not take each other's.
     struct alignas(128) worker_space {
         contour_edges edges;
         border_edges borders;
@@ -58,13 +59,13 @@ private:
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
 
     level_jumps jumps_;
-    l3d_pixel_bits marks_; ///< pixels that are sampled
+    l3d_pixel_bits marks_; ///< marks the pixels that are sampled
     std::vector<worker_space> each_worker_;
 };
 
-/// Writes the words of a band's marked pixels: the mean of the light at the middles of polygons'
-/// seen parts, weighted by the number of samples. If `has_color`, polygons have the colours of
-/// materials.
+/// Writes the pixel words of a band's marked pixels. A word is the mean of the light in the middles
+/// of the polygons' visible parts, weighted by their numbers of samples. `has_color` tells whether
+/// polygons have the colours of materials.
 /// Expects: `band` is finished.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,

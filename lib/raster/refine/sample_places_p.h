@@ -9,14 +9,16 @@
 
 namespace l3d_detail {
 
-/// 64 samples in the middles of 16 x 16 cells of a pixel, four in each row and each column of
-/// cells.
+/// The places of a pixel's 64 samples, in the middles of 16 x 16 cells. Each row and each column of
+/// cells has four.
 ///
-/// They were searched for, so that any straight edge has nearly as many samples on either side as
-/// its area says: at most 3.4 of the 64 are wrong, and 0.73 in the mean. A (0, 2)-sequence, which
-/// also has one sample in each rectangle of 1/64 of the pixel, has 7.5 wrong at diagonals.
+/// They were searched for so that either side of any straight edge has nearly as many samples as
+/// its area demands. At most 3.4 of the 64 samples are wrong, and 0.73 in the mean. A
+/// (0, 2)-sequence, with one sample in each rectangle of 1/64 of the pixel, has up to 7.5 wrong
+/// samples at diagonals.
 ///
-/// Sample b is bit b of masks. Units: cells.
+/// Sample b is bit b of masks.
+/// Units: cells.
 struct sample_places {
     static constexpr std::size_t count = 64;
     static constexpr std::int32_t cells = 16;
@@ -44,7 +46,7 @@ struct sample_places {
         return true;
     }
 
-    /// The samples whose coordinate has bit `digit`.
+    /// The samples whose coordinate has the bit `digit` set.
     static constexpr std::uint64_t with_digit(const std::array<std::int16_t, count>& of,
                                               unsigned digit) {
         std::uint64_t mask = 0;

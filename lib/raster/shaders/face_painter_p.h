@@ -18,16 +18,18 @@
 
 namespace l3d_detail {
 
-/// Finds colours by name: those of l3d_face_paints, or materials. It keeps the last triangle's
-/// planes, since neighbours mostly share it.
-/// Lives: borrows both; of one worker.
+/// Finds the colours of painted triangles and of materials by their numbers ("names"), as in
+/// l3d_face_paints. It keeps the planes of the last triangle, which neighbouring pixels mostly
+/// share.
+/// Lives: borrows paints and materials; belongs to one worker.
 class face_painter {
 public:
     face_painter(const l3d_face_paints& paints, std::span<const l3d_material> materials)
         : paints_(&paints), materials_(materials), batch_(paints.parts, paints.filter, materials) {}
 
-    /// The colour of a name at a place of the picture, 0x00RRGGBB. Units: pixels from the top left
-    /// corner. Beside the triangle, it is the one at its nearest side.
+    /// The colour of a name at a place of the picture, 0x00RRGGBB. A place outside of the triangle
+    /// gets the colour on the nearest side.
+    /// Units: pixels from the top left corner.
     std::uint32_t color(std::uint32_t name, double x, double y) {
         std::uint32_t color = 0;
         note(name, x, y, 1, &color);
@@ -35,8 +37,10 @@ public:
         return color;
     }
 
-    /// The same for pixels of a row that see one polygon: their colours are there after finish().
-    /// Units: pixels; x is the first one's place. Expects: count at most painted_pixels::room.
+    /// Notes consecutive pixels of a row that see one polygon. Their colours are written by
+    /// finish().
+    /// Units: pixels; x is the first pixel's place.
+    /// Expects: count at most painted_pixels::room.
     void note(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* to) {
         if (batch_.has(name))
             return batch_.add(name, x, y, count, to);
@@ -50,7 +54,7 @@ public:
     }
     void finish() { batch_.finish(); }
 
-    /// The material of a name.
+    /// The index of a name's material.
     std::uint32_t material(std::uint32_t name) {
         if (batch_.has(name))
             return batch_.material(name);
@@ -60,7 +64,8 @@ public:
     }
 
 private:
-    /// A number that is linear in the picture. Shape: factors of x and y, and the number at (0, 0).
+    /// A linear function of the place in the picture.
+    /// Shape: factors of x and y, and the value at (0, 0).
     using plane = std::array<double, 3>;
     static constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
@@ -73,27 +78,30 @@ private:
     std::span<const l3d_material> materials_;
     paint_batch batch_;
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
-    const l3d_painted_triangle* triangle_ = nullptr; ///< null if all of it has flat_color_
+    const l3d_painted_triangle* triangle_ = nullptr; ///< null if the whole polygon has flat_color_
     const l3d_texture* texture_ = nullptr;
-    std::array<plane, 3> sides_{};             ///< 0 on the side opposite of a corner
-    plane u_{}, v_{}, all_{};                  ///< u and v times `all`, and the sum of the sides
-    std::array<l3d_light_color, 3> corners_{}; ///< the light of their colours and the material's
+    std::array<plane, 3> sides_{};             ///< a function for each corner, 0 on the opposite
+                                               ///< side
+    plane u_{}, v_{}, all_{};                  ///< u and v, each times all_; and all_, the sum of
+                                               ///< sides_
+    std::array<l3d_light_color, 3> corners_{}; ///< the light of the corners' colours times the
+                                               ///< material's
 };
 
-/// lit_shader for painted triangles beside others.
+/// A lit_shader for frames with painted triangles.
 class painted_lit_shader : public lit_shader {
 public:
-    /// Lives: borrows both.
+    /// Lives: borrows shading and materials.
     painted_lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
         : lit_shader(shading, materials), painter_(*shading.paints, materials) {}
 
-    /// Sets the name of the polygons that follow.
+    /// Sets the number of material ("name") of the next polygons.
     void use_material(std::uint32_t name) {
         name_ = name;
         lit_shader::use_material(painter_.material(name));
     }
 
-    /// The word of a place in the picture. Units: pixels from its top left corner.
+    /// The pixel word at a place in the picture. Units: pixels from its top left corner.
     std::uint32_t word_at(const float* values, double x, double y) {
         use_color(painter_.color(name_, x, y));
         return lit_shader::word(values);
@@ -107,12 +115,13 @@ private:
     std::uint32_t name_ = 0;
 };
 
-/// Gives the levels of painted triangles and materials their colours, as material_words::color
-/// does without paints. (left, top) is the first pixel's place in the picture.
+/// Replaces levels of painted triangles and materials by their colours, as material_words::color
+/// does in frames without paints. (left, top) is the first pixel's place in the picture.
 void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
                  face_painter& painter);
 
-/// Lights normals of painted triangles and materials, as lit_words::color does without paints.
+/// Lights the normals of painted triangles and materials, as lit_words::color does in frames
+/// without paints.
 void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter& painter);
 
 } // namespace l3d_detail

@@ -10,8 +10,9 @@
 
 namespace l3d_detail {
 
-/// Puts fog before the pixels whose depth is not 0. Units: top is the first row's place in a
-/// picture of that height. Expects: final colours; fog that is on.
+/// Puts fog before the pixels whose depth is not 0.
+/// Units: `top` is the first row's place in a picture of this height.
+/// Expects: final colours; fog that is on.
 inline void put_fog(const l3d_shading& shading, const material_pixels& pixels, std::int32_t top,
                     std::int32_t height) {
     const l3d_fog& fog = shading.fog;

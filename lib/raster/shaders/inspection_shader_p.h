@@ -17,23 +17,24 @@
 
 namespace l3d_detail {
 
-/// Parameters of a patch, and whether the patch is seen there.
+/// The parameters of a patch at a pixel, and whether they were found exactly.
 struct patch_parameters {
     double u = 0, v = 0;
     bool is_solved = false;
 };
 
-/// Finds the parameters of the point of a patch that the eye sees at a place of the picture, by
-/// Newton's method from a guess. Gives the guess itself if that leads nowhere. Units: pixels.
+/// Finds the parameters of the patch's point that is seen at a place of the picture, by Newton's
+/// method from a guess. Returns the guess itself if the method fails.
+/// Units: pixels.
 patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// The common part of shaders that look at exact patches. Only the pixel's place and a guess of its
-/// parameters come from the vertices.
+/// The common part of shaders that evaluate exact patches. From the vertices they take only the
+/// pixel's place and a guess of its parameters.
 class patch_shader {
 public:
-    /// The parameters u and v.
+    /// The numbers that are interpolated: the parameters u and v.
     static constexpr std::size_t components = 2;
 
     /// Chooses the patch of the next polygons.
@@ -55,7 +56,7 @@ public:
         std::copy_n(vertex.normal, components, out);
     }
 
-    /// The pixels since the last call for which no exact place was found.
+    /// The number of pixels, since the last call, for which no exact place was found.
     std::int64_t take_unsolved() { return std::exchange(unsolved_, 0); }
 
 protected:
@@ -63,7 +64,8 @@ protected:
     explicit patch_shader(const l3d_shading& shading)
         : shading_(shading), patches_(*shading.inspected) {}
 
-    /// Parameters from a plane through a polygon's corners are only a guess, above all in slivers.
+    /// The exact parameters of a place. The guess comes from a plane through a polygon's corners,
+    /// and may be poor, above all in slivers.
     patch_parameters solved(const float* guess, double x, double y) const;
 
     const l3d_shading& shading_;
@@ -76,17 +78,17 @@ private:
     std::array<float, components> least_{}, most_{}; ///< bounds of the polygon's corners
 };
 
-/// Shows a number, or stripes, of the exact patch in each pixel.
+/// Shows a quantity of the exact patch as a colour in each pixel, or as stripes.
 class inspection_shader : public patch_shader {
 public:
     explicit inspection_shader(const l3d_shading& shading) : patch_shader(shading) {}
 
-    /// Units: pixels from the picture's top left corner.
+    /// The pixel word of a place. Units: pixels from the picture's top left corner.
     std::uint32_t word_at(const float* guess, double x, double y);
 
-    /// The word of a part of a pixel around a place: stripes are means over whole pixels already,
-    /// so all parts of a patch in one pixel should show the same. Beside outlines the eye misses
-    /// the patch at the pixel's middle.
+    /// The pixel word for a part of a pixel around a place. Stripes are means over whole pixels
+    /// already, so all parts of a patch in one pixel should show the same word. At outlines, the
+    /// ray through the pixel's middle may miss the patch.
     std::uint32_t word_around(const float* guess, double x, double y);
 
 private:

@@ -14,17 +14,17 @@
 
 namespace l3d_detail {
 
-/// Grey from a polygon's levels and bends, interpolated by its own parameters.
+/// Grey from a polygon's levels and bends, interpolated by the polygon's own parameters.
 ///
-/// In a quad a pixel's parameters (s, t) are those of the bilinear map of its corners, whatever its
-/// shape. So it neglects only the change of w over the quad, see error(). Over a triangle the level
-/// is the parabola through its corners and the middles of its sides.
+/// In a quad of any shape, a pixel's parameters (s, t) are those of the bilinear map of its
+/// corners. Only the change of w over the quad is neglected; error() bounds the effect. In a
+/// triangle, the level is the parabola through its corners and the middles of its sides.
 class levels_shader {
 public:
     static constexpr std::size_t components =
         2; ///< the place in the picture, from the first corner
 
-    /// Until end_quad, polygons are pieces of this quad.
+    /// Begins a quad: polygons are pieces of it until end_quad.
     void begin_quad(const quad_corners& v) {
         set_quad(v);
         in_quad_ = true;
@@ -52,9 +52,10 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// A bound of the levels' distance from those of the true parameters. Weights of corners that
-    /// add up to 1 change by a quarter of the ratio of w, less 1, if each is multiplied by its w.
-    /// The weighed levels lie in the range of all interpolated numbers.
+    /// A bound for the error of levels, compared with those of the true parameters. Take weights of
+    /// corners that add up to 1, and multiply each by its corner's w. They change by (ratio - 1) /
+    /// 4, for the ratio of the largest and the least w. The weighed levels lie in the range of all
+    /// interpolated numbers.
     float error() const { return error_; }
 
 private:
@@ -103,7 +104,7 @@ private:
         set_error(v, std::abs(bends_[0]) + std::abs(bends_[1]) + std::abs(bends_[2]));
     }
 
-    /// The parabola in the parts that the corners have of a place.
+    /// The level in a triangle: the parabola, from the shares of the corners in a place.
     double in_triangle(double x, double y) const {
         const double area = cross_of(along_u_, along_v_);
         const double b = cross_of({x, y}, along_v_) / area, c = cross_of(along_u_, {x, y}) / area;
@@ -112,8 +113,8 @@ private:
                4 * (a * b * bends_[0] + a * c * bends_[1] + b * c * bends_[2]);
     }
 
-    /// With h the way from corner a, h = s U + t V + s t T for the sides U, V and the twist T. So
-    /// (h - t V) x (U + t T) = 0, which is a quadratic equation for t.
+    /// The level in a quad. Let h be the way from corner a, and h = s U + t V + s t T for the sides
+    /// U, V and the twist T. So (h - t V) x (U + t T) = 0, which is a quadratic equation for t.
     double in_quad(double x, double y) const {
         const direction h{x, y};
         const double squared = cross_of(twist_, along_v_);
@@ -132,7 +133,8 @@ private:
                4 * t * (1 - t) * ((1 - s) * bends_[3] + s * bends_[1]);
     }
 
-    /// The one of two roots that is nearer to [0, 1], clamped to it; 0 if neither is a number.
+    /// The root of a quadratic equation that is nearer to [0, 1], clamped to it; 0 if neither is a
+    /// number.
     static double nearest_parameter(double a, double b) {
         const auto beside = [](double p) {
             return std::isfinite(p) ? std::max({-p, p - 1, 0.0}) : HUGE_VAL;
@@ -146,7 +148,8 @@ private:
     bool in_quad_ = false, is_quad_ = false;
     scan_point base_{};
     direction along_u_, along_v_, twist_;
-    std::array<double, 4> level_{}, bends_{}; ///< sides ab, bc, dc, ad; of a triangle ab, ac, bc
+    std::array<double, 4> level_{}, bends_{}; ///< bends of sides ab, bc, dc, ad; in a triangle ab,
+                                              ///< ac, bc
     float error_ = 0;
 };
 

@@ -17,14 +17,14 @@
 
 namespace l3d_detail {
 
-/// A material as its light is computed.
+/// A material, prepared for computing light: its colours are levels from 0 to 255.
 struct lit_material {
     vector3 color{255, 255, 255}, highlight{};
     int sharpness = 1;
 
-    /// Below its root, the power of a cosine adds nothing. That would be less than 2^-12, or than
-    /// exp(-e) if the sharpness is large, since (1 - e / k)^k < exp(-e). So no power is too small
-    /// to be computed fast.
+    /// The square of a cosine, below which highlights add nothing. Their power of the cosine would
+    /// be less than 2^-12 there. If the sharpness k is large, it would be less than exp(-e), since
+    /// (1 - e / k)^k < exp(-e). So no power is too small to be computed fast.
     float least_square = 0;
 
     lit_material() = default;
@@ -47,25 +47,24 @@ private:
     }
 };
 
-/// The colour of a surface by l3d_lighting. In mode `flat` a polygon has one normal, the sum of its
-/// corners'; the eye and highlights are each pixel's own.
+/// Colours surfaces by the formula of l3d_lighting. In mode `flat` a polygon has one normal, the
+/// sum of its corners' normals; the eye and highlights are computed for each pixel.
 class lit_shader {
 public:
-    /// The normal, what pixels have of their own of the way from the eye, and the depth.
+    /// The numbers that are interpolated: the normal, own_way() and the depth.
     static constexpr std::size_t components = 7;
     static constexpr bool interpolates_normals = true;
 
-    /// Lives: borrows both.
+    /// Lives: borrows shading and materials.
     lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
         : shading_(shading), materials_(materials), turns_(turns_normals(shading)) {}
 
-    /// Whether normals are to be turned to the eye in each pixel.
+    /// Whether normals must be turned to the eye in each pixel.
     static bool turns_normals(const l3d_shading& shading) {
         return shading.mode != l3d_shade::flat && shading.ray != vector3{};
     }
 
-    /// Sets the material of the polygons that follow: a place among the materials, if there are
-    /// any.
+    /// Sets the material of the next polygons by its index, if the frame has materials.
     void use_material(std::uint32_t index) {
         if (!materials_.empty())
             material_ = lit_material(materials_[index]);
@@ -102,8 +101,8 @@ public:
 
     static bool is_parallel(const l3d_shading& shading) { return shading.depth_step != 0; }
 
-    /// The part of the way from the eye that differs from pixel to pixel: the look in perspective,
-    /// else the way aside.
+    /// The part of the ray from the eye that differs from pixel to pixel: `look` of the shading in
+    /// perspective, otherwise `aside`.
     static vector3 own_way(const l3d_shading& shading, float x, float y) {
         const bool parallel = is_parallel(shading);
         const vector3 &at = parallel ? shading.aside : shading.look,
@@ -115,10 +114,11 @@ public:
         return own;
     }
 
-    /// Another colour than the material's, 0x00RRGGBB, until the material is set again.
+    /// Sets another colour than the material's, 0x00RRGGBB, until use_material is called again.
     void use_color(std::uint32_t color) { material_.use_color(color); }
 
-    /// lit_words does the same in lanes, operation by operation.
+    /// The pixel word of interpolated numbers. lit_words computes the same in lanes, operation by
+    /// operation.
     std::uint32_t word(const float* at) const {
         const vector3 raw{at[0], at[1], at[2]}, own{at[3], at[4], at[5]};
         const vector3 look = is_parallel(shading_) ? shading_.look : own;
@@ -150,23 +150,23 @@ public:
 private:
     static float length(const vector3& v) { return std::sqrt(safe_square(dot(v, v.data()))); }
 
-    /// A unit normal, and the way from the eye.
+    /// A unit normal, and the ray from the eye to its place.
     struct seen_normal {
         vector3 normal, look;
-        float distance, against; ///< the way's length, and its product with the normal
+        float distance, against; ///< the ray's length, and its product with the normal
 
         seen_normal(const vector3& n, const vector3& e)
             : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}
     };
 
-    /// Where a light is seen from a place, and how bright.
+    /// The direction and the brightness in which a light is seen from a place.
     struct seen_light {
         vector3 direction;
         float strength;
         const l3d_light_color& color;
     };
 
-    /// The place that a pixel shows, from the eye.
+    /// The place that a pixel shows, relative to the eye.
     vector3 place_of(const vector3& own, float depth) const {
         const float along = shading_.distance(depth) / shading_.look_depth;
         vector3 place;
@@ -186,7 +186,8 @@ private:
                 light.color};
     }
 
-    /// By squares, so that no library's approximation decides a bit.
+    /// The power of a cosine, by repeated squares, so that no library's approximation decides a
+    /// bit.
     static float whole_power(float base, int exponent) {
         float result = 1;
         for (;; base *= base) {
@@ -198,8 +199,9 @@ private:
         }
     }
 
-    /// With e the way from the eye, l |e| - e is half-way between l and the way to the eye. Its
-    /// square is 2 |e| (|e| - l.e), its product with the normal |e| n.l - n.e.
+    /// Adds a light. With e the ray from the eye, l |e| - e is half-way between l and the direction
+    /// to the eye. Its square is 2 |e| (|e| - l.e), and its product with the normal is |e| n.l -
+    /// n.e.
     void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());
@@ -225,11 +227,12 @@ private:
     lit_material material_;
     bool turns_;
     vector3 normal_{}; ///< the polygon's normal, in mode `flat`
-    /// The range of the polygon's depths.
+    /// The least and the largest depth of the polygon.
     float farthest_ = 0, nearest_ = std::numeric_limits<float>::max();
 };
 
-/// The normal, to be shaded later: a word's z and material, and a second word (fill_words).
+/// Keeps a pixel's normal, to be lit later: z and the material in its word, x and y in a second
+/// word (fill_words).
 class later_shader {
 public:
     static constexpr std::size_t components = 3;

@@ -14,23 +14,25 @@
 
 namespace l3d_detail {
 
-/// Some pixels of a picture, their depths and normals. Pitches in elements.
+/// A rectangle of a picture: its words, depths and normals. Units: pitches in elements.
 struct lit_pixels {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    std::ptrdiff_t depth_pitch; ///< it is the pitch of normals, too
-    std::int32_t left, top;     ///< the first pixel's place in the picture
+    std::ptrdiff_t depth_pitch; ///< the pitch of depths and of normals
+    std::int32_t left, top;     ///< the place of the first pixel in the picture
     std::int32_t width, height;
-    /// Those of a single row's pixels, where materials do not say them.
+    /// The colours of the pixels in a single row, where materials do not tell them.
     const std::uint32_t* colors = nullptr;
 };
 
-/// The materials of a frame whose lanes leave normals. Lives: kept for its memory.
+/// Lights the pixels of a frame whose normals were kept in words. Lives: kept for its memory.
 class lit_words {
 public:
-    /// Expects: at most fill_words::most_lit_materials. Lives: borrows both for the frame.
+    /// Sets the shading and the materials of a frame.
+    /// Expects: at most fill_words::most_lit_materials.
+    /// Lives: borrows both for the frame.
     void begin(const l3d_shading& shading, std::span<const l3d_material> materials) {
         shading_ = &shading;
         frame_materials_ = materials;
@@ -41,12 +43,12 @@ public:
             materials_.emplace_back(l3d_material());
     }
 
-    /// Lights the pixels whose depth is not 0: nothing was filled elsewhere. The same bits as
-    /// lit_shader, for the normals that the words tell. A pixel costs some 20 operations for each
-    /// light and 80 more, in lanes.
+    /// Lights all pixels with a depth other than 0; the others are empty. The results have the same
+    /// bits as those of lit_shader for the normals that the words hold. A pixel costs some 20
+    /// operations for each light and 80 more, in lanes.
     void color(const lit_pixels& pixels) const;
 
-    /// The same by lit_shader. The slow twin.
+    /// Lights pixel by pixel with lit_shader, as the slow twin of color().
     void color_slowly(const lit_pixels& pixels) const;
 
 private:

@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// Some pixels of a picture, and their depths. Pitches in elements.
+/// A rectangle of a picture: its words and depths. Units: pitches in elements.
 struct material_pixels {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -21,12 +21,12 @@ struct material_pixels {
     std::int32_t width, height;
 };
 
-/// The colour of a material's level: the rule that l3d_material states.
+/// The colour of a level of a material, by the rule that l3d_material states.
 inline std::uint32_t color_of_level(std::uint32_t color, std::uint32_t level) {
     return l3d_product_of_colors(color, level * 0x010101);
 }
 
-/// The colours of a frame's materials. Lives: kept for its memory.
+/// Colours the levels of a frame's materials. Lives: kept for its memory.
 class material_words {
 public:
     void begin(std::span<const l3d_material> materials) {
@@ -35,17 +35,17 @@ public:
             colors_.push_back(material.color);
     }
 
-    /// One for each material.
+    /// The colour of each material.
     std::span<const std::uint32_t> colors() const { return colors_; }
 
-    /// Whether words are levels of materials, to be coloured.
+    /// Whether words are levels of materials, which are to be coloured.
     bool wanted() const { return !colors_.empty(); }
 
-    /// Makes the words of levels of materials (fill_words) to colours, where depth is not 0:
-    /// nothing was filled elsewhere.
+    /// Replaces words that are levels of materials (fill_words) by colours. Pixels with depth 0 are
+    /// empty, and stay as they are.
     void color(const material_pixels& pixels) const;
 
-    /// Colours pixel by pixel, as the slow twin.
+    /// Colours pixel by pixel, as the slow twin of color().
     void color_slowly(const material_pixels& pixels) const;
 
 private:

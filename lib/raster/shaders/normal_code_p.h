@@ -9,21 +9,21 @@
 
 namespace l3d_detail {
 
-/// A normal whose numbers are rounded to multiples of 1 / scale, 16 bits each.
+/// A normal in two words, with components rounded to multiples of 1 / scale, 16 bits each.
 ///
-/// Numbers of unit normals are at most 1, those of a plane through four corners at most 1.75. So
-/// they fit, and a normal of length 1 is off by at most sqrt(3) / 2 / scale = 2^-14.2.
+/// Components are at most 1 for unit normals, and at most 1.75 on a plane through four corners, so
+/// they fit. The error of a normal of length 1 is at most sqrt(3) / 2 / scale = 2^-14.2.
 struct normal_code {
     static constexpr float scale = 16383;
 
-    /// Where this is added to a number below 2^15 in size, the sum's last 16 bits are those of the
-    /// nearest integer: 3 * 2^22.
+    /// A number for rounding, 3 * 2^22. If it is added to a number below 2^15 in size, the last 16
+    /// bits of the sum are those of the nearest integer.
     static constexpr float whole_numbers = 12582912;
 
     std::uint32_t xy = 0; ///< x in the lower half, y in the upper
-    std::uint32_t z = 0;  ///< in the upper half; the lower half is free
+    std::uint32_t z = 0;  ///< z in the upper half; the lower half is free for others
 
-    /// Expects: numbers below 2 in size.
+    /// Encodes a normal. Expects: components below 2 in size.
     static normal_code of(const float* normal) {
         const auto rounded = [](float number) {
             return std::bit_cast<std::uint32_t>(number * scale + whole_numbers) & 0xffff;

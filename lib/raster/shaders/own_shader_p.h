@@ -11,21 +11,21 @@
 
 namespace l3d_detail {
 
-/// Finds the point of the patch in each pixel of a run, and has the program colour them with one
-/// call.
+/// Colours a run of pixels by the program's function. It finds the exact point of the patch in each
+/// pixel, and calls the function once for the run.
 class own_shader : public patch_shader {
 public:
     explicit own_shader(const l3d_shading& shading) : patch_shader(shading) {}
 
-    /// Notes a pixel whose word comes with end_run(). Units: pixels from the picture's top left
-    /// corner.
+    /// Notes a pixel, whose word is written by end_run().
+    /// Units: pixels from the picture's top left corner.
     void note(const float* guess, double x, double y, std::uint32_t& word) {
         places_.push_back(seen(guess, x, y));
         targets_.push_back(&word);
     }
     void end_run();
 
-    /// The word of a single place.
+    /// The pixel word of a single place.
     std::uint32_t word_at(const float* guess, double x, double y);
     std::uint32_t word_around(const float* guess, double x, double y) {
         return word_at(guess, x, y);

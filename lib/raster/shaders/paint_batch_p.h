@@ -14,10 +14,10 @@
 
 namespace l3d_detail {
 
-/// Takes runs of pixels, and colours them some at a time in lanes.
+/// Gathers runs of pixels of painted parts, and colours them some at a time in lanes.
 ///
-/// Cost: keeps the last quads, since rows of pixels come back to them.
-/// Lives: borrows parts and materials; of one worker.
+/// Cost:  keeps the last quads, which pixels in the next rows mostly need again.
+/// Lives: borrows parts and materials; belongs to one worker.
 class paint_batch {
 public:
     paint_batch(const painted_parts* parts, l3d_texture_filter filter,
@@ -25,24 +25,27 @@ public:
         : parts_(parts), filter_(filter), materials_(materials) {
         names_.fill(no_name);
     }
-    /// A copy looks up the same, and knows no quads yet. Expects: nothing waits.
+    /// Makes a batch with the same parts, which has no quads yet.
+    /// Expects: no pixels wait in `other`.
     paint_batch(const paint_batch& other)
         : paint_batch(other.parts_, other.filter_, other.materials_) {}
     paint_batch& operator=(const paint_batch&) = delete;
 
-    /// Whether a name is of a part of a patch.
+    /// Whether a number of material ("name") belongs to a part of a patch.
     bool has(std::uint32_t name) const { return parts_ && parts_->has(name); }
 
-    /// The place of a name's material among those of the frame. Expects: has(name).
+    /// The index of a name's material among those of the frame. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Colours pixels of a row by what they see of one polygon of a part, until finish().
-    /// Units: pixels; x is the first one's place, and the others follow by 1.
-    /// Shape: `count` colours. Expects: has(name); count at most painted_pixels::room.
+    /// Adds consecutive pixels of a row that see one polygon of a part. Their colours are written
+    /// by finish().
+    /// Units: pixels; x is the first pixel's place.
+    /// Shape: `count` colours.
+    /// Expects: has(name); count at most painted_pixels::room.
     void add(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* colors);
 
-    /// Colours pixels of a row by the places and the light that the caller sets in pixels(), until
-    /// finish(). They see this texture, or none if it is null.
+    /// Adds pixels of a row that see this texture, or none if it is null. The caller sets their
+    /// places and their light in pixels(). Their colours are written by finish().
     /// Shape: `count` colours. Returns the index of the first pixel.
     /// Expects: count at most painted_pixels::room.
     std::size_t add(const l3d_texture* texture, std::size_t count, std::uint32_t* colors) {
@@ -50,19 +53,19 @@ public:
     }
     painted_pixels& pixels() { return pixels_; }
 
-    /// Colours what still waits.
+    /// Colours the pixels that still wait.
     void finish();
 
 private:
-    /// The things that all pixels that wait have in common.
+    /// The properties that all waiting pixels share.
     struct look {
         const l3d_texture* texture = nullptr;
-        bool is_of_quads = false; ///< places and light are not known yet
+        bool is_of_quads = false; ///< whether places and light must still be found from quads
         bool operator==(const look&) const = default;
     };
 
     static constexpr std::uint32_t no_name = ~std::uint32_t{0};
-    static constexpr std::size_t kept = 64; ///< quads, as many as pixels wait
+    static constexpr std::size_t kept = 64; ///< limit of quads, as many as pixels that wait
     static_assert(kept == painted_pixels::room);
 
     const painted_part& part_of(std::uint32_t name);
@@ -72,9 +75,9 @@ private:
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr; ///< the last one
+    const painted_part* part_ = nullptr; ///< the part that was used last
     look look_;
-    std::array<std::uint32_t, kept> names_; ///< names of the quads that are kept
+    std::array<std::uint32_t, kept> names_; ///< the names of the kept quads
     std::array<const l3d_texture*, kept> textures_;
     std::uint64_t awaited_ = 0; ///< a bit for each quad that a waiting pixel sees
     std::array<std::uint32_t*, painted_pixels::room> targets_;

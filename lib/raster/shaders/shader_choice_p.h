@@ -12,54 +12,54 @@
 
 namespace l3d_detail {
 
-/// Whether a shader takes levels and bends, and wants to know which quad a piece belongs to.
+/// Whether a shader takes levels and bends, and so must know to which quad a piece belongs.
 template <class Shader>
 concept has_bends = requires(Shader shader, const quad_corners& v) {
     shader.begin_quad(v);
 };
 
-/// Whether a shader wants to know what its polygons are made of.
+/// Whether a shader must know the material of its polygons.
 template <class Shader>
 concept has_materials = requires(Shader shader) {
     shader.use_material(0U);
 };
 
-/// Whether a shader wants to know the place in the picture.
+/// Whether a shader must know a pixel's place in the picture.
 template <class Shader>
 concept has_places = requires(Shader shader, const float* values) {
     shader.word_at(values, 0.0, 0.0);
 };
 
-/// Whether a shader wants runs of pixels, and gives their words at the end of each.
+/// Whether a shader takes runs of pixels, and writes their words at the end of each run.
 template <class Shader>
 concept shades_runs = requires(Shader shader, const float* values, std::uint32_t& word) {
     shader.note(values, 0.0, 0.0, word);
     shader.end_run();
 };
 
-/// Whether a shader leaves normals to be shaded later.
+/// Whether a shader only stores normals, which are lit later.
 template <class Shader>
 concept shades_later = requires(const Shader& shader, const float* values) {
     shader.code(values);
 };
 
-/// Whether a shader's rows may be filled in lanes.
+/// Whether rows of this shader may be filled in SIMD lanes.
 template <class Shader>
 concept has_lanes = requires(const Shader shader) {
     shader.in_lanes();
 };
 
-/// Whether a shader lights the normals that are between those of corners.
+/// Whether a shader lights normals that are interpolated between corners.
 template <class Shader>
 concept has_normals = Shader::interpolates_normals;
 
-/// Whether a shader counts the pixels that it finds no exact place for.
+/// Whether a shader counts the pixels for which it finds no exact place.
 template <class Shader>
 concept counts_unsolved = requires(Shader shader) {
     shader.take_unsolved();
 };
 
-/// Calls action with the frame's shader: one switch per batch, none per pixel.
+/// Calls action with the frame's shader: one switch for a batch, none for each pixel.
 template <class Action>
 void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
                  std::uint32_t error_color, const Action& action) {

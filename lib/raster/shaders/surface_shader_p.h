@@ -32,36 +32,37 @@ inline float dot(const vector3& a, const float* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The square |n|^2 as a divisor, bounded from below: a zero normal has cosine 0 instead of NaN.
+/// The square |n|^2 as a divisor, bounded from below, so that a zero normal has cosine 0 instead of
+/// NaN.
 inline float safe_square(float square) {
     return square > FLT_MIN ? square : FLT_MIN;
 }
 
-/// Cosine of the angle between a unit vector and a vector of any length.
+/// The cosine of the angle between a unit vector and a vector of any length.
 inline float cosine(const vector3& light, const float* normal) {
     const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
     return dot(light, normal) / std::sqrt(safe_square(square));
 }
 
-/// 0.1 + 0.9 max(0, cosine). Written so that NaN gives 0.1.
+/// The intensity 0.1 + 0.9 max(0, cosine). NaN gives 0.1.
 inline float intensity(float cosine) {
     const float lit = cosine > 0.0f ? cosine : 0.0f;
     return 0.1f + 0.9f * (lit < 1.0f ? lit : 1.0f);
 }
 
-/// A grey pixel. Expects: intensity in [0, 1].
+/// The word of a grey pixel. Expects: intensity in [0, 1].
 inline std::uint32_t grey_word(float intensity) {
     const auto level = static_cast<std::uint32_t>(static_cast<int>(255.0f * intensity + 0.5f));
     return level * 0x010101u;
 }
 
-/// The intensity of a vertex's normal, turned to the eye.
+/// The intensity at a vertex, from its normal turned to the eye.
 inline float vertex_intensity(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
     const float lit = cosine(shading.light, vertex.normal);
     return intensity(away_from_eye(vertex, shading) > 0 ? -lit : lit);
 }
 
-/// The intensity of the sum of a polygon's normals.
+/// The intensity of a polygon, from the sum of its corners' normals.
 inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
                                const l3d_shading& shading) {
     vector3 sum{0, 0, 0};
@@ -75,7 +76,8 @@ inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
     return intensity(away > 0 ? -lit : lit);
 }
 
-/// The normal's components, and how far it points away from the eye.
+/// Writes the normal's components, and its product with the ray from the eye: positive if it points
+/// away.
 inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
     for (std::size_t i = 0; i < 3; ++i)
         out[i] = vertex.normal[i];
@@ -121,7 +123,8 @@ public:
     }
     void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
 
-    /// If four corners are not in one plane, their plane runs past their greys near a corner.
+    /// The pixel word of an interpolated intensity. If four corners are not in one plane, their
+    /// plane exceeds the corners' intensities near a corner, so the result is clamped.
     std::uint32_t word(const float* value) const {
         const float least = *value > darkest_ ? *value : darkest_;
         return grey_word(least < brightest_ ? least : brightest_);
@@ -138,7 +141,7 @@ private:
     float darkest_ = 0, brightest_ = 1;
 };
 
-/// One grey for the polygon, from the sum of its normals.
+/// One grey for the whole polygon, from the sum of its corners' normals.
 class flat_shader {
 public:
     static constexpr std::size_t components = 0;
@@ -158,7 +161,7 @@ private:
     std::uint32_t word_ = 0;
 };
 
-/// The unit normal, turned to the eye, as a colour.
+/// The interpolated unit normal, turned to the eye, as a colour.
 class normals_shader {
 public:
     static constexpr std::size_t components = 4;
@@ -189,7 +192,7 @@ private:
     const l3d_shading& shading_;
 };
 
-/// The same word everywhere.
+/// The same word for all pixels of a polygon.
 class constant_shader {
 public:
     static constexpr std::size_t components = 0;

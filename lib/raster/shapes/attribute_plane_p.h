@@ -11,7 +11,8 @@
 
 namespace l3d_detail {
 
-/// Twice the signed area that two vectors span. |components| <= 2^24: |result| <= 2^49.
+/// Twice the signed area of the triangle that two vectors span. |components| <= 2^24: |result| <=
+/// 2^49.
 constexpr std::int64_t cross(scan_point a, scan_point b) {
     return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
 }
@@ -20,8 +21,10 @@ constexpr scan_point operator-(scan_point a, scan_point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-/// The planes of any number of numbers: base + along_x (x - base_x) + along_y (y - base_y), for
-/// each of them. Lives: borrows the arrays. Units: places in 1/256 pixel.
+/// A view of linear functions in the picture. Each is base + along_x (x - base_x) + along_y (y -
+/// base_y).
+/// Lives: borrows the arrays.
+/// Units: places in 1/256 pixel.
 struct plane_view {
     double base_x = 0, base_y = 0;
     const double* base = nullptr;
@@ -29,11 +32,12 @@ struct plane_view {
     const double* along_y = nullptr;
 };
 
-/// `Count` numbers at the corners of a polygon, and their planes.
+/// The planes through `Count` numbers at each corner of a polygon, for interpolation.
 ///
-/// In double: along a sliver the two gradients are large and cancel. For corners within 64 pixels
-/// (2^14) and the least area (1/2) they reach 2^14 times the corners' differences per unit, and
-/// 2^28 times at the far end; 53 bits leave 2^-25 of the differences.
+/// They are computed in double, since along a sliver the two gradients are large and cancel. Take
+/// corners within 64 pixels (2^14) and the least area (1/2). Gradients then reach 2^14 times the
+/// corners' differences per unit, and 2^28 times at the far end. So 53 bits leave an error of 2^-25
+/// of the differences.
 template <std::size_t Count> class attribute_planes {
 public:
     using numbers = std::array<float, Count>;
@@ -47,8 +51,9 @@ public:
         set_gradients(p[1] - p[0], p[2] - p[0], v[1], v[0], v[2], v[0], area2);
     }
 
-    /// Makes the planes through the mean of four corners, parallel to both diagonals' differences.
-    /// `area2` is cross(c - a, d - b). Expects: area2 != 0.
+    /// Makes the planes through the mean of four corners, parallel to the differences along both
+    /// diagonals. `area2` is cross(c - a, d - b).
+    /// Expects: area2 != 0.
     attribute_planes(const std::array<scan_point, 4>& p, const std::array<numbers, 4>& v,
                      std::int64_t area2)
         : base_x_(0.25 * (double(p[0].x) + p[1].x + p[2].x + p[3].x)),
@@ -74,16 +79,16 @@ public:
         return base_[i] + along_x_[i] * (x - base_x_) + along_y_[i] * (y - base_y_);
     }
 
-    /// The amounts that 1/256 pixel adds to a number.
+    /// The change of number i for 1/256 pixel along x, and along y.
     double along_x(std::size_t i) const { return along_x_[i]; }
     double along_y(std::size_t i) const { return along_y_[i]; }
 
-    /// Lives: borrows the planes.
+    /// A view of the planes. Lives: borrows them.
     plane_view view() const {
         return {base_x_, base_y_, base_.data(), along_x_.data(), along_y_.data()};
     }
 
-    /// The amount that one column to the right adds.
+    /// The change of each number for one column to the right.
     numbers per_column() const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)
@@ -92,7 +97,7 @@ public:
     }
 
 private:
-    /// Solves gradient . d1 = v1 - u1 and gradient . d2 = v2 - u2.
+    /// Finds the gradients with gradient . d1 = v1 - u1 and gradient . d2 = v2 - u2.
     void set_gradients(scan_point d1, scan_point d2, const numbers& v1, const numbers& u1,
                        const numbers& v2, const numbers& u2, std::int64_t area2) {
         const double scale = 1.0 / static_cast<double>(area2);

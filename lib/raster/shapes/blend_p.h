@@ -8,10 +8,11 @@
 
 namespace l3d_detail {
 
-/// A word whose three lower bytes are moved towards the colour's by coverage / 255, to nearest.
+/// Blends a word's three lower bytes with a colour's: each moves by coverage / 255 of the
+/// difference, rounded to the nearest.
 ///
-/// Red and blue share a number, 16 bits each: sums stay below 2^16. Then t / 255 = (t + 1 + t /
-/// 256) / 256, rounded down each time.
+/// Red and blue share one number, 16 bits each, as sums stay below 2^16. A division t / 255 is (t +
+/// 1 + t / 256) / 256, rounded down each time.
 inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
     constexpr std::uint32_t two = 0x00ff00ff;
     const auto to = static_cast<std::uint32_t>(coverage), from = 255 - to;
@@ -21,7 +22,7 @@ inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int covera
            ((odd + 1 + (odd >> 8)) & 0x0000ff00);
 }
 
-/// Blends a word that may be transparent: each colour counts by its share of the pixel.
+/// Blends a word that may be transparent: each colour is weighted by its share of the pixel.
 inline std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, int coverage) {
     if (word >> 24 == 0)
         return blended(word, color, coverage);
@@ -38,7 +39,7 @@ inline std::uint32_t blended_over_gap(std::uint32_t word, std::uint32_t color, i
     return result;
 }
 
-/// A word's share after its transparency, to nearest. Units: 1/255.
+/// A share of a pixel times the opaque part of its word, rounded to the nearest. Units: 1/255.
 inline int share_of(std::uint32_t word, int share) {
     const int opacity = 255 - static_cast<int>(word >> 24);
     return (share * opacity + 127) / 255;

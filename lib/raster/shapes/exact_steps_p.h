@@ -10,11 +10,10 @@
 
 namespace l3d_detail {
 
-/// The integer type that products of two coordinates need: the farthest are 2^39 units of 1/256
-/// pixel apart.
+/// An integer for products of two coordinates, which may be 2^39 units of 1/256 pixel apart.
 __extension__ typedef __int128 wide_integer;
 
-/// Expects: d > 0.
+/// The quotient n / d, rounded down. Expects: d > 0.
 constexpr wide_integer floor_quotient(wide_integer n, wide_integer d) {
     return n / d - (n % d < 0 ? 1 : 0);
 }
@@ -22,12 +21,12 @@ constexpr wide_integer ceil_quotient(wide_integer n, wide_integer d) {
     return n / d + (n % d > 0 ? 1 : 0);
 }
 
-/// The whole numbers first <= i <= last; none if first > last.
+/// A range of whole numbers, first <= i <= last; empty if first > last.
 struct whole_range {
     wide_integer first, last;
 };
 
-/// Those i of `among` for which low <= slope i <= high.
+/// The numbers i of a range for which low <= slope i <= high.
 constexpr whole_range where_within(whole_range among, wide_integer slope, wide_integer low,
                                    wide_integer high) {
     if (slope == 0)
@@ -38,7 +37,7 @@ constexpr whole_range where_within(whole_range among, wide_integer slope, wide_i
             std::min(among.last, floor_quotient(high, slope))};
 }
 
-/// (n + i s) / d for i = 0, 1, 2...: its floor and its remainder.
+/// The numbers (n + i s) / d for i = 0, 1, 2...: the floor and the remainder of each.
 ///
 /// Expects: 0 < d < 2^62; every floor that is asked for fits 62 bits.
 /// Cost:    two divisions to set up, three additions and a comparison for each step.
@@ -54,7 +53,7 @@ public:
     }
 
     std::int64_t floor() const { return floor_; }
-    /// The remainder of the floor: floor + rest / denominator is the number.
+    /// The remainder: the present number is floor() + rest() / denominator().
     std::int64_t rest() const { return rest_; }
     std::int64_t denominator() const { return denominator_; }
 

@@ -8,13 +8,13 @@
 #include <array>
 #include <cstdint>
 
-/// 1/w as a linear function of the place in the picture.
+/// The plane of a triangle: 1/w as a linear function of the place in the picture.
 ///
 /// Units:   places in 1/256 pixel.
 /// Expects: a triangle that covers some area.
 /// Cost:    one division to make.
 struct l3d_picture_plane {
-    double x0, y0, at_first; ///< counted from the first corner, where it is most exact
+    double x0, y0, at_first; ///< the first corner, near which rounding is least, and 1/w there
     double along_x, along_y;
 
     explicit l3d_picture_plane(const std::array<l3d_micro_vertex, 3>& v)

@@ -18,7 +18,7 @@
 
 namespace l3d_detail {
 
-/// Adds all cuts of a piece to `out`.
+/// Adds the planes of all cuts of a piece to `out`.
 inline void add_cuts(const l3d_painter_piece& piece,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_cut> cuts, std::vector<plane_cut>& out) {
@@ -31,8 +31,9 @@ inline std::array<scan_point, 3> places_of(const std::array<l3d_micro_vertex, 3>
     return {{{v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}}};
 }
 
-/// Calls visit(row, start, columns) for the rows of a triangle in which cuts leave it pixels of a
-/// picture of that width, until it says false. `start` is where the whole triangle's row begins.
+/// Calls visit(row, start, columns) for the rows of a triangle, clipped to a picture's width and to
+/// cuts. Rows without columns are left out. It ends if visit returns false. `start` is the first
+/// column of the whole triangle in the row.
 template <class Visit>
 void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
                 std::span<const plane_cut> cuts, int width, const Visit& visit) {
@@ -52,8 +53,8 @@ void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
     }
 }
 
-/// Calls visit(x, y, coverage, inv_w) for the pixels of those sides of a triangle that are drawn as
-/// lines, as far as cuts keep them.
+/// Calls visit(x, y, coverage, inv_w) for pixels on the sides of a triangle. Only sides that are
+/// drawn as lines count, and only pixels that all cuts keep.
 template <class Visit>
 void visit_sides(const l3d_painter_triangle& of, std::span<const plane_cut> cuts, l3d_size size,
                  bool smooth, const Visit& visit) {

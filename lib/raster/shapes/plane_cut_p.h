@@ -15,12 +15,13 @@
 
 namespace l3d_detail {
 
-/// Columns [begin, end).
+/// A range of columns [begin, end).
 struct columns {
     std::int32_t begin, end;
 };
 
-/// A cut with the planes it is between.
+/// A cut of a triangle along the line where its plane meets another one. It keeps the part in front
+/// of the other plane, or the part behind.
 struct plane_cut {
     l3d_picture_plane own, other;
     bool in_front;
@@ -29,8 +30,9 @@ struct plane_cut {
         return (own.at_pixel(column, row) >= other.at_pixel(column, row)) == in_front;
     }
 
-    /// The data that are kept of a row. Both sides of a cut find the same end of it: it depends on
-    /// the two planes and on where the whole triangle's row begins.
+    /// The columns of a row that the cut keeps. The pieces on both sides of a cut end at the same
+    /// column: it depends only on the two planes and on the first column `start` of the whole
+    /// triangle's row.
     columns kept(columns of, std::int32_t start, std::int32_t row) const {
         const double nearer = own.at_pixel(start, row) - other.at_pixel(start, row);
         const double step = (own.along_x - other.along_x) * l3d_subpixel_one;
@@ -45,7 +47,8 @@ struct plane_cut {
     }
 };
 
-/// The columns that all cuts keep of a row that begins at `start`.
+/// The columns of a row that all cuts keep. `start` is the first column of the whole triangle's
+/// row.
 inline columns kept_by(std::span<const plane_cut> cuts, columns span, std::int32_t start,
                        std::int32_t row) {
     for (const plane_cut& cut : cuts) {
@@ -56,11 +59,11 @@ inline columns kept_by(std::span<const plane_cut> cuts, columns span, std::int32
     return span;
 }
 
-/// A triangle of which some cuts keep a part.
+/// A triangle of which cuts keep a part.
 struct cut_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t material = 0;                ///< as l3d_surface_part has it
-    std::size_t first_cut = 0, behind_cut = 0; ///< in a list of cuts
+    std::uint32_t material = 0;                ///< its material, as in l3d_surface_part
+    std::size_t first_cut = 0, behind_cut = 0; ///< range of indices in a list of cuts
 };
 
 } // namespace l3d_detail

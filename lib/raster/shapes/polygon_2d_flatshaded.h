@@ -12,16 +12,16 @@
 #include <utility>
 #include <vector>
 
-/// A convex polygon with the colour that the rasterizer needs.
+/// A convex polygon of one colour, drawn by l3d_rasterizer_2d.
 ///
 /// Lives:   a value; copies are deep, and of the same type.
 class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
 public:
-    /// A polygon whose corners are these vertices of a list, in one colour, a pixel word.
+    /// Makes a polygon of one colour, a pixel word. Its corners are places in a list of vertices.
     l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, l3d_color color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
 
-    /// Fills the part that clipping has left.
+    /// Fills the part of the polygon that clipping has left.
     template <class Vertex>
     void draw(const l3d_two_part_list<Vertex>& vertices, l3d_rasterizer_2d& rasterizer) {
         corners_.clear();
@@ -35,7 +35,7 @@ public:
     l3d_color final_color; ///< a pixel word
 
 private:
-    std::vector<l3d_point_2d> corners_; ///< kept, so that no frame allocates
+    std::vector<l3d_point_2d> corners_; ///< kept between calls, so that no frame allocates
 };
 
 #endif

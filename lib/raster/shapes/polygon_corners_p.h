@@ -12,27 +12,28 @@
 
 namespace l3d_detail {
 
-/// The lattice point of a position, where pixel (x, y) is sampled at x + 1/2, y + 1/2: half a pixel
-/// further than in l3d_rasterizer_2d. Positions beyond far_limit are moved to it, axis by axis.
-/// Expects: numbers.
+/// The lattice point of a position, half a pixel further than in l3d_rasterizer_2d, as pixel (x, y)
+/// is sampled at (x + 1/2, y + 1/2) here. Coordinates beyond far_limit are clamped to it.
+/// Expects: coordinates that are numbers.
 far_point lattice_point(l3d_point_2d position);
 
 /// Whether neither coordinate is a NaN.
 bool is_number(l3d_point_2d position);
 
-/// The corners of one polygon.
+/// The corners of one polygon on the lattice.
 ///
 /// Cost: allocates when there are more corners than ever before.
 class polygon_corners {
 public:
-    /// Takes the corners of a polygon. Returns false if nothing is to be drawn: fewer than three
-    /// corners, no area, or a corner that is not a number.
+    /// Sets the corners of a polygon. Returns false if it draws nothing: it has fewer than three
+    /// corners or no area, or a coordinate is not a number.
     bool set(std::span<const l3d_point_2d> corners);
 
-    /// Whether corners go round clockwise, as seen on the screen, y down.
+    /// Whether the corners go round clockwise, as seen on the screen with y down.
     bool clockwise() const { return clockwise_; }
 
-    /// Whether near() has the corners: all are within scan_limit, where scanning is fastest.
+    /// Whether near() has the corners. It does if all are within scan_limit, where scanning is
+    /// fastest.
     bool all_near() const { return all_near_; }
     std::span<const scan_point> near() const { return near_; }
     std::span<const far_point> far() const { return far_; }

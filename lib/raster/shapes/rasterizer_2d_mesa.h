@@ -13,13 +13,15 @@
 ///
 /// All shapes become triangles on the lattice of 1/256 pixel, which GL fills by the same rule.
 /// Points, the straight runs of a line and the spans of outlines are drawn as rectangles. GL's own
-/// lines leave open which of two equally near pixels is lit, and its polygons must be convex. The
-/// words are the same, too; only where GL computes colours, in Gouraud-shaded polygons, smooth
-/// lines and coverage, may red, green and blue differ by 1. The CPU draws shapes that GL cannot
-/// draw exactly. This includes polygons that reach further than 8191 pixels from the middle of the
-/// picture, and pictures larger than GL's largest.
-/// Cost:    drawing gathers; the picture goes to GL with the first batch after finish, set_target
-///          or a change of hands, and comes back in finish.
+/// lines and polygons do not serve: its lines leave open which of two equally near pixels is lit,
+/// and its polygons must be convex.
+///
+/// Words are the same, too, except where GL computes colours: in Gouraud-shaded polygons, smooth
+/// lines and coverage. There red, green and blue may differ by 1. The CPU draws shapes that GL
+/// cannot draw exactly. These include polygons that reach further than 8191 pixels from the middle
+/// of the picture, and pictures larger than GL's largest.
+/// Cost:    drawing only gathers triangles. The picture goes to GL with the first batch after
+///          finish, set_target, or a shape that the CPU draws; it comes back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -45,12 +47,12 @@ private:
 
     struct vertex {
         float x, y;
-        std::array<std::uint8_t, 4> color; ///< red, green, blue, and the word's highest byte
+        std::array<std::uint8_t, 4> color; ///< red, green, blue, and the word's highest byte or
+                                           ///< coverage
     };
-    /// The state of GL's picture against the target: absent, black, or newer.
+    /// The state of the picture in GL, compared with the target: absent, black, or newer.
     enum class held { not_at_all, as_black, newer_than_target };
-    /// The meaning of the highest byte of the batch's colours: the word's own byte, or the
-    /// coverage.
+    /// The meaning of the highest byte of colours in the batch: the word's own byte, or coverage.
     enum class blending { off, by_coverage };
 
     void draw_line(const l3d_line_2d& line, std::uint32_t color);
@@ -63,7 +65,7 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    bool fits_ = false; ///< GL can hold the picture
+    bool fits_ = false; ///< whether GL can hold the picture
     held held_ = held::not_at_all;
     blending blending_ = blending::off;
     std::vector<vertex> batch_;

@@ -12,14 +12,14 @@
 
 namespace l3d_detail {
 
-/// A corner of a polygon. Units: 1/256 pixel, |x|, |y| <= scan_limit.
+/// A corner of a polygon near the picture. Units: 1/256 pixel, |x|, |y| <= scan_limit.
 struct scan_point {
     std::int32_t x = 0, y = 0;
 };
 
 inline constexpr std::int32_t scan_limit = 1 << 23;
 
-/// A corner that may be further out. Units: 1/256 pixel, |x|, |y| <= far_limit: 2^30 pixels.
+/// A corner that may be further away. Units: 1/256 pixel, |x|, |y| <= far_limit: 2^30 pixels.
 struct far_point {
     std::int64_t x = 0, y = 0;
 };
@@ -28,17 +28,17 @@ inline constexpr std::int64_t far_limit = std::int64_t{1} << 38;
 
 /// An edge from its upper to its lower end, stepped from one row of pixel centres to the next.
 ///
-/// On each row it gives the first column whose centre is on the edge or right of it. That number
-/// depends on the two end points only, so two polygons that share the edge divide the row between
-/// them without gap and without overlap.
-/// Expects: upper.y < lower.y, and row's centre on the edge, or a row of the picture for the line
-///          alone.
+/// In each row it gives the first column whose centre is on the edge or right of it. This column
+/// depends only on the two end points, so two polygons that share the edge divide the row without
+/// gap and without overlap.
+/// Expects: upper.y < lower.y. The row's centre lies on the edge, or for line() alone, the row is
+///          in the picture.
 /// Cost:    one division for each edge; one addition and one product for each row.
 ///
-/// Exact, though in double. With D = 256 dy the column is ceil(n / D) = floor(m / 2D) for whole n
-/// and odd m = 2n + 2D - 1. Every m is below 2^51 and so exact; m / 2D + 2^16 is below 2^17, so two
-/// roundings to 2^-53 move it by less than 2^-35; and m / 2D is at least 1 / 2D >= 2^-33 away from
-/// any whole number.
+/// The column is exact, though computed in double. With D = 256 dy it is ceil(n / D) = floor(m /
+/// 2D) for whole n and odd m = 2n + 2D - 1. Every m is below 2^51, and so exact. m / 2D + 2^16 is
+/// below 2^17, so two roundings to 2^-53 change it by less than 2^-35. And m / 2D is at least 1 /
+/// 2D >= 2^-33 away from any whole number.
 class scan_edge {
 public:
     scan_edge(scan_point upper, scan_point lower, std::int32_t row) {
@@ -57,13 +57,14 @@ public:
 
     void step() { m_ += m_per_row_; }
 
-    /// An offset above the least column, -2^15, so that truncated numbers are positive.
+    /// An offset that makes columns positive, which begin at -2^15, so that truncation rounds down.
     static constexpr std::int32_t offset = 1 << 16;
 
-    /// The column k rows below is (first + k per_row) inverse, rounded down, minus `offset`.
+    /// The columns of an edge by one product: k rows below, the column is (first + k per_row)
+    /// inverse, rounded down, minus `offset`.
     ///
-    /// This holds for all of the edge's line, not only for the edge, since all numbers stay exact:
-    /// per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
+    /// This holds for the edge's whole line, not only between its ends, since all numbers stay
+    /// exact. per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
     struct line {
         double first = 0, per_row = 0, inverse = 0;
     };
@@ -75,7 +76,8 @@ private:
     double m_, m_per_row_, inverse_;
 };
 
-/// The columns of scan_edge for corners however far, and the edge's distance from their samples.
+/// The columns of a scan_edge for corners at any distance, and the edge's distance from the
+/// samples.
 ///
 /// With D = 256 dy <= 2^47 the column is ceil(n / D) = floor((n + D - 1) / D); n is below 2^79.
 /// Expects: as scan_edge.
@@ -90,14 +92,14 @@ public:
 
     std::int32_t column() const { return static_cast<std::int32_t>(steps_.floor()); }
 
-    /// The distance of the column's sample to the right of the edge, in pixels: in [0, 1).
+    /// The distance from the edge to the sample of its column, on its right.
+    /// Units: pixels, in [0, 1).
     double beyond() const {
         return static_cast<double>(steps_.denominator() - 1 - steps_.rest()) /
                static_cast<double>(steps_.denominator());
     }
 
-    /// The distance of the edge to the right of the previous sample: 1 - beyond(), with all its
-    /// digits.
+    /// The distance from the sample before to the edge: 1 - beyond(), with all its digits.
     double short_of() const {
         return static_cast<double>(steps_.rest() + 1) / static_cast<double>(steps_.denominator());
     }

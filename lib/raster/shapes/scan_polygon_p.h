@@ -13,23 +13,24 @@
 
 namespace l3d_detail {
 
-/// Rows top <= row < bottom.
+/// A range of rows, top <= row < bottom.
 struct scan_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The first column of a row, and the one after its last; none if the first is not less.
+/// The first column of a span, and the column after its last; empty if the first is not less.
 using scan_ends = std::array<std::int32_t, 2>;
 
-/// Converts convex polygons to spans: a pixel belongs to the polygon if its centre is inside, or on
-/// a left or top edge.
+/// Converts convex polygons to spans. A pixel belongs to a polygon if its centre is inside, or on a
+/// left or top edge.
 ///
 /// A row is covered if its centre lies in [highest, lowest corner). A pixel of the row is covered
-/// if its centre lies in [left, right edge). Both ends are exact. Lives: the spans of one polygon
-/// stay until the next convert.
+/// if its centre lies in [left, right edge). Both ends are exact.
+/// Lives: the spans of one polygon stay until the next convert.
 class scan_polygon {
 public:
-    /// Sets the rows that are kept. Cost: allocates only when there are more than before.
+    /// Sets the rows in which spans are found.
+    /// Cost: allocates only when there are more than before.
     void set_rows(scan_rows kept) {
         kept_ = kept;
         const auto count = static_cast<std::size_t>(std::max(kept.bottom - kept.top, 0));
@@ -37,12 +38,12 @@ public:
             spans_.resize(count);
     }
 
-    /// Finds the spans of a polygon.
+    /// Finds the spans of a polygon, and returns its rows.
     ///
-    /// Shape:   at least three corners, in order, scan_points or far_points; `clockwise` as seen
-    ///          on the screen (the area with y down is positive).
-    /// Expects: convex. Some pixels of another polygon are wrong, but no row is left undefined: a
-    ///          closed outline crosses every row downwards as often as upwards.
+    /// Shape:   at least three corners, in order, scan_points or far_points; `clockwise` as seen on
+    ///          the screen (the area with y down is positive).
+    /// Expects: convex. If it is not, some pixels are wrong, but no row is undefined: a closed
+    ///          outline crosses every row downwards as often as upwards.
     template <class Point, std::size_t Extent>
     scan_rows convert(std::span<const Point, Extent> corners, bool clockwise) {
         scan_rows rows{kept_.bottom, kept_.top};
@@ -56,11 +57,12 @@ public:
         return rows;
     }
 
-    /// The first column of a row, and the one after its last. Not clipped; first may be >= last.
+    /// The first column of a row, and the column after its last. They are not clipped; first may be
+    /// >= last.
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 
-    /// The first columns and ends of some rows that convert gave.
+    /// The spans of some of the rows that convert returned.
     std::span<const scan_ends> ends(scan_rows rows) const {
         return {&span_of(rows.top), static_cast<std::size_t>(rows.bottom - rows.top)};
     }

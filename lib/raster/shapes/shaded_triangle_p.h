@@ -14,34 +14,37 @@
 
 namespace l3d_detail {
 
-/// A corner and its red, green and blue, 0 to 255.
+/// A corner, and its red, green and blue from 0 to 255.
 struct shaded_corner {
     far_point at;
     std::array<double, 3> color;
 };
 
-/// Pixels first <= column < last of a row; the colour of column i is start + step (i - anchor).
+/// A span of pixels first <= column < last in a row. Column i has the colour start + step (i -
+/// anchor).
 ///
-/// The anchor depends on the triangle alone, so no colour depends on clipping.
+/// The anchor depends only on the triangle, so clipping changes no colour.
 struct shaded_span {
     std::int32_t row, first, last, anchor;
     std::array<float, 3> start, step;
 };
 
-/// Finds the spans of triangles: exact in coverage, colours along the edges and then across.
+/// Finds the spans of Gouraud-shaded triangles. Coverage is exact; colours are interpolated along
+/// edges, and then across rows.
 ///
-/// Every intermediate number is a mean of the corners'. Its weights are exact quotients of whole
-/// numbers except for a few roundings. So nothing cancels, however thin the triangle. The roundings
-/// of float remain, 2^-24 of at most 255 each: start, the step over the whole span, its product for
-/// a pixel, the sum. That is less than 2^-13 in all; 2^-12 is promised.
+/// Every intermediate number is a weighted mean of the corners' numbers. Weights are exact
+/// quotients of whole numbers except for a few roundings. So nothing cancels, however thin the
+/// triangle is. There remain four roundings of float, each 2^-24 of at most 255. They are of the
+/// start, the step over the whole span, its product for a pixel, and the sum. Together they are
+/// less than 2^-13; 2^-12 is promised.
 class shaded_triangle {
 public:
-    /// The spans in a picture of that size. Lives: until the next call.
+    /// The spans of a triangle in a picture of this size. Lives: until the next call.
     std::span<const shaded_span> convert(const std::array<shaded_corner, 3>& corners,
                                          l3d_size size);
 
 private:
-    /// The beginning or end of a row; `distance` is the edge's distance from the nearest sample
+    /// The left or right end of a row. `distance` is that of the edge from the nearest sample
     /// inside.
     struct end {
         std::int32_t column = 0;

@@ -23,7 +23,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A vector of at most `Most` pixels side by side.
+/// Types for vectors of at most `Most` neighbouring pixels.
 template <std::size_t Most> struct pixel_lanes {
     static constexpr hn::CappedTag<std::uint32_t, Most> words{};
     static constexpr hn::RebindToSigned<hn::CappedTag<std::uint32_t, Most>> integers{};
@@ -33,18 +33,19 @@ template <std::size_t Most> struct pixel_lanes {
     using float_vec = hn::Vec<hn::RebindToFloat<hn::CappedTag<std::uint32_t, Most>>>;
 };
 
-/// Pixels of the picture.
+/// A box of pixels in the picture.
 struct small_box {
     std::int32_t left, top, columns, rows;
 };
 
-/// An edge function at the first sample of the box, and its increments to the right and downwards:
-/// not below 0 where the sample is inside. On an edge that is neither left nor top it is -1.
+/// An edge function: its value at the first sample of the box, and its increments to the right and
+/// downwards. It is at least 0 where a sample is inside. On an edge that is neither left nor top,
+/// it is -1.
 struct small_edge {
     std::int32_t first, per_column, per_row;
 };
 
-/// An edge function in a row of samples.
+/// The values of an edge function in a row of samples.
 template <class Lanes> struct edge_lanes {
     typename Lanes::integer_vec value, per_row;
     std::int32_t per_column;
@@ -62,8 +63,8 @@ template <class Lanes> struct edge_lanes {
     }
 };
 
-/// Fills a box. `colors` gives the words of its rows from a column on: begin_block(column), then
-/// next_row() row by row.
+/// Fills the part of a box on the inner side of three edges. `colors` gives the words of its rows:
+/// after begin_block(column), next_row() gives those from this column on, row by row.
 /// Expects: the box lies in the picture.
 template <class Lanes, class Colors>
 HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,

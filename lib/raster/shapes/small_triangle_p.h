@@ -12,14 +12,14 @@
 
 namespace l3d_detail {
 
-/// The longest side of a triangle that fill_small_triangle takes: 2^13 lattice units. Products of
-/// two differences and their sums then stay below 2^28.
+/// The limit of a side of triangles that fill_small_triangle takes, in pixels: 2^13 lattice units.
+/// Products of two differences, and sums of such products, stay below 2^28.
 inline constexpr int small_side = 32;
 
-/// Fills a triangle by its three edge functions, at all pixels of its box: for a small one that
-/// costs less than finding spans. Draws nothing and returns false if it is not small, or not wholly
-/// in the picture.
-/// Shape:   three corners of any winding; NaN may be among them.
+/// Fills a small triangle by its three edge functions, at all pixels of its box, which costs less
+/// than finding spans. Returns false, and draws nothing, if it is not small or not wholly in the
+/// picture.
+/// Shape:   three corners of any winding; coordinates may be NaN.
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,
                          const std::array<double, 2>& ends, std::uint32_t color);

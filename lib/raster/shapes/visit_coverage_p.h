@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Calls visit(x, y, values) for each row of a shape that has a pixel in a picture of that size,
-/// with the place of the row's first such pixel and the coverage from there on.
+/// Calls visit(x, y, values) for each row of a shape that reaches a picture of this size. (x, y) is
+/// the row's first pixel in the picture, and `values` is the coverage from there on.
 template <class Visit>
 void visit_coverage(const l3d_coverage_2d& shape, l3d_size size, const Visit& visit) {
     // A shape may begin anywhere: its end may be beyond the largest int.

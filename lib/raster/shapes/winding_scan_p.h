@@ -13,28 +13,31 @@
 
 namespace l3d_detail {
 
-/// Columns first <= column < last of a row.
+/// A span of columns first <= column < last in a row.
 struct pixel_span {
     std::int32_t row, first, last;
 };
 
-/// Walks down the rows with the edges that cross them, in order of their columns.
+/// Finds the spans inside of outlines. It walks down the rows with the edges that cross them, in
+/// the order of their columns.
 ///
-/// An edge counts for a pixel unless the edge's column is right of the pixel. So the inside is
-/// exact for every pixel, however close edges cross.
-/// Cost: for each row, one step and about one comparison for each edge that crosses it; allocates
+/// Each edge counts for the pixels from its column on. So inside and outside are exact for every
+/// pixel, however close edges cross.
+/// Cost: for each row, one step and about one comparison for each edge that crosses it. Allocates
 ///       when there are more edges or spans than ever before.
 class winding_scan {
 public:
-    /// The spans of a picture of that size, from top to bottom and left to right, without overlap.
+    /// The spans of outlines in a picture of this size, from top to bottom and left to right,
+    /// without overlap.
     /// Lives: until the next call.
     std::span<const pixel_span> convert(std::span<const l3d_outline_2d> outlines,
                                         l3d_winding inside, l3d_size size);
 
 private:
     struct edge {
-        std::int32_t top, bottom; ///< rows top <= row < bottom are crossed
-        int direction;            ///< 1 if it leads upwards: places right of it are wound clockwise
+        std::int32_t top, bottom; ///< the edge crosses rows top <= row < bottom
+        int direction;            ///< 1 if it leads upwards: places on its right are wound
+                                  ///< clockwise; else -1
         exact_edge columns;
     };
     struct crossing {

@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// The quads whose first corner is in rows [row_begin, row_end) and columns
-/// [column_begin, column_end).
+/// A range of a grid's quads. The first corners of these quads are in rows [row_begin, row_end) and
+/// columns [column_begin, column_end).
 struct grid_cells {
     int row_begin = 0, row_end = 0, column_begin = 0, column_end = 0;
 };
@@ -23,7 +23,7 @@ inline grid_cells all_cells(const l3d_micro_grid& grid) {
     return {0, grid.rows - 1, 0, grid.columns - 1};
 }
 
-/// Quads and triangles of a part.
+/// The number of quads and triangles of a part.
 inline std::int64_t polygons(const l3d_surface_part& part) {
     const grid_cells cells = all_cells(part.grid);
     return std::int64_t{cells.row_end} * cells.column_end +
@@ -31,22 +31,22 @@ inline std::int64_t polygons(const l3d_surface_part& part) {
            static_cast<std::int64_t>(part.grid.cut.size());
 }
 
-/// The pixel rows that a row of quads may cover. May be empty: top >= bottom.
+/// The pixel rows that a row of quads may cover; none if top >= bottom.
 struct band_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The box of some polygons, and an upper bound of their pixels' inv_w.
+/// The box of some polygons, and the largest inv_w of their pixels or more.
 struct polygon_bounds {
     l3d_subpixel_box box;
     float nearest = 0;
 };
 
-/// The bounds of the quads of a grid; `rows` gets a number for each row of quads.
+/// Finds the bounds of quads of a grid. `rows` gets the pixel rows of each row of quads.
 /// Expects: cells of at least one quad.
 polygon_bounds bounds_of(const l3d_micro_grid& grid, const grid_cells& cells, band_rows* rows);
 
-/// The bounds of triangles [first, last). Expects: at least one.
+/// Finds the bounds of triangles [first, last). Expects: at least one.
 polygon_bounds bounds_of(const l3d_micro_triangles& triangles, std::size_t first, std::size_t last);
 
 } // namespace l3d_detail

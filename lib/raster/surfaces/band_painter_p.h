@@ -13,31 +13,31 @@
 
 namespace l3d_detail {
 
-/// The data that all bands of a frame have in common.
+/// The data that all bands of a frame share.
 struct band_frame {
     l3d_shading shading;
-    bool by_lanes = false;         ///< mode and width are such that the fill kernel can serve
-    bool leaves_out_hidden = true; ///< items behind the coarse depth are not looked at
+    bool by_lanes = false;         ///< whether mode and width allow the fill kernel
+    bool leaves_out_hidden = true; ///< whether items behind the coarse depth are left out
     fill_words words{};
     std::span<const l3d_material> materials{};
 };
 
-/// A worker's own work space, and what it has counted.
+/// Draws the bands of one worker, with the worker's own memory and counts.
 ///
-/// Shape: begins a cache line, so that workers do not take each other's.
+/// Shape: begins at a cache line, so that workers do not take each other's.
 class alignas(64) band_painter {
 public:
-    /// So that drawing bands of so many rows allocates nothing.
+    /// Makes room so that drawing bands of this many rows allocates nothing.
     void reserve(int rows) { scalar_.reserve(rows); }
 
-    /// Makes as much room as another worker had to: which band comes to whom is chance.
+    /// Makes as much room as another worker needed, since workers get bands by chance.
     void reserve_as(const band_painter& other);
 
-    /// Draws the items into the band, in this order, and notes them in the coarse depth.
+    /// Draws the items into the band in this order, and notes them in the coarse depth.
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
               std::span<const std::uint32_t> items, coarse_depth& coarse);
 
-    /// Draws what cuts leave of triangles.
+    /// Draws the parts of triangles that cuts leave.
     void draw(const band_frame& frame, const fill_band& band,
               std::span<const cut_triangle> triangles, std::span<const plane_cut> cuts,
               coarse_depth& coarse);
@@ -46,8 +46,9 @@ public:
     fill_counts take_counts();
 
 private:
-    /// So many items are between that whose triangles are asked for and that which is drawn: some
-    /// thousand cycles, more than memory takes. The items themselves are asked for earlier.
+    /// Distances of prefetching, in items. The triangles of an item are prefetched `items_waiting`
+    /// items before it is drawn: some thousand cycles, more than memory takes. The item itself is
+    /// prefetched before.
     static constexpr std::size_t items_waiting = 2, items_ahead = 8;
 
     static bool is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,

@@ -13,32 +13,34 @@
 
 namespace l3d_detail {
 
-/// The slow twin of the fill kernel, for all shaders and all polygons. Polygons that the
-/// kernel left are filled by rows in lanes, pixel by pixel the same bits.
+/// Fills polygons without the fill kernel, as its slow twin, for all shaders and all polygons.
+/// Polygons that the kernel leaves are filled by rows in lanes, with the same bits as pixel by
+/// pixel.
 ///
-/// A quad's attribute plane goes through its two diagonals' differences and the mean of its
-/// corners, so no diagonal shows. Quads far from a parallelogram are filled as two triangles.
+/// Planes of a quad's numbers go through the mean of its corners, parallel to the differences along
+/// both diagonals. So no diagonal shows. Quads far from a parallelogram are filled as two
+/// triangles.
 /// Lives: borrows band, shading and materials.
 /// Cost:  allocates only when a band is higher than any before.
 class band_scalar {
 public:
-    /// So that no band of so many rows makes it allocate.
+    /// Makes room so that drawing bands of this many rows allocates nothing.
     void reserve(int rows) { target_.scan.set_rows({0, rows}); }
 
-    /// From now on it draws here and counts from 0.
+    /// Begins a band: later calls draw into it, and counts start at 0.
     void begin(const fill_band& band, const l3d_shading& shading,
                std::span<const l3d_material> materials, const fill_words& words);
 
     void fill(const l3d_surface_part& part, const grid_cells& cells);
 
-    /// Triangles [first, last).
+    /// Fills triangles [first, last) of a part.
     void fill(const l3d_surface_part& part, std::size_t first, std::size_t last);
 
-    /// The polygons that the kernel left. Expects: a band as wide as lanes want it.
+    /// Fills the polygons that the kernel left. Expects: a band of at least fill_least_width.
     void fill(const fill_rest& rest);
 
-    /// Fills the part of a triangle that these cuts leave. Expects: another mode than `error`,
-    /// where it has no one colour.
+    /// Fills the part of a triangle that cuts leave.
+    /// Expects: another mode than `error`, in which such a triangle has no colour of a part.
     void fill(const cut_triangle& triangle, std::span<const plane_cut> cuts);
 
     const fill_counts& counts() const { return target_.counts; }

@@ -13,67 +13,72 @@
 
 namespace l3d_detail {
 
-/// A tile of a picture. A cache line of depths wide; about as large as a micro-quad at a tolerance
-/// of 1/4 pixel.
+/// The size of the tiles into which a picture is divided. A tile is as wide as a cache line of
+/// depths, and about as large as a micro-quad at a tolerance of 1/4 pixel.
 struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 };
 
-/// The knowledge of a picture's tiles. Shape: rows of `columns` numbers, and of `words` with a bit
-/// for each tile.
+/// A table of what is known about a picture's tiles.
+/// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
-    std::vector<float> farthest;      ///< no pixel has a smaller inv_w
-    std::vector<std::uint64_t> drawn; ///< whether drawn to; else depths are not even defined
-    std::vector<std::uint64_t> newer; ///< whether drawn to since `farthest` was found
+    std::vector<float> farthest;      ///< lower bound of inv_w in each tile's pixels
+    std::vector<std::uint64_t> drawn; ///< whether anything was drawn into the tile; if not, its
+                                      ///< depths are undefined
+    std::vector<std::uint64_t> newer; ///< whether anything was drawn into the tile since `farthest`
+                                      ///< was found
 };
 
-/// The tiles of a picture, which tell hidden shapes, and depths that nobody has set to 0 yet. A
-/// tile's depths are set to 0 when something is drawn there, for then they are wanted in the
-/// nearest cache.
+/// Knows about each tile of a picture how far its pixels are. So it finds hidden shapes, and tiles
+/// whose depths nobody has set to 0 yet. A tile's depths are set to 0 when something is drawn
+/// there, as they are needed in the nearest cache then.
 ///
-/// Depths only come nearer in a frame, so the farthest one found for a tile stays a bound.
-/// Expects: boxes not empty, inside the window, and inside the band where there is one; bands of
-///          whole rows of tiles. Threads that change different bands do not meet.
+/// Depths only become nearer in a frame, so the farthest depth that was found for a tile stays a
+/// bound.
+/// Expects: boxes are not empty, and inside the window, and inside the band if there is one. Bands
+///          consist of whole rows of tiles. Threads may change different bands at the same time.
 class coarse_depth {
 public:
     void resize(l3d_size size);
 
-    /// Makes the words of tiles that something was drawn to show the background.
+    /// Fills the tiles into which something was drawn with the background.
     void clear_words(const fill_band& band, const l3d_background& background,
                      std::int32_t height) const;
 
-    /// Forgets all drawing in rows [top, bottom), whatever their depths say.
+    /// Forgets all drawing in rows [top, bottom), whatever their depths are.
     void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Prepares a box for drawing: sets the depths of its tiles to 0 unless that was done.
+    /// Prepares a box for drawing: sets the depths of its tiles to 0, unless this was done before.
     void open(const l3d_pixel_box& box, const fill_band& band);
 
-    /// Prepares all depths of the band for reading: sets those of other tiles to 0, too.
+    /// Prepares all depths of a band for reading: sets those of tiles without drawing to 0.
     void open_others(const fill_band& band);
 
-    /// Whether nothing in the box that is no nearer than `nearest` would be seen.
+    /// Whether anything in the box, no nearer than `nearest`, would be hidden. It looks at depths
+    /// if the known bounds do not suffice.
     /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// Whether something is hidden by the bounds found already.
+    /// Whether the bounds that are known already hide anything in the box, no nearer than
+    /// `nearest`.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
-    /// Finds the farthest depths of all tiles of the band that were drawn to.
+    /// Finds the farthest depth of each tile of the band into which something was drawn.
     void refresh(const fill_band& band);
 
-    /// Whether something may be in the pixel's tile; else its depth is not defined.
+    /// Whether something may have been drawn into the pixel's tile. If not, its depth is undefined.
     bool drawn_at(std::int32_t x, std::int32_t y) const {
         const auto column = static_cast<std::size_t>(x / depth_tile::width);
         const auto row = static_cast<std::size_t>(y / depth_tile::height);
         return (table_.drawn[row * table_.words + column / 64] >> (column % 64) & 1) != 0;
     }
 
-    /// The columns in which something may be, in a tile that has pixels of rows [top, bottom); as
-    /// a box of these rows.
+    /// A box of rows [top, bottom), with the columns of tiles into which something may have been
+    /// drawn.
     l3d_pixel_box drawn_in(std::int32_t top, std::int32_t bottom) const;
 
-    /// Calls visit(box) for rows of tiles of the band in which something may be.
+    /// Calls visit(box) for runs of tiles of the band into which something may have been drawn.
     template <class Visit> void visit_drawn(const fill_band& band, const Visit& visit) const {
         constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
         for (std::int32_t y = band.top; y < band.bottom; y += height)
@@ -86,7 +91,7 @@ public:
             }
     }
 
-    /// The number of pixels of the band that something covers.
+    /// The number of covered pixels in the band.
     std::int64_t covered(const fill_band& band) const;
 
 private:

@@ -15,22 +15,23 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The light of a group's polygons. The queue has their corners' grey levels.
+/// Computes the light of a vector of polygons from grey levels of their corners, which are in the
+/// queue.
 class grey_lanes {
 public:
-    static constexpr std::size_t numbers = 1; ///< in the queue, of each corner
+    static constexpr std::size_t numbers = 1; ///< numbers of each corner in the queue
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (int i = 0; i < 4; ++i)
             grey_[i] = load_float(queue.corner[i][3] + at);
     }
 
-    /// Greys may be as unlike as they like.
+    /// Lanes take polygons with any greys at their corners.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 
-    /// A plane through four corners that are not in one plane runs past their greys near a corner,
-    /// and is held to them.
+    /// Sets up planes of grey. If four corners are not in one plane, the plane may exceed their
+    /// greys near a corner, so greys are clamped to the corners' range.
     HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table,
                            fill_counts&) {
         const floats d;

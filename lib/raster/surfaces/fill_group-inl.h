@@ -15,15 +15,17 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The product of a polygon's diagonals, in areas, from which on it counts as a sliver.
+/// The limit of the product of a polygon's diagonals, in areas. Beyond it, the polygon is a sliver.
 constexpr float sliver_ratio = 64;
 
-/// One polygon a lane, from its corners to its rows.
+/// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;
+/// fill() writes the pixels of these rows.
 ///
-/// Shape: Light makes their greys: lambert_lanes or grey_lanes.
+/// Shape: Light computes their greys or normals, as lambert_lanes, grey_lanes, level_lanes or
+///        normal_lanes do.
 template <class Light> class fill_group {
 public:
-    /// Returns whether there is anything to fill.
+    /// Sets up a vector of polygons. Returns whether there is anything to fill.
     /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.
     HWY_INLINE bool set_up(const fill_target& to, std::size_t at, std::size_t valid,
                            fill_table& table) {
@@ -46,13 +48,13 @@ public:
         return true;
     }
 
-    /// Returns how many pixels were written.
+    /// Writes the pixels. Returns how many were written.
     HWY_INLINE std::int64_t fill(const fill_band& band, const fill_table& table) const {
         return light_.fill(band, table);
     }
 
 private:
-    /// The part of each polygon's box that is in the band, and corners relative to the box.
+    /// Finds the part of each polygon's box in the band, and the corners relative to the box.
     HWY_INLINE void place(const fill_band& band, const fill_queue& queue, std::size_t at) {
         const lane_corners corners(queue, at);
         const int_vec zero = hn::Zero(ints());
@@ -80,7 +82,7 @@ private:
         return hn::Add(hn::ShiftLeft<l3d_subpixel_bits>(index), set(pixel / 2));
     }
 
-    /// Tells which polygons are filled here. The others are noted, whole or in pieces.
+    /// Finds which polygons are filled here. The others are queued for later, whole or in pieces.
     HWY_INLINE int_mask classify(const fill_target& to, std::size_t at, int_mask candidates) {
         light_.load(to.queue, at);
         places_.piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
@@ -116,9 +118,9 @@ private:
         return hn::AndNot(others, candidates);
     }
 
-    /// Polygons so thin that left of them, where a run begins that would not fit the picture,
-    /// numbers are some hundred times the corners'. Pieces of quads are never there: they would be
-    /// thin, so quads at the edge are not cut.
+    /// The slivers at the picture's right edge. There a run begins left of the polygon to fit the
+    /// picture, and a sliver's numbers there are some hundred times the corners'. Pieces of quads
+    /// would be thin, so quads at the edge are not cut.
     HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))
             return at_edge_;
@@ -229,13 +231,16 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
-    std::size_t at_ = 0;  ///< in the queue
-    int_vec x_[4], y_[4]; ///< from the centre of pixel (column_, row_)
+    std::size_t at_ = 0;  ///< index in the queue
+    int_vec x_[4], y_[4]; ///< relative to the centre of pixel (column_, row_)
     int_vec column_, row_;
-    int_vec from_column_, to_column_, from_row_, to_row_; ///< in the band; from (column_, row_)
+    int_vec from_column_, to_column_, from_row_, to_row_; ///< the part in the band, relative to
+                                                          ///< (column_, row_)
     int_mask live_, large_;
-    int_mask at_edge_;                 ///< a row may begin where a run does not fit the picture
-    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a corner
+    int_mask at_edge_;                 ///< whether a row may begin where a run does not fit the
+                                       ///< picture
+    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in corners a, b
+                                       ///< and d
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;
     lane_plane inv_w_;

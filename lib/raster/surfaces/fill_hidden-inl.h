@@ -19,8 +19,9 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Whether nothing in a box of pixels, which is not empty, is farther than `nearest`.
-/// Expects: depths is that of its first pixel; whole runs of 16 fit the picture.
+/// Whether all pixels in a box are at least as near as `nearest`.
+/// Expects: a box that is not empty; `depths` points at its first pixel; whole runs of 16 fit the
+///          picture.
 HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32_t columns,
                            std::int32_t rows, float nearest) {
     constexpr hn::CappedTag<float, run / 2> d;
@@ -48,10 +49,11 @@ HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32
     return true;
 }
 
-/// A vector of polygons, and whether there is something nearer all over the box of each. Polygons
-/// at the right edge of the picture, where a run would not fit, are not tested.
+/// Finds which of a vector of polygons are hidden: everything in their boxes is nearer. Polygons at
+/// the right edge of the picture, where a run does not fit, are not tested.
 class hidden_lanes {
 public:
+    /// Finds the boxes of the polygons.
     /// Expects: room for a vector of polygons in the queue from `at` on, the first `valid` in use.
     HWY_INLINE hidden_lanes(const fill_band& band, const fill_queue& queue, std::size_t at,
                             std::size_t valid)
@@ -73,8 +75,8 @@ public:
         asked_ = hn::And(hn::FirstN(ints(), valid), hn::And(fits, filled));
     }
 
-    /// Clears those of `seen` that are hidden. Most that are not show it in the middle of their
-    /// boxes; the others are looked at one by one.
+    /// Clears the elements of `seen` whose polygons are hidden. The depth in the middle of the box
+    /// shows for most polygons that they are not hidden. The others are tested one by one.
     HWY_INLINE void clear(std::int32_t* seen) const {
         const int_vec middle = hn::Add(hn::Add(first_, hn::ShiftRight<1>(columns_)),
                                        hn::Mul(hn::ShiftRight<1>(rows_), set(pitch())));
@@ -102,12 +104,13 @@ private:
     HWY_INLINE std::int32_t pitch() const { return static_cast<std::int32_t>(band_.depth_pitch); }
 
     const fill_band& band_;
-    int_vec first_, columns_, rows_; ///< the box: its first pixel in the band's depths, its size
-    float_vec nearest_;              ///< no pixel has a larger inv_w
+    int_vec first_, columns_, rows_; ///< the box: the index of its first pixel in the band's
+                                     ///< depths, and its size
+    float_vec nearest_;              ///< upper bound of inv_w in its pixels
     int_mask asked_;
 };
 
-/// Clears `seen` of those of a queue's first polygons that are hidden.
+/// Clears `seen` of the hidden ones among a queue's first `count` polygons.
 HWY_INLINE void clear_hidden(const fill_band& band, fill_queue& queue, std::size_t count) {
     for (std::size_t at = 0; at < count; at += lanes)
         hidden_lanes(band, queue, at, std::min(lanes, count - at)).clear(queue.seen + at);

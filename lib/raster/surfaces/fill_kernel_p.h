@@ -15,13 +15,13 @@
 
 namespace l3d_detail {
 
-/// Rows [top, bottom) of a picture while they are filled.
+/// A band: rows [top, bottom) of a picture while they are filled.
 ///
-/// Shape:   words and depths point at column 0 of row `top`. Pitches in elements, >= width. So do
-///          normals, if words are materials (fill_words); their pitch is that of depths.
+/// Shape:   words and depths point at column 0 of row `top`. Pitches are in elements, >= width. If
+///          words are materials (fill_words), normals do so, too, with the pitch of depths.
 /// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
-///          Nothing outside [0, width) x [top, bottom) is touched; inside, what lies beside
-///          polygons may be read and written back, so nobody else writes there meanwhile.
+///          Nothing outside [0, width) x [top, bottom) is touched. Inside, pixels beside polygons
+///          may be read and written back, so nobody else writes there meanwhile.
 struct fill_band {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -31,10 +31,10 @@ struct fill_band {
     std::uint32_t* normals = nullptr;
 };
 
-/// A whole vector of pixels must fit a row.
+/// The least width of a picture: a whole vector of pixels must fit a row.
 inline constexpr std::int32_t fill_least_width = 16;
 
-/// The modes that the lanes can shade.
+/// Whether the lanes can shade this mode.
 inline bool fill_shades(l3d_shade mode) {
     return mode == l3d_shade::lambert || mode == l3d_shade::gouraud || mode == l3d_shade::flat ||
            mode == l3d_shade::levels;
@@ -42,18 +42,18 @@ inline bool fill_shades(l3d_shade mode) {
 
 struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
-    std::int64_t written = 0; ///< samples nearer than the pixel's depth
+    std::int64_t written = 0; ///< samples nearer than the depth of their pixels
 
-    /// Polygons, each in every band, whose light is a plane instead of that of a unit normal in
-    /// each pixel.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
+    /// once in every band.
     std::int64_t by_plane = 0;
 
-    /// Mode `levels`: as l3d_surface_counts has them.
+    /// Mode `levels`: errors as in l3d_surface_counts.
     float level_error = 0;
     std::int64_t unproven_levels = 0;
-    float normal_error = 0; ///< lit frames, likewise
+    float normal_error = 0; ///< lit frames: the error as in l3d_surface_counts
 
-    std::int64_t unsolved = 0; ///< as l3d_surface_counts has it
+    std::int64_t unsolved = 0; ///< as in l3d_surface_counts
 
     void note_level_error(float error) {
         note(error, static_cast<float>(l3d_most_level_error), level_error);
@@ -81,13 +81,13 @@ private:
     }
 };
 
-/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, of too different
-/// normals. The caller fills them by the scalar filler after fill_finish.
+/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, with normals that
+/// differ too much. The caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
         std::size_t index;      ///< l3d_micro_grid::index of the first corner
-        std::uint32_t material; ///< as fill_words has it
+        std::uint32_t material; ///< as fill_words::of_material gives it
     };
     struct triangle {
         const l3d_micro_triangles* triangles;
@@ -104,29 +104,30 @@ struct fill_rest {
     }
 };
 
-/// How pixels are written down while a frame is filled.
+/// The meaning of pixel words while a frame is filled.
 ///
-/// Without materials a word is a grey. With them it is the grey's level and, above it, the material
-/// (material_words makes colours of that when all is filled). So the lanes fill either alike.
+/// Without materials a word is a grey. With materials it is the grey's level, and above it the
+/// material; at the end, material_words replaces these words by colours. So the lanes fill both
+/// alike.
 ///
-/// In lit frames the lanes write normals, as normal_code has them, and lit_words shades each pixel
-/// that is seen once. The upper half of a word is a normal's z, the lower half the material.
+/// In lit frames the lanes write normals in normal_code, and lit_words lights each visible pixel
+/// once at the end. The upper half of a word is the z of a normal, the lower half the material.
 struct fill_words {
-    bool has_materials = false; ///< also if has_normals
-    bool has_normals = false;   ///< expects the next
+    bool has_materials = false; ///< also true if has_normals is
+    bool has_normals = false;   ///< whether words hold normals; expects at most most_lit_materials
     static constexpr std::size_t most_lit_materials = std::size_t{1} << 16;
 
-    /// The part of a word that does not depend on the level or normal.
+    /// The part of a word that tells the material, beside the level or the normal.
     std::uint32_t of_material(std::uint32_t material) const {
         if (has_normals)
             return material;
         return has_materials ? material << 8 : 0;
     }
 
-    /// The step of that part from a material to the next.
+    /// The difference of this part between a material and the next.
     std::uint32_t next_material() const { return of_material(1); }
 
-    /// A level of 1 in a word.
+    /// The word of level 1, without the material.
     std::uint32_t unit() const { return has_materials ? 1 : 0x010101; }
 };
 
@@ -134,89 +135,93 @@ struct fill_words {
 struct fill_piece {
     using corner = std::array<std::int32_t, 6>;
     std::array<corner, 3> corners;
-    std::uint32_t material = 0; ///< as fill_words has it
+    std::uint32_t material = 0; ///< as fill_words::of_material gives it
 };
 
 /// Polygons that wait until a vector of them can be set up together.
 ///
 /// Shape: polygon i is in element i of each array, [corner][component]. Components are x, y, 1/w
-///        and the light's inputs: the vertex's three numbers for lambert and levels, else the grey
-///        level. Floats as their bits. A triangle's last corner is there twice.
-/// Lives: one per worker, kept for its memory. Empty between bands.
+///        and the inputs of light. These are the vertex's three numbers for lambert and levels,
+///        otherwise the grey level. Floats are stored by their bits. A triangle has its last corner
+///        twice.
+/// Lives: one for each worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
-    /// Number of polygons that are filled together: whole vectors of every width. So the set of
-    /// waiting polygons does not depend on the width, nor what is drawn when somebody asks what is
-    /// hidden.
+    /// The number of polygons that are filled together: whole vectors of every width. So the width
+    /// of vectors decides neither which polygons wait, nor what is drawn when a test for hidden
+    /// shapes comes.
     static constexpr std::size_t enough = 3 * widest_vector;
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
     alignas(64) std::int32_t corner[4][components][room];
-    /// The index of a quad; minus the index - 1 of a triangle; `piece` for a piece of a quad.
+    /// The index of a quad; minus (the index + 1) of a triangle; `piece` for a piece of a quad.
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    alignas(64) std::array<const void*, room> source; ///< the grid or triangles it comes from
-    alignas(64) std::int32_t seen[room]; ///< 0: hidden; found out when the polygon is to be filled
-    alignas(64) std::uint32_t material[room]; ///< as fill_words has it; only if there are any
+    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles to which it
+                                                      ///< belongs
+    alignas(64) std::int32_t seen[room]; ///< 0: hidden; tested when the polygon is to be filled
+    alignas(64) std::uint32_t material[room]; ///< as fill_words::of_material gives it; set only
+                                              ///< with materials
     std::size_t count = 0;
 
-    /// Folded and skew quads in pieces. They are filled after all others. So the order of two that
-    /// are equally near does not depend on how many waited together.
+    /// The pieces of folded and skew quads. They are filled after all others. So the order of two
+    /// equally near polygons does not depend on how many waited together.
     std::vector<fill_piece> pieces;
 
-    /// Grey levels of a run of polygons' corners, made and read a vector at a time.
+    /// The grey levels of the corners of a run of polygons, written and read a vector at a time.
     static constexpr std::size_t run = 256;
     static_assert(run % widest_vector == 0);
     alignas(64) float greys[4][run] = {};
 };
 
-/// Where polygons go, and what is written down of it: counts and rest are added to.
+/// The band that is filled, and the queue, the counts and the rest that filling adds to.
 struct fill_target {
     const fill_band& band;
     const l3d_shading& shading;
     fill_queue& queue;
     fill_counts& counts;
     fill_rest& rest;
-    bool leaves_out_hidden = true; ///< polygons behind what is there; `samples` then lacks theirs
+    bool leaves_out_hidden = true; ///< whether hidden polygons are left out, also of `samples`
     fill_words words{};
 };
 
-/// A grid and its material, and, for gouraud, the grey levels of its vertices, from light_vertices.
+/// A grid and its material, and, for gouraud, the grey levels of its vertices from light_vertices.
 struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;
-    std::uint32_t material = 0; ///< as fill_words has it
-    bool names_quads = false;   ///< as l3d_surface_part has it
+    std::uint32_t material = 0; ///< as fill_words::of_material gives it
+    bool names_quads = false;   ///< as l3d_surface_part::names_quads
 };
 
-/// The grey level of every vertex, as gouraud interpolates it. Shape: levels like the grid's
-/// arrays.
+/// Finds the grey level of every vertex, for gouraud.
+/// Shape: levels are laid out as the grid's arrays.
 void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels);
 
-/// Fills the quads of a grid whose first corner is in rows [row_begin, row_end) and columns
-/// [column_begin, column_end), now or later: at the latest in fill_finish.
+/// Fills the quads of a grid whose first corners are in rows [row_begin, row_end) and columns
+/// [column_begin, column_end). They may wait until fill_finish.
 ///
-/// Gives the same picture as surface_fill with the mode's shader. Coverage is exact, and so is
-/// `samples` unless hidden polygons are left out. Depth is within 1e-5 of the corners' range, grey
-/// within one level. The same bits whatever the processor and however a picture is divided into
-/// bands.
-/// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and so for columns; normals of
-///          unit length, or zero; inv_w > 0. Band and shading are the same until fill_finish, and
-///          grids stay.
+/// The picture is the same as by surface_fill with the mode's shader. Coverage is exact, and so is
+/// `samples` unless hidden polygons are left out. Depth is within 1e-5 of the corners' range, and
+/// grey within one level. The bits are the same on every processor, and for every division of the
+/// picture into bands.
+/// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and the same for columns;
+///          normals of unit length, or zero; inv_w > 0. Band and shading are the same until
+///          fill_finish, and grids stay.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
-/// Fills triangles [first, last) of the material, or of their own if they have; otherwise like
-/// fill_quads.
+/// Fills triangles [first, last), with this material, or their own if they have one. Otherwise it
+/// works as fill_quads.
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last);
 
-/// Fills what still waits, and only now is the band done but for the rest.
+/// Fills the polygons that still wait. Afterwards, the band is complete except for the rest.
 void fill_finish(const fill_target& to);
 
-/// Queues the pieces of a folded or skew quad, cut as by surface_fill; or puts a polygon to the
-/// rest. Expects: polygon i of the queue is folded or skew if `in_pieces` and it is a quad.
+/// Queues the pieces of a folded or skew quad, cut as by surface_fill, or adds a polygon to the
+/// rest.
+/// Expects: if `in_pieces`, polygon i of the queue is folded or skew if it is a quad.
 void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces);
 
 } // namespace l3d_detail

@@ -15,29 +15,35 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A number of the grey scale from a cosine: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
+/// The factor from a cosine c to the grey scale: round(255 (0.1 + 0.9 c)) = trunc(229.5 c + 26).
 constexpr float grey_of_cosine = 229.5f;
 
-/// How unlike the unit normals n of a polygon's corners are. For a quad it is half the sum of the
-/// squared differences of any two, |a - c|^2 + |b - d|^2 + |a + c - b - d|^2 / 2. For a triangle it
-/// is the same with d = c. In a triangle's middle the square is 1 - (|a - b|^2 + |b - c|^2 + |a -
-/// c|^2) / 9, at least 1 - spread / 6.
+/// The limit of a polygon's spread, up to which its normals can be interpolated in lanes. The
+/// spread measures how much the unit normals at its corners differ.
 ///
-/// Inside, the interpolated normal is shorter than 1: in the middle its square is 1 - spread / 8,
-/// between any two corners at least 1 - spread / 4. Up to `smooth` squares stay above 0.75.
+/// For a quad it is half the sum of the squared differences of any two normals, |a - c|^2 +
+/// |b - d|^2 + |a + c - b - d|^2 / 2. For a triangle, d = c.
+///
+/// The interpolated normal is shorter than 1. In the middle of a quad, its square is 1 - spread /
+/// 8; between two corners it is at least 1 - spread / 4. In the middle of a triangle, its square is
+/// 1 - (|a - b|^2 + |b - c|^2 + |a - c|^2) / 9, at least 1 - spread / 6. So up to this limit,
+/// squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// One factor, 1 + spread / 32, may make up for that in all pixels within so many grey levels. Then
-/// it is taken, but only up to a spread where squares of these errors are a tenth of a level.
+/// Limits for lengthening normals by one factor, 1 + spread / 32, in the whole polygon. The error
+/// must be at most flat_error grey levels. The spread must be at most flat_spread, where the
+/// squares of these errors are a tenth of a level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
-/// A triangle's corners may be twice as unlike as those of the quad that it is a piece of.
+/// The limit of a quad's spread if it is filled in pieces: a triangle's spread may be twice its
+/// quad's.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
-/// The light of a group's polygons. The queue has their corners' normals.
+/// Computes the light of a vector of polygons from normals of their corners, which are in the
+/// queue.
 class lambert_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< in the queue, of each corner
+    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         square1_ = square2_ = hn::Zero(floats());
@@ -58,11 +64,11 @@ public:
         spread_ = hn::Add(hn::Add(square1_, square2_), hn::Mul(set(0.5f), across));
     }
 
-    /// Adds those whose normals are too unlike.
+    /// Adds the polygons whose normals differ too much.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }
-    /// Leaves those whose pieces will be fit.
+    /// Keeps the polygons whose pieces will be fit.
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const {
         return hn::And(polygons, mask_of(hn::Le(spread_, set(piece_spread))));
     }
@@ -122,8 +128,8 @@ public:
     }
 
 private:
-    /// How far the cosine can be off where 1 / length is taken to be 1 + spread / 32, in grey
-    /// levels. NUMERICS, section 14.
+    /// A bound for the error of cosines if 1 / length is taken as 1 + spread / 32.
+    /// Units: grey levels. See NUMERICS, section 14.
     HWY_INLINE float_vec error_of_plane(const float_vec (&lit)[4], const lane_places& at) const {
         const float_vec unlike = hn::Abs(hn::Sub(square1_, square2_));
         const float_vec part = hn::Add(set(1.0f / 32), hn::Mul(at.uneven, set(9.0f / 16)));
@@ -139,7 +145,7 @@ private:
                        hn::IfThenElse(triangle, of_triangle, of_quad));
     }
 
-    /// Which side is seen, of those that show both.
+    /// Sets up which side is seen, for polygons that show both sides.
     HWY_INLINE void face(hn::Mask<floats> mixed, const float_vec (&away)[4], const lane_places& at,
                          fill_table& table) {
         const floats d;
@@ -153,7 +159,7 @@ private:
         hn::Store(facing_.along(at.column_s, at.column_t), d, table.facing_x.of);
     }
 
-    /// The square of the interpolated normal's length as a parabola over the polygon.
+    /// Sets up the squared length of the interpolated normal as a parabola over the polygon.
     HWY_INLINE void bend(const lane_places& at, fill_table& table) {
         const floats d;
         float_vec mean = hn::Zero(d), first = mean, second = mean, product = mean;
@@ -175,7 +181,8 @@ private:
 
     float_vec normal_[3][4], spread_;
     float_vec square1_, square2_; ///< squared differences of opposite corners' normals
-    float_vec lean_;              ///< how much these are along the twist, a - b + c - d
+    float_vec lean_;              ///< components of these differences along the twist, a - b + c -
+                                  ///< d
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;
     fill_shape shape_;

@@ -15,13 +15,15 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The light of a group's polygons. The queue has their corners' levels and their sides' bends.
+/// Computes the light of a vector of polygons from the levels of their corners and the bends of
+/// their sides, which are in the queue.
 ///
-/// The level is a parabola over the polygon. It has the corners' levels, and above the middle of
-/// each side what that side bends by, of opposite sides of a quad the mean. NUMERICS, section 14.
+/// The level is a parabola over the polygon. It has the corners' levels. In the middle of each
+/// side, it exceeds the mean of the side's ends by the side's bend; opposite sides of a quad get
+/// the mean of their bends. See NUMERICS, section 14.
 class level_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< in the queue, of each corner
+    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (int i = 0; i < 4; ++i)
@@ -32,7 +34,7 @@ public:
         side_dc_ = load_float(queue.corner[3][4] + at);
     }
 
-    /// A parabola in the picture is none in the parameters of a quad far from a parallelogram.
+    /// Adds skewed quads: a parabola in their parameters is far from a parabola in the picture.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
         return hn::Or(unfit, skewed);
     }
@@ -70,9 +72,10 @@ public:
     }
 
 private:
-    /// With (y, z) from the corners' mean in parts of the diagonals, the parameters along the sides
-    /// are y - z and y + z, from -1/2 to 1/2. The corners' distance from their plane goes with the
-    /// product of both, the bend of the sides with the square of either.
+    /// The parabola of a quad. Let (y, z) be the place from the corners' mean, in parts of the
+    /// diagonals. The parameters along the sides are then y - z and y + z, from -1/2 to 1/2. The
+    /// corners' distance from their plane is weighted by the product of both, and the sides' bends
+    /// by the squares.
     HWY_INLINE mean_parabola quad(const lane_places& at, float_vec mean, float_vec along1,
                                   float_vec along2) {
         const float_vec four = set(4.0f), half = set(0.5f);
@@ -90,7 +93,7 @@ private:
                 hn::Neg(hn::Mul(four, hn::Add(off_plane_, both)))};
     }
 
-    /// The parabola through three corners and the middles of three sides; corner d is c.
+    /// The parabola through the corners and the middles of the sides of a triangle; corner d is c.
     HWY_INLINE mean_parabola triangle(float_vec mean, float_vec along1, float_vec along2) const {
         const float_vec four = set(4.0f), half = set(0.5f);
         const float_vec to_c = hn::Add(side_ad_, side_bc_), unlike = hn::Sub(side_bc_, side_ad_);
@@ -102,8 +105,8 @@ private:
                 hn::Neg(hn::Mul(four, side_bc_))};
     }
 
-    /// How far the parabola can be from the levels of the same parameters, because the picture of a
-    /// quad is no parallelogram, and because w is not the same in all of it.
+    /// Notes a bound for the error of the parabola, compared with the levels of the same
+    /// parameters. Errors arise as a quad's picture is no parallelogram, and as w changes over it.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {
         const floats d;
@@ -130,8 +133,10 @@ private:
     }
 
     float_vec level_[4];
-    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< the sides' middles above their corners
-    float_vec off_plane_; ///< corners a and c above the quad's plane, b and d below
+    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< bends: the sides' middles above the means
+                                                      ///< of their ends
+    float_vec off_plane_; ///< distance of corners a and c above the quad's plane, and of b and d
+                          ///< below it
     lane_parabola level_of_;
     lane_plane slope_;
 };

@@ -21,9 +21,9 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Vertices side by side in memory.
+/// Arrays of vertices that are neighbours in memory.
 ///
-/// Shape: `size` elements in each array may be read.
+/// Shape: `size` elements of each array may be read.
 struct vertex_arrays {
     const std::int32_t* x;
     const std::int32_t* y;
@@ -31,7 +31,7 @@ struct vertex_arrays {
     std::array<const float*, 3> normal;
     std::size_t size;
 
-    /// The arrays of an l3d_micro_grid or of a corner of a block of l3d_micro_triangles.
+    /// Takes the arrays of an l3d_micro_grid, or of a corner of a block of l3d_micro_triangles.
     template <class Arrays>
     explicit vertex_arrays(const Arrays& of)
         : x(of.x.data()), y(of.y.data()),
@@ -40,19 +40,21 @@ struct vertex_arrays {
           size(of.x.size()) {}
 };
 
-/// The four corners of polygons side by side; the last of a triangle is there twice.
+/// The four corners of neighbouring polygons. A triangle has its last corner twice.
 using corner_arrays = std::array<vertex_arrays, 4>;
 
-/// Where the first polygon's corners are in each of four arrays.
+/// The index of the first polygon's corner in each of the four arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The queued light of the corners; as many elements as of the corners may be read.
+/// Arrays of the numbers that the queue takes for the corners' light. As many elements may be read
+/// as in the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
 };
 
-/// A vector from an array's element `at` on; unless it is all `inside`, zeros behind the end.
+/// A vector of an array's elements from `at` on. Unless it is all `inside`, it has zeros behind the
+/// end.
 template <bool Inside, class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
     if constexpr (Inside)
@@ -62,8 +64,8 @@ HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size
     return hn::Load(d, part);
 }
 
-/// Calls action(std::bool_constant, i) for each vector of `count` elements: whether it is inside of
-/// the `size` that may be read, and where it begins.
+/// Calls action(std::bool_constant, i) for each vector of `count` elements. The first argument
+/// tells whether the vector is inside of the `size` that may be read; i is its first element.
 template <class Action>
 HWY_INLINE void for_vectors(std::size_t count, std::size_t size, const Action& action) {
     for (std::size_t i = 0; i < count; i += lanes)
@@ -73,7 +75,8 @@ HWY_INLINE void for_vectors(std::size_t count, std::size_t size, const Action& a
             action(std::false_type(), i);
 }
 
-/// The grey level of a cosine, where the normal points to the eye or `away`.
+/// The grey level of a cosine. Where `away` is positive, the normal points away from the eye, and
+/// is turned.
 HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     const float_vec zero = hn::Zero(floats()), one = set(1.0f);
     const float_vec turned = hn::IfThenElse(hn::Gt(away, zero), hn::Neg(cosine), cosine);
@@ -81,14 +84,15 @@ HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     return hn::Add(set(25.5f), hn::Mul(set(grey_of_cosine), lit));
 }
 
-/// Which quads turn to the right in the picture. Wrong for some that are too large for the lanes.
+/// The quads that turn to the right in the picture. The result is wrong for some that are too large
+/// for the lanes.
 template <class D>
 HWY_INLINE hn::Mask<D> turns_right(D, const hn::Vec<D> (&x)[4], const hn::Vec<D> (&y)[4]) {
     return hn::Gt(hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[3], y[1])),
                   hn::Mul(hn::Sub(y[2], y[0]), hn::Sub(x[3], x[1])));
 }
 
-/// A vector of vertices' normals, and how far they point away from the eye.
+/// The normals of a vector of vertices, and the results of away_from_eye for them.
 struct lane_normals {
     float_vec normal[3], away;
 
@@ -101,7 +105,7 @@ struct lane_normals {
     }
 };
 
-/// How far normals of quads point away, of a grid that shows both sides: 1 or 0.
+/// Whether the normals of quads point away from the eye, in a grid that shows both sides: 1 or 0.
 template <bool Inside>
 HWY_INLINE float_vec away_of_quads(const corner_arrays& v, const corner_places& at, std::size_t i) {
     int_vec x[4], y[4];
@@ -112,7 +116,7 @@ HWY_INLINE float_vec away_of_quads(const corner_arrays& v, const corner_places& 
     return hn::IfThenElseZero(hn::RebindMask(floats(), turns_right(ints(), x, y)), set(1.0f));
 }
 
-/// Every corner's normal, or its level and what its sides bend by.
+/// The light of corners in modes that take numbers of the vertices: normals, or levels and bends.
 template <class Lanes> class corner_lights {
 public:
     using lanes_type = Lanes;
@@ -133,7 +137,7 @@ using normal_lights = corner_lights<lambert_lanes>;
 using later_lights = corner_lights<normal_lanes>;
 using level_lights = corner_lights<level_lanes>;
 
-/// The grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
+/// Finds the grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
 HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,
                             std::size_t count, float* levels) {
     for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
@@ -143,7 +147,8 @@ HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, 
     });
 }
 
-/// Gouraud: every vertex's level; a grid's were made before.
+/// The light of corners in mode `gouraud`: each vertex's grey level. Those of a grid were made
+/// before.
 class vertex_lights {
 public:
     using lanes_type = grey_lanes;
@@ -179,7 +184,7 @@ private:
     const float* of_grid_;
 };
 
-/// Flat shading: a polygon's level, from the sum of its normals, stands at all its corners.
+/// The light of corners in mode `flat`: all have the grey level of the sum of their normals.
 class polygon_lights {
 public:
     using lanes_type = grey_lanes;
@@ -224,7 +229,8 @@ private:
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
-    /// The squared length of normals that cancel each other; no light comes of them.
+    /// A lower bound of the squared length of sums of normals. If normals cancel, no light comes
+    /// from them.
     static constexpr float least_square = 1e-30f;
 
     const l3d_shading& shading_;

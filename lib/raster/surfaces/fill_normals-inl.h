@@ -15,10 +15,11 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The normals of a group's polygons, as planes. The queue has their corners' normals.
+/// Interpolates the normals of a vector of polygons as planes. The corners' normals are in the
+/// queue.
 class normal_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< in the queue, of each corner
+    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (std::size_t k = 0; k < numbers; ++k)
@@ -27,7 +28,8 @@ public:
                     hn::Mul(set(normal_code::scale), load_float(queue.corner[i][3 + k] + at));
     }
 
-    /// Normals may be as unlike as they like: pixels make them as long as they should be.
+    /// Lanes take polygons with any normals at their corners: each pixel normalizes its normal
+    /// later.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 
@@ -54,8 +56,9 @@ public:
     }
 
 private:
-    /// How far a normal can be from the one of the same parameters, because the picture of a quad
-    /// is no parallelogram, and because w is not the same in all of it. NUMERICS, section 24.
+    /// Notes a bound for the error of normals, compared with those of the same parameters. Errors
+    /// arise as a quad's picture is no parallelogram, and as w changes over it. See NUMERICS,
+    /// section 24.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {
         const floats d;
@@ -84,7 +87,7 @@ private:
         counts.unproven_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
     }
 
-    float_vec normal_[numbers][4]; ///< times normal_code::scale
+    float_vec normal_[numbers][4]; ///< the corners' normals, times normal_code::scale
     lane_plane plane_[numbers];
 };
 

@@ -17,11 +17,11 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// 1 / sqrt(q) over [0.75, 1.02] by a parabola through its Chebyshev points: within 3e-4, that is
-/// 0.07 grey levels.
+/// A parabola for 1 / sqrt(q) over [0.75, 1.02], through its Chebyshev points. Its error is within
+/// 3e-4, which is 0.07 grey levels.
 constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
-/// Adds 1 where `mask` is.
+/// Adds 1 to the lanes of `mask`.
 template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Vec<D> count, D d) {
     if constexpr (masked_stores_are_cheap) // there masks are no vectors
         return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
@@ -29,11 +29,11 @@ template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Ve
         return hn::Sub(count, hn::VecFromMask(d, mask));
 }
 
-/// One polygon of a table, `Pixels` of a row at a time.
+/// Fills one polygon of a table, `Pixels` pixels of a row at a time.
 template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
     using int_tag = hn::RebindToSigned<D>;
-    using count_vec = hn::Vec<int_tag>; ///< pixels written, by lanes
+    using count_vec = hn::Vec<int_tag>; ///< number of written pixels in each lane
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
         : words_(band.words), depths_(band.depths),
@@ -68,14 +68,15 @@ public:
         }
     }
 
-    /// Expects: no row is longer than a run, or at the edge.
+    /// Fills a polygon with one run in each row.
+    /// Expects: rows are not longer than a run, nor at the edge.
     HWY_INLINE void fill(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             one_run(first_start(row), at, written, columns_below(row.pixels[i_]));
         });
     }
 
-    /// All runs of each row. Expects: none is at the edge.
+    /// Fills a polygon with as many runs in each row as it needs. Expects: no row is at the edge.
     HWY_INLINE void fill_wide(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             const std::int32_t pixels = row.pixels[i_];
@@ -85,7 +86,8 @@ public:
         });
     }
 
-    /// The same at the edge: what would not fit the picture ends where the row does.
+    /// Fills a polygon at the picture's right edge. A run that would not fit the picture ends where
+    /// the row does.
     HWY_INLINE void fill_at_edge(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             if (row.pixels[i_] == 0)
@@ -108,12 +110,12 @@ private:
     static constexpr bool is_normal = Shape == fill_shape::normal;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
-    /// Numbers at a run's first pixel, in all lanes.
+    /// The numbers at a run's first pixel, in all lanes.
     struct run_start {
         vec inv_w, lit, lit_x, bend, bend_x, facing, normal_y, normal_z;
     };
 
-    /// Where something is in the band, or how far from something else.
+    /// A place in the band, or a distance between places: an index of words and an index of depths.
     struct run_place {
         std::ptrdiff_t word, depth;
 
@@ -122,7 +124,7 @@ private:
         }
     };
 
-    /// Calls action(row, place of its first run) for each row.
+    /// Calls action(row, place of the row's first run) for each row.
     template <class Action> HWY_INLINE void for_rows(const Action& action) const {
         run_place at{table_.word_at[i_], table_.depth_at[i_]};
         const fill_row* const end = table_.rows + table_.height[i_];
@@ -191,7 +193,7 @@ private:
         return there;
     }
 
-    /// The columns of a run's vectors that are below `end`.
+    /// Tells which columns of a run are below `end`, for each of its vectors.
     HWY_INLINE auto columns_below(std::int32_t end) const {
         return [this, end = hn::Set(int_tag(), end)](std::size_t v)
                    HWY_ATTR { return hn::Lt(columns_[v], end); };
@@ -251,7 +253,7 @@ private:
         return make_.of_cosines(lit);
     }
 
-    std::uint32_t* words_; ///< the band's, copied: stores might change the band's members
+    std::uint32_t* words_; ///< copied from the band: stores might change its members
     float* depths_;
     std::uint32_t* normals_;
     run_place pitch_;
@@ -267,7 +269,7 @@ private:
 
 /// Fills polygons of a table, and counts the pixels that were written.
 ///
-/// Most rows are short, and short vectors do: more of them fit the processor's ports.
+/// Most rows are short, and suit short vectors: more of them fit the processor's ports.
 class fill_polygons {
 public:
     HWY_INLINE fill_polygons(const fill_band& band, const fill_table& table)
@@ -301,8 +303,8 @@ private:
     hn::Vec<half_ints> half_written_;
 };
 
-/// Fills the polygons of a table, in their order. Returns how many pixels were written.
-/// Shape: `Shape` is that of all of them, but among twisted ones there may be flat ones.
+/// Fills the polygons of a table in their order. Returns how many pixels were written.
+/// Shape: all polygons have the shape `Shape`, except that some of the twisted ones may be flat.
 template <fill_shape Shape>
 HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
     fill_polygons polygons(band, table);

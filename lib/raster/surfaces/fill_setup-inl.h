@@ -14,7 +14,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A pixel in sub-pixel units.
+/// One pixel in sub-pixel units.
 constexpr std::int32_t pixel = l3d_subpixel_one;
 
 HWY_INLINE int_vec load(const std::int32_t* p) {
@@ -33,7 +33,7 @@ HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }
 
-/// first_centre of pixel_centres.h, in lanes.
+/// The same as first_centre of pixel_centres.h, in lanes.
 template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
 }
@@ -50,11 +50,12 @@ HWY_INLINE int_vec blend(int_mask yes, int_vec if_yes, int_vec if_no) {
     return hn::IfThenElse(yes, if_yes, if_no);
 }
 
-/// floor(n / d) and the remainder. Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
+/// Finds floor(n / d) and the remainder.
+/// Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
 ///
-/// The quotient of floats is off by at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2, and rounding it
-/// minus 1/2 by another 1/2. So it is at most one too large or too small, and the remainder shows
-/// which.
+/// The quotient of floats has an error of at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2. Rounding it
+/// after subtracting 1/2 adds at most 1/2. So the result is at most one too large or too small, and
+/// the remainder shows which.
 HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotient,
                        int_vec& remainder) {
     const floats df;
@@ -71,15 +72,18 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
 /// One edge of each polygon, stepped from row to row like Bresenham's line. `column` is exactly the
 /// first column whose centre is on the edge's line or right of it.
 ///
-/// An edge limits the rows outside its own, too: a convex polygon lies on one side of all of the
-/// line. Where the line is nearly level, columns reach 2^14 a row, 2^20 in all.
+/// An edge also limits rows above and below it, as a convex polygon lies on one side of the whole
+/// line. Where the line is nearly level, the column changes by up to 2^14 a row, and up to 2^20 in
+/// all.
 struct lane_edge {
     int_vec column, column_step;
     int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
     int_vec left;   ///< all bits set if columns left of the edge are outside, else none
-    int_vec beyond; ///< 0 if those right of it are, else more than any column
+    int_vec beyond; ///< 0 if columns right of the edge are outside, else more than any column
 
-    /// Units: corners from the centre of pixel (0, 0). Expects: |corners| <= 2^14 + 2^8.
+    /// Sets up the edges from a to b.
+    /// Units: corners from the centre of pixel (0, 0).
+    /// Expects: |corners| <= 2^14 + 2^8.
     HWY_INLINE void set(int_vec ax, int_vec ay, int_vec bx, int_vec by, int_mask clockwise,
                         int_vec row) {
         const ints d;
@@ -106,7 +110,8 @@ struct lane_edge {
         room_step = hn::ShiftLeft<l3d_subpixel_bits>(rest);
     }
 
-    /// Expects: from not negative.
+    /// Limits the columns [from, to) of a row to the edge's inner side.
+    /// Expects: from is not negative.
     HWY_INLINE void limit(int_vec& from, int_vec& to) const {
         from = hn::Max(from, hn::And(left, column));
         to = hn::Min(to, hn::Add(beyond, column));
@@ -120,8 +125,8 @@ struct lane_edge {
     }
 };
 
-/// A number over the polygon: base + first s + second t, where s and t are whole numbers that
-/// measure, from corner a, along the polygon's two differences.
+/// A linear function over a polygon: base + first s + second t. s and t are whole numbers: the
+/// cross products of the way from corner a with the polygon's two differences (lane_frame).
 struct lane_plane {
     float_vec base, first, second;
 
@@ -133,7 +138,8 @@ struct lane_plane {
     }
 };
 
-/// base + s s1 + t t1 + s^2 ss + s t st + t^2 tt.
+/// A quadratic function over a polygon. At (s1, t1) it is base + s s1 + t t1 + ss s1^2 + st s1 t1 +
+/// tt t1^2.
 struct lane_parabola {
     float_vec base, s, t, ss, st, tt;
 
@@ -143,8 +149,8 @@ struct lane_parabola {
         return hn::Add(base, hn::Add(hn::Mul(s1, along_s), hn::Mul(t1, along_t)));
     }
 
-    /// The amount that a step by (ds, dt) adds: the part that depends on the place, and that of the
-    /// step's square.
+    /// The change for a step by (ds, dt): slope() is the part that depends on the place, and
+    /// square() the part with the step's square.
     HWY_INLINE lane_plane slope(float_vec ds, float_vec dt) const {
         const float_vec half_s = half_slope(ss, ds, dt), half_t = half_slope(tt, dt, ds);
         return {hn::Add(hn::Mul(s, ds), hn::Mul(t, dt)), hn::Add(half_s, half_s),
@@ -160,16 +166,17 @@ private:
     }
 };
 
-/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2, where (y1, z1) is the way from the mean of a
-/// polygon's corners, in parts of its two differences.
+/// A quadratic function over a polygon with corners a, b, c, d. Its coordinates (y1, z1) name the
+/// place mean + y1 (c - a) + z1 (d - b), where mean is the mean of the corners. Its value there is
+/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2.
 struct mean_parabola {
     float_vec base, y, z, yy, yz, zz;
 };
 
-/// A polygon's two differences, from corner a to c and from b to d. They span 2 of its area; a
-/// triangle, whose d is c, too.
+/// The coordinates of lane_plane in a polygon. Its two differences go from corner a to c and from b
+/// to d. Their cross product is twice the area, also for a triangle, whose d is c.
 struct lane_frame {
-    float_vec mean_s, mean_t; ///< the mean of the corners, as parts of the differences
+    float_vec mean_s, mean_t; ///< the mean of the corners, in parts of the differences
     float_vec inverse;        ///< 1 / area2
 
     HWY_INLINE lane_plane plane(const float_vec (&v)[4]) const {
@@ -194,14 +201,15 @@ struct lane_frame {
     }
 };
 
-/// The inputs of the light of a group's polygons beside their normals or greys.
+/// The corners of a vector of polygons, and further inputs of their light beside normals or greys.
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;
     float_vec column_s, column_t; ///< change of s and t from column to column
-    int_mask fits, piece;         ///< which are filled here, which come from a quad in pieces
-    int_mask triangle;            ///< which have their last corner twice
-    float_vec uneven; ///< how far the middles of a quad's diagonals are apart, in parts of these
+    int_mask fits, piece;         ///< polygons that are filled here, and pieces of quads
+    int_mask triangle;            ///< polygons that have their last corner twice
+    float_vec uneven; ///< distance between the middles of a quad's diagonals, in parts of the
+                      ///< diagonals
 };
 
 HWY_INLINE float_vec square_of(float_vec v) {
@@ -216,7 +224,7 @@ template <class V> HWY_INLINE V most_of(const V (&v)[4]) {
     return hn::Max(hn::Max(hn::Max(v[0], v[1]), v[2]), v[3]);
 }
 
-/// The corners of a vector of polygons in a queue, in sub-pixels, and the box around them.
+/// The corners of a vector of polygons in a queue, and the box around each. Units: sub-pixels.
 struct lane_corners {
     int_vec x[4], y[4];
     int_vec left, top, right, bottom;
@@ -233,14 +241,14 @@ struct lane_corners {
     }
 };
 
-/// The cosine of the light on a unit normal.
+/// The cosine of the angle between a unit normal and the light.
 HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal)[3]) {
     return hn::Add(hn::Add(hn::Mul(normal[0], set(shading.light[0])),
                            hn::Mul(normal[1], set(shading.light[1]))),
                    hn::Mul(normal[2], set(shading.light[2])));
 }
 
-/// away_from_eye, operation by operation.
+/// The same as away_from_eye in lanes, operation by operation.
 HWY_INLINE float_vec away_of(const l3d_shading& shading, int_vec place_x, int_vec place_y,
                              const float_vec (&normal)[3]) {
     const float_vec x = hn::Mul(to_float(place_x), set(1.0f / pixel));

@@ -18,71 +18,75 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Pixels of a row filled together. Fixed, because a pixel's bits depend on where its run begins.
+/// The number of pixels of a row that are filled together. It is fixed, as a pixel's bits depend on
+/// where its run begins.
 constexpr std::int32_t run = 16;
 static_assert(run <= fill_least_width);
 
-/// 0, 1, 2 ... 15: the columns of a run.
+/// The columns of a run: 0, 1, 2 ... 15.
 alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                        8, 9, 10, 11, 12, 13, 14, 15};
 
-/// Larger polygons are not for the lanes, so they have at most so many rows and columns + 1.
+/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. So it has at
+/// most one more row and column.
 constexpr std::int32_t most_pixels = 64;
 
 /// Polygons are set up together, one in each lane of a vector.
 static_assert(lanes <= fill_queue::widest_vector);
 
-/// How a pixel's grey comes from `lit`, which is a plane over the polygon.
+/// The way in which a pixel's grey is found from `lit`, which is a plane over the polygon.
 enum class fill_shape {
-    grey,    ///< is the grey level, but between darkest and brightest
-    flat,    ///< is the cosine times 229.5
-    twisted, ///< the same times 1 / sqrt(bend), and turned round where facing < 0
-    bent,    ///< is that, and a parabola instead of a plane
-    normal   ///< is one of three numbers of a normal, all of them planes
+    grey,    ///< lit is the grey level, clamped between darkest and brightest
+    flat,    ///< lit is the cosine times 229.5
+    twisted, ///< lit / sqrt(bend) is that; its sign changes where facing < 0
+    bent,    ///< lit is the cosine times 229.5, as a parabola instead of a plane
+    normal   ///< lit is one of three components of a normal, each a plane
 };
 
-/// A number of each polygon.
+/// A number of each polygon in a vector.
 template <class T> struct alignas(lanes * sizeof(T)) lane_array {
     T of[lanes];
 
     HWY_INLINE T operator[](std::size_t i) const { return of[i]; }
 };
 
-/// A row of each polygon. Columns are counted from the polygon's first one. Numbers are those of
-/// the pixel at `begin`; `_x` is what a column adds.
+/// One row of each polygon. Columns are counted from the polygon's first one. Numbers are those of
+/// the pixel at `begin`; names with `_x` are changes from column to column.
 struct fill_row {
-    lane_array<std::int32_t> from, pixels; ///< which are covered
-    lane_array<std::int32_t> begin; ///< the first run's: `from`, unless that is at the edge or no
-                                    ///< pixel is covered; a run fits there
+    lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
+    lane_array<std::int32_t> begin; ///< first run's column: `from`, but at the edge, or if no pixel
+                                    ///< is covered, one where a run fits
     lane_array<float> inv_w, lit;
 };
 
-/// A row's further data for twisted polygons.
+/// A row's further numbers for twisted polygons.
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
-/// The other two numbers of a normal.
+/// The other two components of a normal.
 struct fill_row_normal {
     lane_array<float> y, z;
 };
 
-/// The data that the pixel loops need. Arrays for greys are only those that the shape needs.
+/// The rows of a vector of polygons, for the pixel loops. Only the arrays that a shape needs are
+/// set.
 ///
-/// A row's first run begins at its first covered pixel, the others follow. At the edge of the
-/// picture, a run that would not fit begins further left.
+/// A row's first run begins at its first covered pixel, and further runs follow. At the picture's
+/// right edge, a run that would not fit begins further left.
 struct fill_table {
     fill_words words;
-    lane_array<std::uint32_t> material;         ///< as fill_words has it
-    lane_array<std::int32_t> word_at, depth_at; ///< column 0 of the first row
-    lane_array<std::int32_t> height;            ///< rows; 0 if there is none to fill
-    lane_array<std::int32_t> longest;           ///< pixels of a row; > most_pixels at the edge
+    lane_array<std::uint32_t> material;         ///< as fill_words::of_material gives it
+    lane_array<std::int32_t> word_at, depth_at; ///< indices of column 0 in the first row
+    lane_array<std::int32_t> height;            ///< number of rows; 0 if there is nothing to fill
+    lane_array<std::int32_t> longest;           ///< pixels of the longest row; > most_pixels at the
+                                                ///< edge
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
-    lane_array<float> lit_xx;                 ///< for a parabola
-    lane_array<float> normal_y_x, normal_z_x; ///< for a normal
-    lane_array<std::int32_t> twisted;         ///< not 0: it is; others are flat
+    lane_array<float> lit_xx;                 ///< used for a parabola
+    lane_array<float> normal_y_x, normal_z_x; ///< used for a normal
+    lane_array<std::int32_t> twisted;         ///< 0: the polygon is flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
     lane_array<float> bent_rows[most_pixels + 1]; ///< the change of `lit` to the next column

@@ -15,14 +15,14 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Where the bytes of words come from: their three lowest from a sum's lowest one, or only the
-/// lowest one, where the others are a material's.
+/// Shuffles that make a word of a sum's lowest byte. Greys repeat it in the three lower bytes.
+/// Levels take it once, as the other bytes are a material's.
 alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
                                                          8, 8, 8, 0x80, 12, 12, 12, 0x80};
 alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
     0, 0x80, 0x80, 0x80, 4, 0x80, 0x80, 0x80, 8, 0x80, 0x80, 0x80, 12, 0x80, 0x80, 0x80};
 
-/// How a polygon's levels become words.
+/// Makes words from a polygon's levels or normals.
 template <class D> struct word_maker {
     using tag = hn::RebindToUnsigned<D>;
     using word_vec = hn::Vec<tag>;
@@ -38,22 +38,22 @@ template <class D> struct word_maker {
     }
 #endif
 
-          /// Expects: levels in [0, 255].
+          /// Words of levels, rounded. Expects: levels in [0, 255].
           HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
         return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
     }
 
-    /// A normal's z and the material. Expects: as normal_code.
+    /// Words of the z of normals and the material. Expects: components as in normal_code.
     HWY_INLINE word_vec of_normal_z(hn::Vec<D> z) const {
         return hn::Or(hn::ShiftLeft<16>(rounded(z)), material_);
     }
 
-    /// A normal's other two numbers.
+    /// Words of the x and y of normals.
     static HWY_INLINE word_vec of_normal_xy(hn::Vec<D> x, hn::Vec<D> y) {
         return hn::Or(hn::And(rounded(x), hn::Set(tag(), 0xffffu)), hn::ShiftLeft<16>(rounded(y)));
     }
 
-    /// Levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
+    /// Words of the levels 26 + floor(max(0, lit)), at most 255. Expects: lit < 256.
     HWY_INLINE word_vec of_cosines(hn::Vec<D> lit) const {
         const D d;
         const auto sum =
@@ -73,15 +73,16 @@ template <class D> struct word_maker {
 private:
     static constexpr std::uint32_t ambient = 26;
 
-    /// Where this is added to a number below it, the last bits of the sum are the nearest integer.
+    /// A number for rounding: added to a smaller number, it makes the sum's last bits the nearest
+    /// integer.
     static constexpr float whole_numbers = 8388608.0f; // 2^23
 
-    /// The lower halves are numbers' nearest integers.
+    /// Words whose lower halves are the integers nearest to numbers.
     static HWY_INLINE word_vec rounded(hn::Vec<D> number) {
         return hn::BitCast(tag(), hn::Add(number, hn::Set(D(), normal_code::whole_numbers)));
     }
 
-    /// Words of the lowest byte of each sum.
+    /// Words made of the lowest byte of each sum.
     HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);
@@ -95,7 +96,7 @@ private:
     word_vec unit_, material_;
 #else
     hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
-    word_vec material_, darkest_; ///< without the level; with that of ambient light
+    word_vec material_, darkest_; ///< word without the level; word with the level of ambient light
 #endif
 };
 

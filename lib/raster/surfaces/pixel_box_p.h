@@ -9,15 +9,15 @@
 
 namespace l3d_detail {
 
-/// The pixels that a polygon in the box may cover: by the fill rule, a centre on its right or lower
-/// end belongs to no polygon in it.
+/// The pixels that a polygon in the box may cover. By the fill rule, a centre on the right or lower
+/// side of the box belongs to no polygon in it.
 inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
     return {first_centre(box.left), first_centre(box.top), first_centre(box.right),
             first_centre(box.bottom)};
 }
 
-/// The pixels whose squares a polygon in the box may reach into. A side of a square belongs on the
-/// left and above to the pixel before, too: contours are walked a little to the left and up.
+/// The pixels whose squares a polygon in the box may reach. The left and the upper side of a square
+/// also belong to the pixel beyond, as contours are walked with a small shift to the left and up.
 inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
     constexpr std::int32_t last = l3d_subpixel_one - 1;
     return {(box.left - 1) >> l3d_subpixel_bits, (box.top - 1) >> l3d_subpixel_bits,

@@ -19,18 +19,19 @@ inline scan_point position(const l3d_micro_vertex& vertex) {
     return {vertex.x, vertex.y};
 }
 
-/// Corners p00 p10 p11 p01 of a grid cell.
+/// The corners of a quad in a grid: p00 p10 p11 p01.
 using quad_corners = std::array<l3d_micro_vertex, 4>;
 
-/// Corners p00 p10 p11 p01 of the quad whose first corner is there.
+/// The corners of a quad, given by the index of its first corner.
 inline quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
     const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
     return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
 }
 
-/// The light of the side that a polygon shows, in place of that of dS/du x dS/dv. Twice its area is
-/// positive if it turns to the right: dS/du, dS/dv and the line of sight, in this order, are
-/// right-handed like the picture's right, its down and forward. So the normal points away.
+/// Replaces the light at a polygon's corners by that of the side that it shows; before, it is of
+/// the side to which dS/du x dS/dv points. area2, twice the area, is positive if the polygon turns
+/// to the right. Then dS/du, dS/dv and the line of sight are right-handed like the picture's right,
+/// down and forward. So the normal points away from the eye.
 template <std::size_t Corners>
 void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area2) {
     if (area2 > 0)
@@ -39,8 +40,8 @@ void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area
                 number = -number;
 }
 
-/// Twice the areas of the triangles that a quad's corners make with their neighbours, positive
-/// where it turns to the right.
+/// The turns of a quad: at each corner, twice the area of the triangle of the corner and its
+/// neighbours. It is positive where the quad turns to the right.
 class quad_turns {
 public:
     explicit quad_turns(const std::array<scan_point, 4>& v) {
@@ -52,20 +53,20 @@ public:
 
     std::int64_t area2() const { return at_[0] + at_[2]; }
 
-    /// All corners on one line: it covers nothing.
+    /// Whether all corners are on one line, so that the quad covers nothing.
     bool level() const { return !left() && !right(); }
     bool folded() const { return left() && right(); }
 
-    /// A plane of the corners' numbers is taken where the diagonals' middles are. The farther these
-    /// are apart, the farther it runs past the corners' numbers: by their range times
-    /// skew / area2 / 4, of what is not skew at most an eighth.
+    /// Whether the middles of the diagonals are so far apart that a plane does not suit the
+    /// corners' numbers. The plane exceeds them by their range times skew / area2 / 4. In quads
+    /// that are not skew, this is at most an eighth of the range.
     bool skew() const {
         const std::int64_t skew = std::abs(at_[0] - at_[2]) + std::abs(at_[1] - at_[3]);
         return 2 * skew > std::abs(area2());
     }
 
-    /// Twice the area between a side and the place where both sides beside it cross; 0 if they do
-    /// not. The place is on the next side, at a part of it that the other's turns tell.
+    /// Twice the area between a side and the crossing of the two sides beside it; 0 if these do not
+    /// cross. The turns tell where on the next side the crossing is.
     double crossed(std::size_t side) const {
         const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
         if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)
@@ -73,7 +74,8 @@ public:
         return std::abs(at(1)) * std::abs(at(0)) / (std::abs(at(0)) + std::abs(at(3)));
     }
 
-    /// The corner, 0 or 1, at which the diagonal begins whose smaller half is the larger.
+    /// The corner, 0 or 1, from which a diagonal cuts the quad best: the smaller half is the larger
+    /// one.
     std::size_t diagonal() const {
         const auto smaller = [this](std::size_t i) {
             return std::min(std::abs(at_[i]), std::abs(at_[i + 2]));
@@ -88,9 +90,9 @@ private:
     std::array<std::int64_t, 4> at_;
 };
 
-/// The point round which a folded quad is filled: the mean of the corners, taken before projection.
-/// Its w is the mean w, its place in the picture and its normal are means weighted by w. In a
-/// parallel projection weights are alike, and its depth is the mean depth.
+/// The point around which a folded quad is filled: the mean of its corners before projection. Its w
+/// is the mean w. Its place in the picture and its normal are means weighted by w. In a parallel
+/// projection all weights are equal, and its depth is the mean depth.
 inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool parallel) {
     double sum = 0, x = 0, y = 0, depth = 0;
     std::array<double, 3> normal{};
@@ -110,13 +112,13 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool para
             {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
 }
 
-/// The sides that the triangles round the centre of a folded quad show.
+/// Finds which side of the surface each triangle around the centre of a folded quad shows.
 ///
-/// A triangle that is turned over shows its back, as at a contour. If it is the only one, the other
-/// three go once round the centre and cover it again, but for what lies between its outer side and
-/// the place where the sides beside that cross. If this is the lesser half of it, or they do not
-/// cross, it is the end of a quad that is as narrow there as corners are off, as beside a pole.
-/// Then it shows what the others do.
+/// A triangle that is turned over shows its back, as at a contour. There is an exception if it is
+/// the only one. The other three then go once around the centre and cover it again. They leave only
+/// the part between its outer side and the place where the quad's sides beside that cross. If this
+/// is less than half of it, or the sides do not cross, the quad is as narrow there as its corners
+/// are inexact, as beside a pole. Then the triangle shows the same side as the others.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, scan_point centre) {
@@ -138,15 +140,15 @@ public:
             area2_[turned] = all;
     }
 
-    /// Twice an area that turns as the side does that is shown.
+    /// Twice an area, positive if the shown side turns to the right, for show_side.
     std::int64_t area2(std::size_t triangle) const { return area2_[triangle]; }
 
 private:
     std::array<std::int64_t, 4> area2_{};
 };
 
-/// Calls add(triangle, area2) for those round the centre of a folded quad; area2 turns as the sides
-/// do that they show.
+/// Calls add(triangle, area2) for the four triangles around the centre of a folded quad. area2
+/// tells which side they show.
 template <class Add>
 void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     const l3d_micro_vertex centre = projective_centre(v, parallel);
@@ -155,9 +157,9 @@ void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, c
         add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
 }
 
-/// How far the middles of a quad's sides and diagonals are above the mean of their ends, in mode
-/// l3d_shade::levels. The level at the parameters' middle is the corners' mean, plus what both
-/// pairs of opposite sides bend by in the mean.
+/// The bends of a quad's sides and diagonals in mode l3d_shade::levels: levels in their middles,
+/// less the mean of their ends. The level in the middle of the parameters is the corners' mean,
+/// plus the mean bends of both pairs of opposite sides.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
 
@@ -172,7 +174,7 @@ struct quad_bends {
     float both() const { return 0.5f * (ab + dc + ad + bc); }
 };
 
-/// cut_folded in mode l3d_shade::levels. Half a diagonal bends by a quarter of what the whole does.
+/// The same as cut_folded in mode l3d_shade::levels. Half of a diagonal has a quarter of its bend.
 template <class Add>
 void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
                        const Add& add) {
@@ -194,7 +196,8 @@ void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& t
     });
 }
 
-/// Calls add(triangle, area2) for those of a quad that is folded or skew, as cut_folded does.
+/// Calls add(triangle, area2) for the triangles into which a folded or skew quad is cut, as
+/// cut_folded does.
 template <class Add>
 void cut_quad(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     if (turns.folded())

@@ -18,8 +18,8 @@
 
 namespace l3d_detail {
 
-/// The share of a polygon's shape and of its change of w in the error of a plane through its
-/// corners' normals. The slow twin of normal_lanes. NUMERICS, section 24.
+/// A bound for the error of a plane through a polygon's normals: the parts that come from its shape
+/// and from the change of w. The slow twin of normal_lanes. See NUMERICS, section 24.
 ///
 /// Shape:   area2 is the cross product of both diagonals, or of a triangle's first two sides.
 /// Expects: area2 != 0, inv_w > 0.
@@ -57,20 +57,20 @@ float normal_error(const std::array<l3d_micro_vertex, Corners>& v,
     return static_cast<float>(std::sqrt(beside) + more / 4 * range);
 }
 
-/// Fills polygons with one shader, known at compile time.
+/// Fills polygons with one shader, which is known at compile time.
 ///
 /// Lives: borrows the target for one call.
 template <class Shader> class surface_fill {
 public:
     surface_fill(surface_target& target, const Shader& shader) : target_(target), shader_(shader) {}
 
-    /// Sets the material of the polygons that follow, for shaders that want to know.
+    /// Sets the material of the next polygons, for shaders that take it.
     void use_material(std::uint32_t index) {
         if constexpr (has_materials<Shader>)
             shader_.use_material(index);
     }
 
-    /// One of a grid that shows_both, or of another, in a parallel projection or not.
+    /// Fills a quad of a grid. The grid's members shows_both and is_parallel are handed in.
     void quad(quad_corners v, bool shows_both, bool parallel) {
         const quad_turns turns(v);
         if (turns.level())
@@ -147,8 +147,8 @@ private:
                        start, row);
     }
 
-    /// Values are counted from the span's own start, clipped or not, so that a pixel's colour does
-    /// not depend on where the picture ends.
+    /// Fills a row of a polygon. Numbers are counted from the beginning of the unclipped span, so
+    /// that a pixel's colour does not depend on where the picture ends.
     void fill_row(std::int32_t row, const planes& plane, const numbers& step, float farthest,
                   float nearest) {
         const std::int32_t start = target_.scan.first(row);
@@ -177,7 +177,7 @@ private:
         target_.counts.written += written;
     }
 
-    /// The same as fill_row for each row, some of them at a time.
+    /// Fills rows as fill_row does, some of them at a time.
     void fill_in_lanes(scan_rows rows, const planes& plane, float farthest, float nearest) {
         wide_polygon of{.planes = plane.view(),
                         .farthest = farthest,

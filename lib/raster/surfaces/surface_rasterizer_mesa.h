@@ -10,17 +10,18 @@
 #include <memory>
 #include <vector>
 
-/// A second opinion on every picture of surfaces: another's coverage, interpolation and depth test,
-/// and shaders of its own language.
+/// Draws surfaces through GL, as a second opinion on every picture. Coverage, interpolation, depth
+/// test and shading language are GL's.
 ///
-/// A convex quad is drawn as two triangles. Inside one that is no parallelogram, depth and shade
-/// differ a little from the plane that the CPU lays through it. The outline does not differ.
-/// Positions are exact within 8192 pixels of the middle of the picture; what reaches further is
-/// clipped there, rounded. A picture larger than GL's largest is left to the CPU, and so is what
-/// has several lights or highlights.
+/// A convex quad is drawn as two triangles. Its outline is exact. If it is no parallelogram, depth
+/// and shade inside differ a little from the plane that the CPU lays through it.
+///
+/// Positions are exact within 8192 pixels of the middle of the picture. Polygons that reach further
+/// are clipped there, with rounding. The CPU draws pictures larger than GL's largest, and pictures
+/// with several lights or highlights.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
-/// Cost:    drawing gathers; every batch is drawn twice if pixels are counted, once only for its
-///          samples.
+/// Cost:    drawing gathers polygons. Every batch is drawn twice if pixels are counted, once only
+///          for its samples.
 class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -36,8 +37,8 @@ private:
 
     struct vertex {
         float position[3];                    ///< x, y in pixels, inv_w
-        float normal[3];                      ///< or, in mode `error`, red, green, blue
-        std::array<std::uint8_t, 4> material; ///< red, green, blue of the material
+        float normal[3];                      ///< in mode `error`: red, green, blue
+        std::array<std::uint8_t, 4> material; ///< colour of the material: red, green, blue
     };
 
     void add_part(const l3d_surface_part& part);
@@ -49,7 +50,8 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    l3d_depth_buffer own_depth_; ///< where nobody wants it but to count what is covered, if that
+    l3d_depth_buffer own_depth_; ///< used without a caller's depth buffer, if covered pixels are
+                                 ///< counted
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;
@@ -57,9 +59,10 @@ private:
     std::array<std::uint8_t, 4> color_{}; ///< colour of the next vertices' material
     std::vector<vertex> batch_;
     l3d_size held_size_;
-    bool fits_ = false;    ///< GL can hold the picture
-    bool by_cpu_ = false;  ///< this frame is: it does not fit, or has several lights or highlights
-    bool cleared_ = false; ///< GL's picture is that of this frame
+    bool fits_ = false;    ///< whether GL can hold the picture
+    bool by_cpu_ = false;  ///< whether the CPU draws this frame: it does not fit, or has several
+                           ///< lights or highlights
+    bool cleared_ = false; ///< whether GL's picture is that of this frame
     unsigned query_ = 0;
     l3d_surface_rasterizer_scalar cpu_;
 };

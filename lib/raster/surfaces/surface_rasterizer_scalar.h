@@ -8,13 +8,13 @@
 #include "raster/shaders/material_words_p.h"
 #include "tool_2d/image.h"
 
-/// The slow twin of l3d_surface_rasterizer_sw: draws parts in the order in which they come, into
-/// the whole picture at once.
+/// Fills surfaces without lanes and bands, as the slow twin of l3d_surface_rasterizer_sw. It draws
+/// parts in their given order, each into the whole picture.
 ///
 /// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
 ///          grey in mode `normals`.
-/// Cost:    allocates in begin, when the picture is larger than any before, and in begin_part, when
-///          its size is another.
+/// Cost:    allocates in begin, if the picture is larger than any before, and in begin_part, if its
+///          size changes.
 class l3d_surface_rasterizer_scalar final : public l3d_surface_rasterizer {
 private:
     void do_begin(l3d_pixels target, l3d_depth_buffer* depth, const l3d_shading& shading,
@@ -33,8 +33,8 @@ private:
     l3d_shading shading_;
     l3d_pixels drawn_; ///< the picture that is drawn into
     l3d_depth_buffer own_depth_;
-    l3d_image own_picture_; ///< in which parts of pictures are drawn
-    l3d_pixel_box part_;    ///< that goes from there to part_target_; may be empty
+    l3d_image own_picture_; ///< memory in which parts of pictures are drawn
+    l3d_pixel_box part_;    ///< the part that is copied from there to part_target_; may be empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
     l3d_surface_counts counts_;

@@ -16,33 +16,34 @@ struct fill_band;
 struct plane_cut;
 } // namespace l3d_detail
 
-/// How the work is divided. The picture does not depend on it.
+/// The division of the work into bands. The picture does not depend on it.
 struct l3d_band_settings {
     int rows = 0; ///< rows of pixels in a band, a multiple of 8; 0: as many as fit the cache
-    bool leave_out_hidden = true; ///< provably hidden polygons are not filled
+    bool leave_out_hidden = true; ///< whether to leave out polygons that are surely hidden
 };
 
 /// Fills surfaces in horizontal bands whose colour and depth stay in a core's own cache. In each
-/// band the nearest blocks come first, and blocks behind the depth that is there are left out.
+/// band the nearest blocks are filled first, and hidden blocks are left out.
 ///
 /// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
 /// Lives:   borrows the workers.
-/// Cost:    a frame allocates only where there is more of something than in any frame before.
-///          Lambert, gouraud and flat shading in pictures at least 16 pixels wide is filled in SIMD
-///          lanes, all else pixel by pixel. Gouraud and flat cost least. Several lights and
-///          highlights are in lanes, too, but for flat; they take a fifth to a third more.
+/// Cost:    a frame allocates only where it has more of something than any frame before. In
+///          pictures at least 16 pixels wide, modes lambert, gouraud, flat and levels are filled in
+///          SIMD lanes, all others pixel by pixel. Gouraud and flat cost least. Several lights and
+///          highlights are done in lanes, too, except in flat shading; they take a fifth to a third
+///          more.
 class l3d_surface_rasterizer_sw final : public l3d_surface_rasterizer {
 public:
     explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});
     ~l3d_surface_rasterizer_sw() override;
 
-    /// Starts a frame whose picture is drawn already, in another way, from what will be given to
-    /// draw. finish puts the shading's fog before it. With anti-aliasing it draws pixels at edges
-    /// again, as means over their squares. All others stay as they are.
+    /// Starts a frame over a picture that was drawn in another way, from the same parts that draw
+    /// will get. finish puts the shading's fog before it. With anti-aliasing, finish also draws
+    /// pixels at edges again, as means over their squares. All other pixels stay as they are.
     /// Expects: the picture outlives the frame, and nobody else writes to it.
     void begin_over(l3d_pixels picture, const l3d_shading& shading);
 
-    /// Fills what cuts leave of triangles, after the parts of the same frame.
+    /// Fills the parts of triangles that cuts leave, after the surface parts of the same frame.
     /// Expects: a frame with a depth buffer, after draw; no anti-aliasing.
     void draw_cut(std::span<const l3d_detail::cut_triangle> triangles,
                   std::span<const l3d_detail::plane_cut> cuts);
@@ -82,18 +83,23 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    std::int64_t largest_area_ = 0; ///< the largest picture that the work space has memory for
+    std::int64_t largest_area_ = 0; ///< number of pixels of the largest picture that fits the
+                                    ///< memory
     l3d_pixels target_;             ///< the pixels that are filled
-    l3d_pixels refined_;   ///< gets fog and smooth edges: the target, or a picture drawn already
+    l3d_pixels refined_;   ///< the picture that gets fog and smooth edges: the target, or one drawn
+                           ///< already
     l3d_pixel_box window_; ///< the drawn part of the target, in whole tiles
-    l3d_pixel_box part_;   ///< goes from the work space to part_target_; may be empty
+    l3d_pixel_box part_;   ///< the part that is copied from the work space to part_target_; may be
+                           ///< empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
-    int rows_ = 0;               ///< rows of a band
-    std::size_t last_parts_ = 0; ///< in the last call of draw
-    bool drawn_ = false;         ///< something of this frame; picture and depth are cleared then
-    bool finished_ = false;      ///< tiles that are not drawn are empty in the picture
-    bool untouched_ = false;     ///< and still are when this frame begins
+    int rows_ = 0;               ///< number of rows in a band
+    std::size_t last_parts_ = 0; ///< number of parts in the last call of draw
+    bool drawn_ = false;         ///< whether something of this frame was drawn, so picture and
+                                 ///< depth are cleared
+    bool finished_ = false;      ///< whether the last frame is finished: tiles without drawing are
+                                 ///< empty in the picture
+    bool untouched_ = false;     ///< whether this is still so when this frame begins
     l3d_surface_counts counts_;
 };
 

@@ -13,26 +13,28 @@
 
 namespace l3d_detail {
 
+/// The band that a shader draws into, with the settings for its words.
 /// Lives: borrows the band's pixels and depth; owns the spans.
 struct surface_target {
     fill_band band{};
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0;      ///< material of the polygons filled, as fill_words has it
-    std::span<const plane_cut> cuts; ///< they keep a part of what is filled
-    bool by_lanes = false; ///< rows are filled in lanes, if the shader has them; the same bits
+    std::uint32_t material = 0;      ///< the polygons' material, as fill_words::of_material gives
+                                     ///< it
+    std::span<const plane_cut> cuts; ///< cuts that the polygons' pixels must pass
+    bool by_lanes = false; ///< whether rows are filled in lanes, if the shader can; the same bits
 
-    /// The word that a pixel gets for a word of a shader.
+    /// The word that is stored in a pixel for a word of a shader.
     std::uint32_t word_of(std::uint32_t shaded) const {
         return coding.has_materials ? (shaded & 0xff) | material : shaded;
     }
 
-    /// Column 0 of a row of the picture. Expects: band.top <= row < band.bottom.
+    /// The word at column 0 of a row of the picture. Expects: band.top <= row < band.bottom.
     std::uint32_t* words(std::int32_t row) const {
         return band.words + (row - band.top) * band.word_pitch;
     }
-    /// The same of normals.
+    /// The normal at column 0 of a row of the picture. Expects: band.top <= row < band.bottom.
     std::uint32_t* normals(std::int32_t row) const {
         return band.normals + (row - band.top) * band.depth_pitch;
     }

@@ -12,13 +12,14 @@
 
 namespace l3d_detail {
 
-/// How a shader makes words of the numbers that are interpolated behind inv_w.
+/// The way in which a shader makes words from its interpolated numbers, which come after inv_w.
 struct row_light {
     enum class kind {
-        word,   ///< no number: it is `word`
-        held,   ///< one number: its intensity, held between darkest and brightest
-        normal, ///< four numbers: a normal of any length, and how far it points from the eye
-        code    ///< three numbers: a normal as normal_code has it; expects a second plane of words
+        word,   ///< no number: all pixels have `word`
+        held,   ///< one number: the intensity, clamped between darkest and brightest
+        normal, ///< four numbers: a normal of any length, and its product with the ray from the eye
+        code    ///< three numbers: a normal as in normal_code; its other two components go to the
+                ///< band's normals
     };
 
     kind by = kind::word;
@@ -27,7 +28,7 @@ struct row_light {
     std::array<float, 3> light{}; ///< unit vector to the light
 };
 
-/// Columns [begin, end) of some rows of a polygon, whose numbers are counted from column `start`.
+/// Runs of columns [begin, end) in some rows of a polygon. Numbers are counted from column `start`.
 ///
 /// Shape: run i is in element i of each array.
 struct wide_runs {
@@ -45,21 +46,22 @@ struct wide_runs {
     bool is_full() const { return count == room; }
 };
 
-/// The data that all rows of a polygon have in common.
+/// The data that all rows of a polygon share.
 struct wide_polygon {
     static constexpr std::size_t most_numbers = 5;
 
-    plane_view planes;               ///< the plane of inv_w, then those of other numbers
-    float farthest = 0, nearest = 0; ///< inv_w is held between them
+    plane_view planes;               ///< the plane of inv_w, then the planes of other numbers
+    float farthest = 0, nearest = 0; ///< the range to which inv_w is clamped
     row_light light;
-    std::uint32_t unit = 0x010101; ///< a grey level of 1 in a word
-    std::uint32_t material = 0;    ///< the rest of a word
+    std::uint32_t unit = 0x010101; ///< the word of grey level 1
+    std::uint32_t material = 0;    ///< the part of a word that tells the material
 };
 
-/// Fills rows of one polygon and returns how many pixels were written.
+/// Fills rows of one polygon, and returns how many pixels were written.
 ///
-/// The same bits as surface_fill gives pixel by pixel with the shader that the light is of.
-/// Shape:   the band's normals are for row_light::kind::code.
+/// The result has the same bits as from surface_fill, which fills pixel by pixel with the shader
+/// that gave the light.
+/// Shape:   the band's normals are used only with row_light::kind::code.
 /// Expects: rows of the band; 0 <= begin, end <= width, start <= begin; no columns if begin >= end.
 ///          Words and depths of whole rows may be read and written back.
 std::int64_t fill_wide_rows(const fill_band& band, const wide_polygon& of, const wide_runs& runs);

@@ -5,12 +5,12 @@
 
 #include "raster/text/font.h"
 
-/// Lines of text in one typeface.
+/// The interface of a typeface that lays out and draws lines of text.
 class l3d_font::face {
 public:
     struct line_heights {
-        int ascent = 0; ///< from the top of a line to the base line
-        int line = 0;   ///< from one line to the next
+        int ascent = 0; ///< distance from the top of a line to the base line
+        int line = 0;   ///< distance from one line to the next
     };
 
     face() = default;
@@ -20,18 +20,18 @@ public:
 
     virtual line_heights heights(int size) = 0;
 
-    /// As l3d_font::width, and not rounded.
+    /// The same as l3d_font::width, but not rounded.
     virtual double width(std::string_view text, int size) = 0;
 
-    /// As l3d_font::draw, but (x, base) is on the base line.
+    /// The same as l3d_font::draw, but (x, base) is on the base line.
     virtual void draw(l3d_rasterizer_2d& rasterizer, int x, int base, std::string_view text,
                       std::uint32_t color, int size) = 0;
 
-    /// As l3d_font::outline. Expects: size > 0.
+    /// The same as l3d_font::outline. Expects: size > 0.
     virtual double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) = 0;
 };
 
-/// The letters of l3d_draw_text.
+/// The built-in typeface, with the letters of l3d_draw_text.
 class l3d_font::built_in_face final : public face {
     line_heights heights(int size) override;
     double width(std::string_view text, int size) override;

@@ -11,10 +11,11 @@
 
 namespace l3d_detail {
 
-/// Asks fontconfig, once for each letter that no open font has. Nothing is asked or opened before.
+/// Finds other fonts for letters that a font lacks. It asks fontconfig once for each letter that no
+/// open font has. Before the first such letter, nothing is asked or opened.
 class font_fallbacks {
 public:
-    /// A font that has this letter; null if this machine has none.
+    /// A font that has this letter; null if the machine has none.
     const font_source* find(char32_t code);
 
 private:

@@ -15,32 +15,34 @@
 
 namespace l3d_detail {
 
-/// A glyph and its place on the base line. Units: those of a font, y up.
+/// A glyph and its place on the base line. Units: font units, y up.
 struct shaped_glyph {
-    unsigned index = 0; ///< in the file; 0 is its sign for what it does not have
+    unsigned index = 0; ///< number in the file; 0 is the sign for a missing letter
     double x = 0, y = 0;
 };
 
-/// A part of a text in one script and one direction.
+/// A part of a text with one script and one direction.
 struct text_run {
-    std::span<const char32_t> text; ///< all of it: letters at the ends may join what is beside
-    std::size_t begin = 0, end = 0; ///< the part
+    std::span<const char32_t> text; ///< the whole text: letters at the part's ends may join their
+                                    ///< neighbours
+    std::size_t begin = 0, end = 0; ///< the part's range in `text`
     hb_script_t script = HB_SCRIPT_COMMON;
     bool right_to_left = false;
 };
 
-/// One face of a font file. All calls are of one thread.
+/// One face of a font file. All calls come from one thread.
 class font_source {
 public:
-    /// Errors:  null, and the reason in `why`, which names the file.
+    /// Opens a file.
+    /// Errors:  returns null, and sets `why` to the reason, which names the file.
     static std::unique_ptr<font_source> open(const std::string& file, long index, std::string& why);
 
     FT_Face face() const { return face_.get(); }
     bool has(char32_t code) const { return FT_Get_Char_Index(face_.get(), code) != 0; }
 
-    /// Adds the run's glyphs from left to right. HarfBuzz knows kerning, ligatures and scripts that
-    /// join their letters. Formats older than OpenType are placed by their kern table.
-    /// Returns: where a next glyph would begin.
+    /// Adds the run's glyphs from left to right. HarfBuzz does kerning, ligatures and scripts that
+    /// join their letters. Formats older than OpenType use their kern table.
+    /// Returns: the place where a next glyph would begin.
     double shape(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
     double shape_by_table(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
 
@@ -55,8 +57,8 @@ private:
     font_source() = default;
 
     unique<FT_Library> library_;
-    unique<FT_Face> face_;      ///< closed before its library
-    unique<hb_font_t*> shapes_; ///< null where the format has no glyphs for HarfBuzz
+    unique<FT_Face> face_;      ///< declared after its library, so closed before it
+    unique<hb_font_t*> shapes_; ///< null if HarfBuzz finds no glyphs in the format
 };
 
 } // namespace l3d_detail

@@ -20,35 +20,36 @@ struct L3D_PUBLIC l3d_panel_style {
     /// The letters of all text.
     l3d_font font{};
 
-    /// The height of letters in pixels. Smaller ones are taken where these do not fit.
+    /// The height of letters in pixels. Letters become smaller where these do not fit.
     int size = 14;
 
     /// The colour of lines.
     std::uint32_t text = 0x00f2f2f2;
 
-    /// The colour of what stands before a line, such as a key's name.
+    /// The colour of the word before a line, such as a key's name.
     std::uint32_t key = 0x00ffd873;
 
     /// The colour behind the text.
     l3d_color ground = 0x0012161b;
 
-    /// How much the ground hides, from 0 to 255.
+    /// The opacity of the ground, from 0 to 255.
     int ground_coverage = 200;
 
-    /// The coverage of a ground that hides all: over a slow line, text then stands still before
-    /// what moves.
+    /// The coverage of a ground that hides everything, so that text on a slow line stands still
+    /// before moving surfaces.
     static constexpr int opaque = 255;
 
-    /// A fiftieth of a picture's height, but from 12 to 16 pixels, times l3d_screen::text_scale. A
-    /// sixteenth of the height is the most: larger letters leave no room for a dozen lines.
+    /// The height of letters that suits a picture: a fiftieth of its height, but from 12 to 16
+    /// pixels, times l3d_screen::text_scale. It is at most a sixteenth of the height, to leave room
+    /// for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
-/// The corner of the picture that a panel is drawn in.
+/// The corner of the picture in which a panel is drawn.
 enum class L3D_PUBLIC l3d_corner { top_left, top_right, bottom_left, bottom_right };
 
 /// A panel of text for help, status and legends. It fits every picture: long lines are wrapped,
-/// many lines become columns, and where that does not suffice, letters become smaller.
+/// many lines become columns, and if that does not suffice, letters become smaller.
 ///
 ///     l3d_panel panel;
 ///     panel.add("Hull of the ship, " + std::to_string(faces) + " faces");
@@ -59,13 +60,13 @@ enum class L3D_PUBLIC l3d_corner { top_left, top_right, bottom_left, bottom_righ
 /// Lives: a value; add lines, draw it, forget it.
 class L3D_PUBLIC l3d_panel {
 public:
-    /// Adds a line, or several that \n divides. Text is UTF-8.
+    /// Adds a line, or several that \n divides. The text is UTF-8.
     void add(const std::string& text) { add({}, text); }
 
-    /// Adds lines with a word before the first, such as a key. Such words form a column.
+    /// Adds lines with a word before the first, such as a key. These words form a column.
     void add(const std::string& key, const std::string& text);
 
-    /// Adds a title: lines that begin at the left, where keys do.
+    /// Adds a title: lines that begin at the left, in the column of keys.
     void add_title(const std::string& text);
 
     /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
@@ -80,25 +81,24 @@ public:
     /// Whether nothing was added.
     bool empty() const { return rows_.empty(); }
 
-    /// Divides the lines among as few panels as possible, each of which leaves half of a picture
-    /// free. If there are several, each says that `key` shows the next. Where panels of a few lines
-    /// would still cover more, they do. Letters are as large as the style says, or as large as has
-    /// room, and the same on all pages. Pictures so small that the smallest letters leave no room
-    /// for a few lines get one panel.
+    /// Divides the lines among as few panels as possible, each of which leaves half of the picture
+    /// free. If there are several, each says that `key` shows the next. Panels of only a few lines
+    /// may still cover more than half. All panels have the same height of letters: the style's, or
+    /// the largest that fits. A very small picture, where the smallest letters leave no room for a
+    /// few lines, gets one panel.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 
-    /// The box that draw() would cover in a free part of a picture; nothing if the panel has no
-    /// room there with letters of the style's size.
+    /// The box that draw() would cover in a free part of a picture. It is empty if the panel does
+    /// not fit there with letters of the style's size.
     l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
                          const l3d_panel_style& style) const;
 
-    /// Draws the panel in a corner of a free part of the picture, and takes what it needs off that
-    /// part: the next panel is drawn above or below. Returns what was covered; an empty panel
-    /// covers nothing, nor does one for which there is no room at all.
+    /// Draws the panel in a corner of a free part of the picture. It takes the panel's place off
+    /// that part, so the next panel is drawn above or below. Returns the covered box, which is
+    /// empty for a panel without lines or without any room.
     ///
-    /// Lines for which there is no room even with the smallest letters are left out, and three dots
-    /// say so.
+    /// Lines for which even the smallest letters leave no room are replaced by three dots.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free, l3d_corner corner,
                        const l3d_panel_style& style = {}) const;
 
@@ -115,7 +115,8 @@ private:
     bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
 
     std::vector<row> rows_;
-    int largest_size_ = std::numeric_limits<int>::max(); ///< its page's height of letters
+    int largest_size_ = std::numeric_limits<int>::max(); ///< the height of letters that all pages
+                                                         ///< share
 };
 
 #endif

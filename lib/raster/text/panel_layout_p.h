@@ -14,11 +14,11 @@
 
 namespace l3d_detail {
 
-/// A row as it was asked for.
+/// A row as the caller added it.
 struct panel_row {
-    std::string_view key, text; ///< for a scale: the names of its ends
+    std::string_view key, text; ///< for a scale: the texts at its ends
     bool is_scale = false;
-    bool is_title = false; ///< it takes the room of keys, too
+    bool is_title = false; ///< whether it takes the column of keys, too
 };
 
 /// A piece of text, or the bar of a scale. Units: pixels from the panel's top left corner.
@@ -27,24 +27,24 @@ struct panel_line {
     std::string text;
     bool is_key = false;
     int scale_width = 0; ///< width of the bar
-    std::size_t row = 0; ///< that it belongs to
+    std::size_t row = 0; ///< index of the row that it belongs to
 };
 
-/// Breaks a text into lines that are no wider than that, at spaces if there are some.
+/// Breaks a text into lines no wider than `width`, at spaces if there are any.
 std::vector<std::string> wrapped(const l3d_font& font, std::string_view text, int size, int width);
 
-/// Wraps rows and puts them into columns.
+/// Lays out a panel: wraps rows and puts them into columns.
 /// Lives: borrows font and rows.
 class panel_layout {
 public:
     panel_layout(const l3d_font& font, std::span<const panel_row> rows)
         : font_(font), rows_(rows) {}
 
-    /// Lays all out with letters of a size in so many columns. False if that does not fit, or tears
-    /// a word apart.
+    /// Lays out all rows in columns, with letters of this size. Returns false if they do not fit,
+    /// or a word must be broken.
     bool make(int size, int columns, l3d_size most);
 
-    /// Leaves out of the last layout what does not fit, and says so by three dots.
+    /// Removes the lines that do not fit from the last layout, and adds three dots in their place.
     void cut(l3d_size most);
 
     const std::vector<panel_line>& lines() const { return lines_; }
@@ -53,7 +53,7 @@ public:
     int bar_height() const { return letter_size_; }
 
 private:
-    /// A row, wrapped.
+    /// A row that was wrapped into lines.
     struct block {
         std::vector<std::string> text;
         int height = 0;
@@ -73,8 +73,8 @@ private:
     std::vector<panel_line> lines_;
     l3d_size size_;
     int letter_size_ = 1;
-    int lowest_ = 0;       ///< where the longest column ends
-    bool is_torn_ = false; ///< a word does not fit into its column
+    int lowest_ = 0;       ///< the lower end of the longest column
+    bool is_torn_ = false; ///< whether a word does not fit into its column
 };
 
 } // namespace l3d_detail

@@ -14,39 +14,40 @@
 
 namespace l3d_detail {
 
-/// A glyph of one of a line's fonts. Units: those of the line's first font.
+/// A glyph, and which of the line's fonts has it. Units: those of the line's first font.
 struct placed_glyph : shaped_glyph {
     const font_source* source = nullptr;
 };
 
-/// A line from left to right. Units: those of its first font.
+/// A line of glyphs from left to right. Units: those of its first font.
 struct shaped_line {
     std::vector<placed_glyph> glyphs;
-    double width = 0; ///< where a next letter would begin
+    double width = 0; ///< the place where a next letter would begin
 };
 
-/// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and other
-/// fonts for what the first one lacks.
+/// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and letters
+/// that the first font lacks from other fonts.
 ///
 /// A tab goes to the next multiple of eight blanks. Other control characters and soft hyphens are
-/// not there. A line that begins with a script from right to left is one of that direction.
+/// left out. If a line begins with a script from right to left, the whole line has that direction.
 /// Lives:   borrows the first font.
-/// Cost:    a line is laid out once, as long as no more than `most_lines` others come between.
+/// Cost:    a line is laid out once, if no more than `most_lines` others come in between.
 class text_shaper {
 public:
     explicit text_shaper(const font_source& first) : first_(first) {}
 
-    /// Lives: until the next call.
+    /// Lays out a line. Lives: until the next call.
     const shaped_line& shape(std::string_view text);
 
 private:
-    /// Help has some dozens of lines, each of which is tried in some widths.
+    /// The number of lines that are kept. Help has some dozens of lines, each of which is tried in
+    /// some widths.
     static constexpr std::size_t most_lines = 1024;
 
-    /// A run, and the font that has its letters; null for a tab.
+    /// A run of text, and the font that has its letters; null for a tab.
     struct run : text_run {
         const font_source* source = nullptr;
-        unsigned level = 0; ///< how deep directions are nested: odd from right to left
+        unsigned level = 0; ///< nesting of directions: odd from right to left
     };
 
     void find_levels();

@@ -9,12 +9,13 @@
 
 namespace l3d_detail {
 
-/// Stands for bytes that mean nothing.
+/// The character that stands for bytes without a meaning.
 inline constexpr char32_t replacement_character = 0xfffd;
 
-/// Takes the first character off a text in UTF-8. A byte that begins no shortest form of a
-/// character counts as replacement_character, and so does half of a surrogate pair.
-/// Expects: the text is not empty. Source: RFC 3629.
+/// Takes the first character off a text in UTF-8. Half of a surrogate pair counts as
+/// replacement_character, and so does a byte that does not begin the shortest form of a character.
+/// Expects: the text is not empty.
+/// Source: RFC 3629.
 inline char32_t take_character(std::string_view& text) {
     const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -49,11 +50,12 @@ inline char32_t take_character(std::string_view& text) {
     return code;
 }
 
-/// The character that shows where a word may be broken.
+/// The character that marks where a word may be broken.
 inline constexpr char32_t soft_hyphen = 0xad;
 
-/// Whether a character is nothing in a line: control characters other than the tab, ends of lines
-/// and paragraphs, and soft hyphens. Who breaks lines shows a hyphen there instead.
+/// Whether a character is invisible in a line. These are control characters other than the tab,
+/// ends of lines and paragraphs, and soft hyphens. Code that breaks a line at a soft hyphen shows a
+/// hyphen there.
 constexpr bool is_unseen(char32_t code) {
     const bool is_control = code < 0x20 || (code >= 0x7f && code < 0xa0);
     return (is_control && code != U'\t') || code == soft_hyphen || code == 0x2028 || code == 0x2029;

@@ -12,19 +12,19 @@
 #include <span>
 #include <vector>
 
-/// Parameters of a place of a patch.
+/// The parameters of a place on a patch.
 struct l3d_patch_parameters {
     double u = 0, v = 0;
 };
 
 namespace l3d_detail {
 
-/// The map from a patch's parameters to a picture, bilinear between the patch's corners.
+/// The map from a patch's parameters to a texture's picture, bilinear between the patch's corners.
 struct picture_map {
     using place = std::array<double, 2>;
     place at_zero{0, 0}, along_u{1, 0}, along_v{0, 1}, along_both{0, 0};
 
-    /// Shape: the picture's places at (u, v) = (0, 0), (1, 0), (0, 1) and (1, 1).
+    /// Makes the map. Shape: places in the picture at (u, v) = (0, 0), (1, 0), (0, 1) and (1, 1).
     static picture_map between(const std::array<place, 4>& corners) {
         picture_map result;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -45,30 +45,32 @@ struct picture_map {
     }
 };
 
-/// A part of a patch. Each of its quads and triangles has a name of its own: quads by their places
-/// in the grid, and triangles behind them.
+/// A part of a patch with a texture. Each of its quads and triangles has its own number of material
+/// ("name"): first quads, by their indices in the grid, and then triangles.
 /// Lives: borrows part, parameters and texture.
 struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
-    std::uint32_t material = 0; ///< place among the frame's materials
+    std::uint32_t material = 0; ///< index of its material among the frame's
     const l3d_surface_part* part = nullptr;
     std::span<const double> u, v; ///< parameters of the grid's columns and rows
     std::array<std::span<const l3d_patch_parameters>, 3>
-        triangles; ///< parameters of triangles, by corner
+        triangles; ///< parameters of the triangles, for each corner
     const l3d_texture* texture = nullptr;
     picture_map map;
 
-    /// The names of the quads of a part: room for each vertex of its grid.
+    /// The number of names for the quads of a part: one for each vertex of its grid.
     static std::size_t quads(const l3d_surface_part& part) {
         return static_cast<std::size_t>(part.grid.rows) * static_cast<std::size_t>(part.grid.pitch);
     }
 };
 
-/// Those of a frame, in the order of their names. More may come until the frame is coloured.
+/// All painted parts of a frame, in the order of their names. More may be added until the frame is
+/// coloured.
 struct painted_parts {
     std::vector<painted_part> all;
 
-    /// Whether a name is of one of them. Expects: names of triangles of models are not beyond it.
+    /// Whether a name belongs to one of these parts.
+    /// Expects: triangles of models have no larger names.
     bool has(std::uint32_t name) const { return !all.empty() && name >= all.front().first; }
 };
 

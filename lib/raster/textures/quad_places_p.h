@@ -12,10 +12,10 @@
 
 namespace l3d_detail {
 
-/// A quad, or a triangle as half of one, as functions that are bilinear in s and t from 0 to 1.
+/// A quad, or a triangle as half of a quad, as bilinear functions of s and t from 0 to 1.
 ///
-/// Shape: each function has its numbers at (0, 0), along s, along t, and along s t. x and y are
-///        multiplied by w, which is 1 at (0, 0), where x and y are 0.
+/// Shape: each function has a number at (0, 0), and numbers along s, along t, and along s t. The
+///        functions x and y are multiplied by w, which is 1 at (0, 0), and are 0 there.
 struct placed_quad {
     enum number {
         left,
@@ -41,22 +41,24 @@ struct placed_quad {
         green,
         blue
     };
-    static constexpr std::size_t stride = 24; ///< numbers of a quad: 22, and whole cache lines of 3
+    static constexpr std::size_t stride = 24; ///< numbers of a quad: 22, rounded up to 1.5 cache
+                                              ///< lines
     std::array<float, stride> of;
 
-    /// Sets all but the light. Expects: a name of that part.
+    /// Sets all numbers except the light. Expects: a name of that part.
     void set(const painted_part& part, std::uint32_t name);
 };
 
-/// For each of the pixels, the quad that it sees, and where the pixel is.
+/// The quad that each pixel sees, and the pixel's place.
 struct quad_pixels {
-    alignas(64) std::array<std::int32_t, painted_pixels::room> first; ///< quad, times the stride
+    /// index of the quad, times the stride
+    alignas(64) std::array<std::int32_t, painted_pixels::room> first;
     alignas(64) painted_pixels::numbers x, y; ///< in pixels from the picture's top left corner
 };
 
-/// Finds places, ways and light of pixels. Pixels beside a quad see its nearest side.
-/// The same bits on every processor.
-/// Expects: indices of quads also in the elements behind the last pixel.
+/// Finds the texture's place, its steps to neighbours, and the light of each pixel. Pixels beside a
+/// quad get the values of its nearest side. The bits are the same on every processor.
+/// Expects: the elements behind the last pixel have indices of quads, too.
 void find_quad_places(const placed_quad* quads, const quad_pixels& from, painted_pixels& pixels);
 
 } // namespace l3d_detail

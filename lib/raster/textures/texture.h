@@ -18,12 +18,12 @@
 #include <utility>
 #include <vector>
 
-/// The way to find a pixel's colour in a picture of which the pixel covers some part.
+/// The way to find a pixel's colour in a texture's picture. The pixel covers some part of it.
 enum class L3D_PUBLIC l3d_texture_filter {
-    nearest,    ///< the picture's pixel under the middle of the pixel
-    bilinear,   ///< between the four pixels around that place
-    trilinear,  ///< bilinear in two smaller pictures, with pixels as wide as the part is long
-    anisotropic ///< mean of up to 16 trilinear colours along the part, as fine as the part is
+    nearest,    ///< the picture's pixel under the middle of the drawn pixel
+    bilinear,   ///< bilinear interpolation between the four pixels around that place
+    trilinear,  ///< bilinear in two smaller pictures, whose pixels are as wide as the part is long
+    anisotropic ///< mean of up to 16 trilinear colours along the part, each as fine as the part is
                 ///< narrow
 };
 
@@ -41,32 +41,32 @@ enum class L3D_PUBLIC l3d_texture_wrap {
     mirror  ///< the picture turned over, and then again
 };
 
-/// The part of a picture that a pixel covers: a parallelogram around a place.
+/// The part of a texture's picture that a pixel covers: a parallelogram around a place.
 ///
 /// Units: (0, 0) is the picture's top left corner, (1, 1) the bottom right one.
 struct L3D_PUBLIC l3d_texture_place {
     double u = 0, v = 0;             ///< the place under the middle of the pixel
-    double u_right = 0, v_right = 0; ///< the way from there to the next pixel on the right
-    double u_down = 0, v_down = 0;   ///< the way to the next one below
+    double u_right = 0, v_right = 0; ///< the step from there to the next pixel on the right
+    double u_down = 0, v_down = 0;   ///< the step from there to the next pixel below
 };
 
 namespace l3d_detail {
 struct texture_view;
 }
 
-/// A picture as amounts of light, and smaller ones down to a single pixel.
+/// A texture: a picture as amounts of light, and smaller copies down to a single pixel.
 ///
-/// Each smaller picture has half the width and height, rounded down, and each of its pixels is the
-/// exact mean of what it covers of the next larger one. Light is linear: levels are decoded by the
+/// Each copy has half the width and height of the next larger one, rounded down. Each of its pixels
+/// is the exact mean of the area that it covers there. Light is linear: levels are decoded by the
 /// sRGB curve.
 /// Lives:   a texture never changes; share it by std::shared_ptr.
-/// Cost:    8 bytes for each pixel, and a third more for the smaller pictures.
+/// Cost:    8 bytes for each pixel, and a third more for the smaller copies.
 class L3D_PUBLIC l3d_texture {
 public:
-    /// The most samples of the filter `anisotropic`, each one of `trilinear`.
+    /// The most samples of the filter `anisotropic`. Each is a sample of the filter `trilinear`.
     static constexpr int most_samples = 16;
 
-    /// Takes a copy of the picture; the highest bytes of its words mean nothing.
+    /// Makes a texture from a copy of the picture. The highest bytes of its words are ignored.
     /// Expects: a width and a height that are not 0.
     explicit l3d_texture(const l3d_pixels& picture,
                          l3d_texture_wrap wrap_u = l3d_texture_wrap::repeat,
@@ -75,52 +75,56 @@ public:
     /// The size of the whole picture.
     l3d_size size() const { return size_; }
 
-    /// How it goes on beyond its left and right borders.
+    /// The continuation of the picture beyond its left and right borders.
     l3d_texture_wrap wrap_u() const { return wrap_u_; }
-    /// How it goes on beyond its upper and lower borders.
+    /// The continuation of the picture beyond its upper and lower borders.
     l3d_texture_wrap wrap_v() const { return wrap_v_; }
 
-    /// For the library's own lanes: where the pixels are. Lives: as long as the texture.
+    /// The places of the pixels in memory, for the library's own SIMD lanes.
+    /// Lives: as long as the texture.
     l3d_detail::texture_view view() const;
 
-    /// The light of a pixel that covers this part: 1 is that of a level of 255. The same bits on
-    /// every processor. `trilinear` takes the longer one of the two ways as length,
-    /// `anisotropic` the axes of the ellipse in the parallelogram.
+    /// The light of a pixel that covers this part; 1 is the light of level 255. The result has the
+    /// same bits on every processor. As the part's length, `trilinear` takes the longer one of the
+    /// two steps. `anisotropic` takes the axes of the ellipse in the parallelogram.
     /// Expects: finite numbers.
     l3d_light_color light(l3d_texture_filter filter, const l3d_texture_place& place) const;
 
 private:
     l3d_size size_;
-    std::vector<std::int32_t> first_; ///< the first pixel of each picture, the whole one first
-    /// A pixel has red, green, blue and nothing, so that it is two words; 65535 is the light of a
-    /// level of 255.
+    std::vector<std::int32_t> first_; ///< the index of the first pixel of each picture, the largest
+                                      ///< first
+    /// The pixels of all pictures. Each has red, green, blue and an unused number, two words in
+    /// all. 65535 is the light of level 255.
     std::vector<std::uint16_t> light_;
     l3d_texture_wrap wrap_u_, wrap_v_;
 };
 
-/// A triangle of a model, with what is blended between its corners.
+/// A triangle of a model, with the values that are interpolated between its corners.
 struct L3D_PUBLIC l3d_painted_triangle {
-    std::array<std::uint32_t, 3> corners{}; ///< places among the model's vertices
-    std::uint32_t material = 0;             ///< place among the model's materials
-    std::array<std::array<float, 2>, 3>
-        picture_places{}; ///< u and v, as l3d_texture_place has them
+    std::array<std::uint32_t, 3> corners{};               ///< indices of the model's vertices
+    std::uint32_t material = 0;                           ///< index of the model's material
+    std::array<std::array<float, 2>, 3> picture_places{}; ///< u and v, as in l3d_texture_place
     std::array<std::uint32_t, 3> colors{0xffffff, 0xffffff, 0xffffff}; ///< 0x00RRGGBB
 };
 
-/// A model with such triangles, where it is in the picture.
+/// A model made of painted triangles, and its place in the picture.
 ///
-/// In each pixel, what lies between the corners is that of the triangle's exact plane, and so are
-/// the ways to the next pixels. Light is linear: it is the product of the light of the material's
-/// colour, of the corners' colours between them, and of the texture.
+/// In each pixel, values between the corners are those on the triangle's exact plane, and so are
+/// their changes to the next pixels. Light is linear. It is the product of three lights: of the
+/// material's colour, of the colour interpolated between the corners, and of the texture.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
-    std::uint32_t first = 0;          ///< material by which parts name its first triangle
-    std::uint32_t first_material = 0; ///< the place of its first material among the frame's
-    /// From a vertex to the picture: x and y in pixels, times w, and w in the last row.
+    std::uint32_t first = 0;          ///< the number of material that parts use for its first
+                                      ///< triangle
+    std::uint32_t first_material = 0; ///< the index of its first material in the frame's list
+    /// Maps a vertex to the picture: x and y in pixels, both times w, and w in the last row.
     l3d_matrix<double> to_picture = l3d_matrix<double>();
     std::span<const l3d_vector<double, 3>> vertices; ///< vertices of the model
-    std::span<const l3d_painted_triangle> triangles; ///< each has the name of the one before and 1
-    /// The pictures that materials name. A null pointer, or one beyond the last, is no texture.
+    std::span<const l3d_painted_triangle> triangles; ///< in order: each has the next number of
+                                                     ///< material
+    /// The pictures that materials name. A null pointer, or an index beyond the last, is no
+    /// texture.
     std::span<const std::shared_ptr<const l3d_texture>> textures;
 };
 
@@ -128,17 +132,19 @@ namespace l3d_detail {
 struct painted_parts;
 }
 
-/// All of a frame.
+/// All painted triangles and patches of a frame.
 struct L3D_PUBLIC l3d_face_paints {
-    /// In the order of their names, which begin behind the frame's materials.
+    /// The painted models, in the order of their triangles' numbers. These begin after the frame's
+    /// materials.
     std::vector<l3d_painted_model> models;
-    /// Parts of patches, with names behind those; null without them. More may come until the
-    /// frame's finish. Lives: borrowed; so are the parts, all until the finish.
+    /// The painted parts of patches, with numbers after those of the triangles; null if there are
+    /// none. More may be added until the frame's finish.
+    /// Lives: borrowed until the finish, and so are the parts.
     const l3d_detail::painted_parts* parts = nullptr;
-    /// How textures are looked up.
+    /// The filter of all textures.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
 
-    /// Behind the last name.
+    /// The number after the last triangle's.
     std::size_t end() const {
         return models.empty() ? 0 : models.back().first + models.back().triangles.size();
     }

@@ -14,17 +14,17 @@
 
 namespace l3d_detail {
 
-/// Where the pixels of an l3d_texture are. Lives: borrows the texture.
+/// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    static constexpr std::size_t most_levels = 32; ///< halvings of any width or height, and one
-    const std::uint16_t* pixels = nullptr;         ///< four numbers each, as l3d_texture has them
+    static constexpr std::size_t most_levels = 32; ///< at most 31 halvings, and the whole picture
+    const std::uint16_t* pixels = nullptr;         ///< four numbers each, as in l3d_texture
     int width = 0, height = 0, levels = 0;
     l3d_texture_wrap wrap_u{}, wrap_v{};
-    std::array<std::int32_t, most_levels> first{}; ///< place of a level's first pixel
+    std::array<std::int32_t, most_levels> first{}; ///< index of the first pixel of each level
 };
 
-/// The place where a picture that repeats shows the same, less than two pictures from 0: floats
-/// hold fractions of its pixels there.
+/// A place within two pictures from 0 where a repeated picture looks the same. At such places,
+/// floats can hold fractions of its pixels.
 inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     if (wrap == l3d_texture_wrap::clamp)
         return place;
@@ -32,18 +32,18 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     return place - period * std::floor(place / period);
 }
 
-/// Pixels that are coloured together, each number an array.
+/// Pixels that are coloured together, with an array for each number.
 ///
-/// Shape: elements from `count` to the next multiple of 16 are read and written, too: make them 0
+/// Shape: elements from `count` to the next multiple of 16 are read and written, too; set them to 0
 ///        at first.
 struct painted_pixels {
     static constexpr std::size_t room = 64; ///< a multiple of the widest vector, 16
     using numbers = std::array<float, room>;
 
     std::size_t count = 0;
-    /// Parts of a texture, as l3d_texture_place has them.
+    /// The part of a texture that each pixel covers, as in l3d_texture_place.
     alignas(64) numbers u, v, u_right, v_right, u_down, v_down;
-    /// Light of the surface: of its colour, and then also of the texture.
+    /// The light of each pixel: at first of the surface's colour, then also of the texture.
     alignas(64) std::array<numbers, 3> light;
     alignas(64) std::array<std::uint32_t, room> words; ///< 0x00RRGGBB
 
@@ -63,25 +63,27 @@ struct painted_pixels {
     }
 };
 
-/// The tables of linear_light, for lanes.
+/// The tables of linear_light, laid out for lanes.
 struct level_tables {
     static constexpr std::size_t guesses = linear_light::guesses;
-    std::array<std::int32_t, guesses> first{}; ///< levels of light from 0 to 1, or up to 2 less
-    std::array<float, 257> begins{};           ///< where levels begin; the last one never does
+    std::array<std::int32_t, guesses> first{}; ///< guesses of levels for lights from 0 to 1, at
+                                               ///< most 2 too low
+    std::array<float, 257> begins{};           ///< lights at which levels begin; the last entry is
+                                               ///< never reached
     level_tables();
 };
 
-/// Multiplies the light by that of the texture at the places, as l3d_texture::light says. The same
-/// bits on every processor.
-/// Expects: finite places and ways.
+/// Multiplies each pixel's light by the light of the texture, as l3d_texture::light gives it. The
+/// bits are the same on every processor.
+/// Expects: finite places and steps.
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
                       painted_pixels& pixels);
 
-/// The words of the nearest levels of the light, as linear_light::level finds them.
+/// Sets the words to the levels nearest to the light, as linear_light::level finds them.
 void encode_light(painted_pixels& pixels);
 
-/// Makes words whose lowest bytes are levels to these levels of colours, by the rule that
-/// l3d_material states, where depths are not 0.
+/// Replaces words by colours where depths are not 0. A word's lowest byte is the level of its
+/// colour, by the rule that l3d_material states.
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,
                   std::size_t count);
 
