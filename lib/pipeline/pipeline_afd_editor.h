@@ -56,7 +56,7 @@ public:
     /// them. Expects: handle < count().
     std::string name(std::size_t handle) const;
 
-    /// Finds the handle nearest to (x, y). Of several in about the same place, it finds the one
+    /// Finds the handle nearest to (x, y). If several are in about the same place, it finds the one
     /// nearest to the eye. The result is nothing if no handle is within reach.
     /// Units: pixels from the picture's left upper corner.
     std::optional<std::size_t> find(double x, double y, const l3d_handle_view& view) const;

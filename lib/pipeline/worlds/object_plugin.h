@@ -18,8 +18,8 @@ typedef struct l3d_plugin_object l3d_plugin_object;
 
 /** The functions that a program offers to plug-ins. A plug-in may call them only from within
    its own functions; they copy what they are given. Those that return an int return 1 for
-   success. They return 0 if an argument is not right; the program reports that, and the plug-
-   in has only to return. Numbers have to be finite, and in the range of the program's own:
+   success. They return 0 if an argument is not right; the program reports that, and the
+   plug-in has only to return. Numbers have to be finite, and in the range of the program's own:
    below 2^31 where it is built for fixed point, 2^128 for float. */
 typedef struct l3d_plugin_host {
     uint32_t size;    /**< of this structure, in bytes */
