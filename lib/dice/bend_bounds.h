@@ -14,12 +14,11 @@
 /// Chooses steps for depth and shade by the bends of a patch along its normals, and bounds the
 /// errors that remain.
 ///
-/// A quad's depth is that of a plane in space through the mean of its corners. Its error along the
-/// exact normal has two parts: the bend along each direction, as for places, and a quarter of the
-/// corners' distance from one plane. A quad's level is a parabola with the levels of its corners
-/// and of the middles of its sides. Its error comes from third derivatives. NUMERICS, sections 3
-/// and 14.
-/// Lives: borrows the bends.
+/// A quad is drawn with the depth of a plane in space through the mean of its corners. Its error
+/// along the exact normal has two parts: the bend along each direction, as for places, and a
+/// quarter of the corners' distance from one plane. A quad's level is a parabola with the levels of
+/// its corners and of the middles of its sides. Its error comes from third derivatives. NUMERICS,
+/// sections 3 and 14. Lives: borrows the bends.
 class l3d_bend_bounds {
 public:
     /// Makes bounds without bends, which need no finer steps and prove nothing.
@@ -68,8 +67,8 @@ private:
 /// The most that snapping moves corners off their planes, beyond the tolerance. Units: pixels.
 inline constexpr double l3d_snapped_planes = 0.001;
 
-/// The error of depth that comes on top of the vertices' own, because a quad's corners do not lie
-/// on one plane. It is that of some blocks of a grid.
+/// The error of depth that comes on top of the vertices' own, in some blocks of a grid. It arises
+/// because a quad's corners do not lie on one plane.
 ///
 /// The vertices' error has an allowance for the rounding of a quad's centre. A flat quad does not
 /// need it. A folded quad does, but it is a fan of triangles, a quarter as far off. So the smaller

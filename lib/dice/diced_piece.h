@@ -28,7 +28,7 @@ struct l3d_gap_spans {
 };
 
 /// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
-/// point at (u[c], v[r]), corner k of triangle i for the one at triangle_uv[k][i].
+/// point at (u[c], v[r]). Corner k of triangle i stands for the point at triangle_uv[k][i].
 ///
 /// Lives: kept from frame to frame for its memory.
 struct l3d_diced_piece {

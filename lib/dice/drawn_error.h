@@ -34,7 +34,7 @@ struct l3d_vertex_accuracy {
     double error_xy = 0, error_w = 0; ///< errors of homogeneous coordinates, before the division
     double w_low = 0;                 ///< least w of the exact surface where something is drawn
     double seen_reach = 0;            ///< largest |x| or |y| of the part that is seen
-    double reach = 0;      ///< the same of all vertices, which may lie far outside the window
+    double reach = 0;      ///< largest |x| or |y| of the vertices; may lie far outside the window
     double snap_error = 0; ///< error of a vertex, in pixels
 
     /// Largest ratio of a chord's w to the exact w at the same parameters. Steps are chosen so that

@@ -11,7 +11,7 @@
 #include <span>
 
 /// The part of a normal that points away from the eye at a pixel: positive if the normal is to be
-/// turned round. Units: x, y in pixels; the result in those of the normal times those of the rays.
+/// turned round. Units: x, y in pixels; the result in units of the normal times units of the rays.
 inline float l3d_away_from_eye(const l3d_shading& shading, const float* normal, float x, float y) {
     float away = 0;
     for (std::size_t k = 0; k < 3; ++k)

@@ -26,7 +26,7 @@ enum class l3d_dice_way {
     general ///< the general one, the slow twin, takes all
 };
 
-/// Turns batches of placed patches into parts for the rasterizer.
+/// Dices batches of placed patches into parts for the rasterizer.
 ///
 /// The result of a patch depends on the patch and the view alone, unless the frame's budget runs
 /// short. Then it depends on the patches of this batch and of earlier ones, too. Parts come in the
@@ -89,8 +89,9 @@ private:
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
-        l3d_bend_bounds bends;                      ///< bends of the patch that is diced
-        std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
+        l3d_bend_bounds bends; ///< bends of the patch that is diced
+        std::optional<l3d_surface_bends>
+            own_bends; ///< bends as placed, if the placement is no similarity
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);

@@ -32,7 +32,7 @@ inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 ///        l3d_evaluated_cost of them, and each piece l3d_piece_cost.
 struct l3d_dice_budget {
     std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
-    bool is_short = false; ///< with more, the bound would be smaller
+    bool is_short = false; ///< whether the bound would be smaller with a larger budget
 };
 
 /// Costs in units of a sample that is diced in lanes, which takes some 20 ns, all in all. A sample

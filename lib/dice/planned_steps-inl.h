@@ -25,7 +25,7 @@ using lane_tag = hn::CappedTag<double, most_strips>;
 using lane_vec = hn::Vec<lane_tag>;
 using lane_mask = hn::Mask<lane_tag>;
 
-/// The two directions of parameters, also as indices.
+/// The two directions of parameters, used as indices, too.
 enum direction : std::size_t { along_u, along_v };
 constexpr direction other(direction d) {
     return d == along_u ? along_v : along_u;
@@ -86,7 +86,7 @@ struct steps_along {
 
 /// Effect of steps on the blocks of a strip of one direction, from some lane on.
 struct strip_numbers {
-    lane_vec step, bend, moved; ///< across the strip: those of the other direction
+    lane_vec step, bend, moved; ///< across the strip, by steps of the other direction
     lane_vec own_step, own_bend, own_moved;
 };
 

@@ -32,7 +32,7 @@ struct l3d_block_needs {
     bool keeps_depth = false;                     ///< whether any depth is not zero
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
     per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< second bounds of w, in depth budgets
-    per_block least_w{}; ///< for visible blocks: the least exact w of a drawn point
+    per_block least_w{}; ///< least exact w of a drawn point, for visible blocks
 
     /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
     bool balanced = false;

@@ -138,7 +138,7 @@ struct L3D_PUBLIC l3d_caption {
     /// pressed. Choose one where the program has nothing to see.
     l3d_corner corner = l3d_corner::bottom_left;
 
-    /// All keys: the program's own, F11, those of help, and the end.
+    /// All keys: the program's own keys, F11, the help keys, and the keys that end the program.
     std::vector<l3d_caption_row> all_keys() const;
 
     /// The text of --help: the sentences, and a list of all keys below them.

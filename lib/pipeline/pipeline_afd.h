@@ -120,7 +120,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the error of each pixel is bounded, for error_map().
     bool error_map = false;
 
-    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
     /// on.
     int threads = l3d_usual_threads();
 

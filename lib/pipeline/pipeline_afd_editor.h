@@ -40,7 +40,7 @@ public:
     /// A place in the world.
     using vector = l3d_nurbs_surface::vector;
 
-    /// Makes handles of these surfaces. Cost: a look at each control point.
+    /// Makes handles for these surfaces. Cost: a look at each control point.
     explicit l3d_control_handles(std::vector<l3d_nurbs_surface> surfaces);
 
     /// The surfaces as they are now.
@@ -153,7 +153,7 @@ public:
     /// has to draw the same pictures.
     void tell_times(bool whether) { tells_times_ = whether; }
 
-    /// The handles; null before edit() and the key that shows them.
+    /// The handles; null until edit(), or the key that shows handles, makes them.
     const l3d_control_handles* handles() const { return handles_ ? &*handles_ : nullptr; }
 
     /// Sets the function that the key S calls with the surfaces; without one the key does nothing.

@@ -65,7 +65,7 @@ public:
 
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
-    /// The same, read-only.
+    /// The viewer's keys, mouse and lines of text, read-only.
     const l3d_viewer_controls& controls() const { return controls_; }
 
     void any_event(const l3d_event& event) override { controls_.note(event); }

@@ -73,7 +73,7 @@ public:
     /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
     /// turn() until look_from or go_home. Units: degrees.
     void roll(double degrees);
-    /// Moves things at the target's depth by so many pixels, to the right and down.
+    /// Moves the eye so that things at the target's depth go to the right and down. Units: pixels.
     void pan(double right, double down);
     /// Multiplies the eye's distance from the target, unless that leads too near or too far.
     void approach(double factor) { approach(factor, camera_.target); }
@@ -226,7 +226,7 @@ public:
     /// Shows everything along the line of sight, as the key f does.
     void frame_all() { steering_.frame_all(); }
 
-    /// Adds a program's own key below the viewer's, above those of the program's window.
+    /// Adds a program's own key to the table: below the viewer's keys, above the window's keys.
     /// Expects: its keys are in no other row.
     void add(l3d_viewer_row row);
 
@@ -265,7 +265,7 @@ public:
     /// The looks of the panels, with letters as large as the window and its display ask for.
     l3d_panel_style panel_style() const;
 
-    /// Shows a hint for so many seconds, or until the first key. It names the key that lists all
+    /// Shows a hint for some seconds, or until the first key: it names the key that lists all
     /// others.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
@@ -305,7 +305,7 @@ public:
 
     /// The pace of the viewer's pictures, for the viewer to measure.
     l3d_picture_pace& pace() { return pace_; }
-    /// The same, read-only.
+    /// The pace of the viewer's pictures, read-only.
     const l3d_picture_pace& pace() const { return pace_; }
 
 private:

@@ -57,9 +57,9 @@ public:
 private:
     /// Pieces that are connected in the cell, and perhaps further ones.
     struct sheet {
-        bool may_end = false; ///< it may end or fold in the cell
+        bool may_end = false; ///< whether it may end or fold in the cell
         bool is_there = false, may_be_there = false;
-        bool is_seen = false; ///< it may be seen
+        bool is_seen = false; ///< whether it may be seen
         double farthest = 0;  ///< largest w in the cell
         bool fills() const { return is_there && !may_end; }
     };

@@ -18,7 +18,7 @@
 
 /// A lamp of the exact picture.
 struct l3d_doubt_lamp {
-    l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< towards it: unit, in the world
+    l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< unit vector towards the lamp, in the world
     l3d_light_color color{1, 1, 1};                 ///< parts of white
 };
 
@@ -28,7 +28,7 @@ struct l3d_doubt_lighting {
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
     double depth_scale = 1; ///< w / distance along the view axis, from the eye of w
-    double nearer = 0;      ///< distance by which the camera's eye is nearer than that of w
+    double nearer = 0;      ///< distance by which the camera's eye is nearer than the eye of w
 };
 
 /// A patch that stands in the picture.
@@ -36,7 +36,7 @@ struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
     double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
     double near = 0;                  ///< nothing nearer is drawn
-    double normal_off = 0;            ///< error of its normals, whose length is that of the model's
+    double normal_off = 0;            ///< error of its normals, which are as long as the model's
     double turned = 0;                ///< distance of its unit normals from the surface's
     const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
@@ -115,7 +115,7 @@ struct l3d_doubt_bounds {
     unsigned open_sides = 0;   ///< bits of the sides where the surface ends
     bool may_end = false;      ///< the near or the far plane may cut it
     int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
-    bool may_be_missing = false; ///< its back is seen, and not drawn
+    bool may_be_missing = false; ///< whether its back is seen, and not drawn
 
     l3d_doubt_line w;
     /// The relative difference of w between the drawn and the exact piece.

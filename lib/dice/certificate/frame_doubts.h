@@ -33,7 +33,7 @@ struct l3d_doubted_frame {
     bool has_levels = true;
     l3d_lighting lighting{}; ///< lights, without the direction of the first one
     l3d_fog fog{};
-    double nearer = 0;           ///< distance by which the camera's eye is nearer than that of w
+    double nearer = 0;           ///< distance by which the camera's eye is nearer than the eye of w
     l3d_pixels drawn;            ///< greys in all three channels, or any colours
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };

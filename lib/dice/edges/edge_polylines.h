@@ -37,8 +37,8 @@ public:
         return used_++;
     }
 
-    /// Reserves memory, so that as many edges as in `other`, none larger than its own there,
-    /// allocate nothing.
+    /// Reserves memory for as many edges as `other` has, each as large as its edge there, so that
+    /// building such edges allocates nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())
             edges_.resize(other.edges_.size());

@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// Edges worked on together.
+/// The number of edges that are worked on together.
 inline constexpr std::size_t edges_at_once = 4;
 
 /// Whether an edge's points are made from its last control point on. They begin at the

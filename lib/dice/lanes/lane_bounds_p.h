@@ -29,7 +29,7 @@ struct lane_bounds {
         seen; ///< boxes of the net and of its visible part, in pixels from the picture's centre
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< one block, if the net is small
+    l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen
 };
 
 /// Finds the needs of a patch in lanes. The slow twin is l3d_needs_of. The needs here exceed those

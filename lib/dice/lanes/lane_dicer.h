@@ -25,7 +25,7 @@ template <class T> class l3d_lane_dicer {
 public:
     /// Dices the patch in one piece, with grid and slits. It leaves nothing out.
     ///
-    /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
+    /// Shape:   edges in the order of l3d_edge_polylines::outer(), of this net and view.
     /// Expects: tolerance > 0, near > 0.
     /// Errors:  false, with nothing written, if the patch is not ordinary. An ordinary patch
     ///          reaches neither to the near or the far plane nor out of the guard band. Neither it

@@ -58,8 +58,8 @@ struct lane_walk {
 
 /// Walks all columns by forward differences, projects and snaps their points, and writes them. Each
 /// column starts exactly, in double, at each strip. The slow twin is l3d_strip_walker.
-/// Expects: the grid's size is that of the parameters; every point is in the guard band.
-/// Cost:    9 additions a column and step, one division and a few products a vertex.
+/// Expects: the grid has as many columns and rows as there are parameters; every point is in the
+/// guard band. Cost:    9 additions a column and step, one division and a few products a vertex.
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
 
 } // namespace l3d_detail

@@ -54,7 +54,7 @@ private:
 
     /// A part of a patch, and the outlines that it may still have.
     struct piece : l3d_exact_part {
-        l3d_bezier_patch<double, 3> patch; ///< from the eye
+        l3d_bezier_patch<double, 3> patch; ///< the patch, with the eye as origin
         unsigned sides = 0;
         bool may_fold = true;
     };

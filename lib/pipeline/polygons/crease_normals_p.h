@@ -61,7 +61,7 @@ private:
     std::span<const direction> of_faces_;
     float least_cosine_, least_of_mean_;
     std::vector<direction> normals_;
-    std::vector<place> places_; ///< in order
+    std::vector<place> places_; ///< sorted, to be searched
 
     struct end {
         std::uint32_t vertex, corner;

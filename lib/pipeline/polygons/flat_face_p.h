@@ -18,7 +18,7 @@ namespace l3d_detail {
 /// Expects: one place at least, all finite.
 std::vector<flat_place> on_grid(std::span<const std::array<double, 2>> places);
 
-/// A face seen along the axis its normal is nearest to, counterclockwise.
+/// A face projected along the axis that its normal is nearest to, with corners counterclockwise.
 class flat_face {
 public:
     using triangle = std::array<std::size_t, 3>; ///< places in the list of the face's corners
@@ -29,8 +29,8 @@ public:
     /// itself, they cover it once. Its corners and sides may touch, as where a path leads to the
     /// border of a hole and back. Crossing polygons become arbitrary triangles.
     ///
-    /// Each step cuts off the first ear. An ear is a corner that forms a triangle with its two
-    /// neighbours which the border does not enter.
+    /// Each step cuts off the first ear. At an ear, the border does not enter the triangle of the
+    /// corner and its two neighbours.
     /// Cost:   linear for a convex face. Else n log n, and three questions to a corner_tree for
     ///         each corner: cutting one off changes the triangles of its neighbours alone.
     /// Source: Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).

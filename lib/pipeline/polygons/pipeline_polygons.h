@@ -82,7 +82,7 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// Whether the number of covered pixels is reported.
     bool count_pixels = false;
 
-    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
     /// on.
     int threads = l3d_usual_threads();
 };
@@ -162,7 +162,7 @@ protected:
         const l3d_polygon_frame& frame;          ///< the model's triangles in the picture
         std::span<const l3d_material> materials; ///< materials of these; none if all are plain
         l3d_shading shading;                     ///< light, and the way to shade
-        bool count_pixels;                       ///< as in the settings
+        bool count_pixels;                       ///< whether covered pixels are counted
         bool smooth_lines;                       ///< whether sides are drawn as smooth lines
     };
 

@@ -44,10 +44,10 @@ public:
         /// Whether parts are made. Else triangles can only be listed. Expects: true for
         /// anti-aliasing.
         bool parts = true;
-        /// Whether, without `cull`, faces seen from behind are left out if closed bodies hide them
-        /// all.
+        /// Whether faces seen from behind are left out without `cull`, too, if closed bodies hide
+        /// them all.
         bool cull_hidden = false;
-        /// The place of the model's first material among those of the picture.
+        /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
         /// The first triangle's number among materials, if each triangle has one of its own
         /// (l3d_face_paints). Expects: the model has materials.
@@ -82,9 +82,9 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// Numbers of the model's triangles in a chunk, which is one item of work and one part, unless
-    /// make() gets `ends`. The smallest takes some 10^4 cycles. 16 chunks give workers even shares.
-    /// Larger ones than `most_chunk` would not stay in a cache of the second level.
+    /// The wanted number of chunks, and the least and most triangles of the model in one. Without
+    /// `ends`, a chunk is one item of work and one part. The smallest takes some 10^4 cycles. 16
+    /// chunks give workers even shares. Larger ones would not stay in a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
@@ -92,7 +92,7 @@ private:
         /// Numbers in the model of the triangles that are drawn. Pieces of a clipped triangle
         /// follow each other.
         std::vector<std::uint32_t> names;
-        /// For each of these, the sign bit of a float if it is seen from behind, else 0. For a
+        /// For each of `names`, the sign bit of a float if it is seen from behind, else 0. For a
         /// piece of a clipped triangle it is 1 more than the index in `pieces`.
         std::vector<std::uint32_t> signs;
         std::vector<l3d_painter_triangle> pieces; ///< pieces of clipped triangles

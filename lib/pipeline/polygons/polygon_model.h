@@ -137,9 +137,9 @@ public:
         return contents_->materials_of_faces.empty() ? 0 : contents_->materials_of_faces[face];
     }
 
-    /// The same faces with pictures on those whose materials name any. `textures` are those of
-    /// mesh().pictures, in their order. Where a pointer is null or missing, faces have the colours
-    /// of their materials.
+    /// A model of the same faces, with pictures on all faces whose materials name one. `textures`
+    /// has a texture for each of mesh().pictures. Where it is null or missing, faces have the
+    /// colours of their materials.
     l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
     /// The pictures given to textured().
     std::span<const std::shared_ptr<const l3d_texture>> textures() const {

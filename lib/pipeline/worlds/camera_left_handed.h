@@ -137,7 +137,7 @@ public:
     void change_size(l3d_size from, l3d_size to);
 
     /// Turns as if a hand dragged the world. Things in the middle of a picture of this size move by
-    /// so many pixels, to the right and down.
+    /// `right` and `down` pixels.
     void drag(double right, double down, l3d_size size);
 
     /// A place in the picture, whose centre is (width / 2, height / 2); y is down.

@@ -61,7 +61,7 @@ private:
                               found& of);
     void note(const painter_entry& member, bool is_seen, bool is_hidden);
 
-    std::vector<parts> parts_; ///< by number
+    std::vector<parts> parts_; ///< parts of the items, by number
     std::vector<found> of_workers_;
 };
 

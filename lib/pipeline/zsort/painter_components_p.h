@@ -126,7 +126,7 @@ private:
         open_.resize(first);
     }
 
-    std::vector<mark> marks_; ///< by number, of those that were seen
+    std::vector<mark> marks_; ///< marks of the seen nodes, by number
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
     std::vector<order_node> edges_; ///< edges of all nodes in calls_, the last one's at the end
