@@ -11,36 +11,38 @@
 #include "scene/bends/surface_bends.h"
 #include "raster/surface_part.h"
 
-/// The bends of a patch along its normals, in a view.
+/// Chooses steps for depth and shade by the bends of a patch along its normals, and bounds the
+/// errors that remain.
 ///
-/// A quad's depth is a plane in space through the mean of its corners. Its error along the exact
-/// normal is each direction's bend, as for places, and a quarter of the corners' distance from one
-/// plane. A quad's level is a parabola with the levels of its corners and of the middles of its
-/// sides: its error comes from third derivatives. NUMERICS, sections 3 and 14.
-/// Lives: borrows the bends.
+/// A quad is drawn with the depth of a plane in space through the mean of its corners. Its error
+/// along the exact normal has two parts: the bend along each direction, as for places, and a
+/// quarter of the corners' distance from one plane. A quad's level is a parabola with the levels of
+/// its corners and of the middles of its sides. Its error comes from third derivatives. NUMERICS,
+/// sections 3 and 14. Lives: borrows the bends.
 class l3d_bend_bounds {
 public:
     /// Makes bounds without bends, which need no finer steps and prove nothing.
     l3d_bend_bounds() = default;
 
-    /// Units: w_per_length: factor from a length of the model to scaled w; focal as l3d_dice_view
-    ///        has it.
+    /// Units:   w_per_length: factor from a length of the model to scaled w; focal:
+    ///          l3d_dice_view::focal.
     /// Expects: the bends are those of the placed patch, but for the scale.
     l3d_bend_bounds(const l3d_surface_bends& bends, double w_per_length, double focal)
         : bends_(&bends), w_per_length_(w_per_length), focal_(focal) {}
 
     explicit operator bool() const { return bends_ != nullptr; }
 
-    /// Makes a piece's needs such that depth keeps `depth_budget`, and that the shade keeps the
-    /// view's tolerance unless quads would be smaller than six pixels.
+    /// Raises a piece's needs so that depth keeps `depth_budget`, and the shade keeps the view's
+    /// tolerance unless quads would be smaller than six pixels.
     ///
-    /// Expects: needs of the piece's blocks for places alone; the budget in pixels.
+    /// Units:   the budget in pixels.
+    /// Expects: `needs` are those of the piece's blocks for places alone.
     void ask(const l3d_patch_part& piece, const l3d_dice_view& view, double depth_budget,
              l3d_block_needs& needs) const;
 
-    /// Error bounds that remain with the chosen steps. Levels of clipped pieces are linear over
+    /// Error bounds that remain with the chosen steps. In clipped pieces, levels are linear over
     /// triangles.
-    /// Expects: arguments as ask() had them, and the plan made from its needs; the slits are those
+    /// Expects: the arguments that ask() had, and the plan made from its needs; the slits are those
     ///          along the piece's sides.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         double depth_budget, const l3d_block_needs& needs,
@@ -65,17 +67,19 @@ private:
 /// The most that snapping moves corners off their planes, beyond the tolerance. Units: pixels.
 inline constexpr double l3d_snapped_planes = 0.001;
 
-/// Error of depth beyond that of vertices, because corners of quads in some blocks of a grid do not
-/// lie on one plane.
+/// The error of depth that comes on top of the vertices' own, in some blocks of a grid. It arises
+/// because a quad's corners do not lie on one plane.
 ///
-/// A flat quad does not need the vertices' allowance for the rounding of its centre. A folded quad
-/// does, and is a fan of triangles, a quarter as far off. So the smaller of both parts is left out.
-/// Shape: blocks as l3d_surface_certificate::without_normals. Units: pixels at their depth.
+/// The vertices' error has an allowance for the rounding of a quad's centre. A flat quad does not
+/// need it. A folded quad does, but it is a fan of triangles, a quarter as far off. So the smaller
+/// of both parts is left out.
+/// Shape:   `blocks` as l3d_surface_certificate::without_normals.
+/// Units:   pixels at their depth.
 /// Expects: view.focal > 0.
 double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
 
 /// Asks for more steps in blocks without normals whose quads are farther off a plane than the
-/// budget of depth leaves. Returns whether any are.
+/// budget of depth allows. Returns whether there are any.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs);
 

@@ -17,8 +17,9 @@ struct l3d_dice_vertex {
     double u = 0, v = 0;
 };
 
-/// The longest extent of a slit's triangle along its side of the grid. Edges have steps of their
-/// own, so it may be several of the grid's steps. Shape: u, v; the blocks along it.
+/// The longest extents of a slit's triangles along the grid's sides. Edges have steps of their own,
+/// so an extent may be several of the grid's steps.
+/// Shape: along u, along v; the blocks along it.
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
@@ -27,7 +28,7 @@ struct l3d_gap_spans {
 };
 
 /// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
-/// point at (u[c], v[r]), corner k of triangle i for the one at triangle_uv[k][i].
+/// point at (u[c], v[r]). Corner k of triangle i stands for the point at triangle_uv[k][i].
 ///
 /// Lives: kept from frame to frame for its memory.
 struct l3d_diced_piece {
@@ -57,7 +58,7 @@ struct l3d_diced_piece {
             corner.clear();
     }
 
-    /// Notes a triangle of a slit that reaches from one parameter to another, both of u or of v.
+    /// Notes in `of` that a slit has a triangle from parameter `low` to `high`, both of u or of v.
     void add_span(std::array<l3d_gap_spans::of_blocks, 2>& of, bool along_u, double low,
                   double high) {
         const std::vector<double>& at = along_u ? u : v;

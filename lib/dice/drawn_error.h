@@ -17,23 +17,24 @@ inline double l3d_evaluation_error(double largest) {
 }
 
 /// Error of a curve's points by Horner's scheme, from power coefficients that are differences of
-/// its control points. In units of u * largest, first to third differences are at most 2, 4, 8 and
-/// err by 2, 8, 24. The coefficients are at most 6, 12, 8, and err by 12, 36, 24. Horner's products
-/// and sums are at most 8, 20, 20, 26, 26, 1 and each rounded. t is rounded, too, along which the
-/// curve changes by at most 6: 179 in all. Balance adds 11: at most l3d_balance / 4 of the second
-/// derivative, of values up to 72 that err by 216 and are rounded three times.
+/// its control points. Numbers are in units of u * largest, with u the unit roundoff. First to
+/// third differences are at most 2, 4, 8 and err by 2, 8, 24. The coefficients are at most 6, 12,
+/// 8, and err by 12, 36, 24. Horner's products and sums are at most 8, 20, 20, 26, 26, 1, and each
+/// is rounded. t is rounded, too, and the curve changes by at most 6 along it: 179 in all. Balance
+/// adds 11. It moves points by at most l3d_balance / 4 of the second derivative. The second
+/// derivative has values up to 72, which err by 216 and are rounded three times.
 inline double l3d_power_form_error(double largest) {
     return 190 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
-/// The errors of a piece's vertices, and their range.
+/// The errors of a piece's vertices, and the range of their coordinates.
 ///
-/// Units: x, y, w those of homogeneous points; pixels from the picture's centre.
+/// Units: x, y, w are those of homogeneous points; reaches are in pixels from the picture's centre.
 struct l3d_vertex_accuracy {
     double error_xy = 0, error_w = 0; ///< errors of homogeneous coordinates, before the division
     double w_low = 0;                 ///< least w of the exact surface where something is drawn
-    double seen_reach = 0;            ///< reach of the part that is seen
-    double reach = 0;      ///< reach of the vertices, which may lie far outside the window
+    double seen_reach = 0;            ///< largest |x| or |y| of the part that is seen
+    double reach = 0;      ///< largest |x| or |y| of the vertices; may lie far outside the window
     double snap_error = 0; ///< error of a vertex, in pixels
 
     /// Largest ratio of a chord's w to the exact w at the same parameters. Steps are chosen so that
@@ -42,8 +43,8 @@ struct l3d_vertex_accuracy {
     /// exact w is at least half of the interpolated one.
     static constexpr double in_front = 1.25, crossing = 2;
 
-    /// The part of drawn_error that slits lack, since they have no folded quads. The centre of a
-    /// folded quad is rounded to sub-pixels once more.
+    /// The part of drawn_error that slits lack: the centre of a folded quad is rounded to
+    /// sub-pixels once more, and slits have no folded quads.
     static double of_centre() { return in_front * l3d_snap_error<double>(0); }
 
     /// The image error that comes on top of the chord error, for points drawn inside the window.
@@ -64,8 +65,8 @@ struct l3d_vertex_accuracy {
     }
 };
 
-/// The error of a vertex along the line of sight, beyond that of its place: the errors of w, and of
-/// depth as a float.
+/// The error of a vertex's depth along the line of sight: that of w, and the rounding of depth to a
+/// float. The error of its place comes on top.
 /// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low) + view.depth_rounding();

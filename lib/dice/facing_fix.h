@@ -11,7 +11,7 @@
 #include <span>
 
 /// The part of a normal that points away from the eye at a pixel: positive if the normal is to be
-/// turned round. Units: x, y in pixels; the result in those of the normal times those of the rays.
+/// turned round. Units: x, y in pixels; the result in units of the normal times units of the rays.
 inline float l3d_away_from_eye(const l3d_shading& shading, const float* normal, float x, float y) {
     float away = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -32,22 +32,24 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// is lit as this side. The other side of the surface begins at the same drawn line and lies
 /// behind.
 ///
-/// Where a side of a patch is nearly a point, normals may be those of the other side: dS along it
-/// turns round. Such a vertex on the grid's border shows what its inner neighbour shows. The sign
-/// for this is a normal more than a right angle off the inner neighbour's.
-/// Shape: away as the grid's arrays: l3d_away_from_eye of each vertex, which is corrected.
+/// Where a side of a patch is nearly a point, dS along the side turns round. Normals there may be
+/// those of the other side. Such a normal at a vertex on the grid's border is more than a right
+/// angle off that of the next vertex inwards. The border vertex then shows the side that its inner
+/// neighbour shows.
+/// Shape: `away` as the grid's arrays: l3d_away_from_eye of each vertex. It is corrected, too.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 
-/// The same for levels; makes the numbers of l3d_micro_vertex for mode l3d_shade::levels.
+/// Turns the grid's levels to the visible side, as l3d_turn_normals turns normals, and makes the
+/// numbers of l3d_micro_vertex for mode l3d_shade::levels. A border vertex takes the side of its
+/// inner neighbour if the levels between the two then bend less.
 ///
-/// Shape: `level` as the grid's arrays and a number longer; it is written to. The levels are those
-///        of the unturned normals. In the grid, normal[1] and normal[2] are the levels of the
-///        middles of sides, in place of bends. Border vertices take their neighbour's side if their
-///        side bends less so.
+/// Shape: `away` and `level` as the grid's arrays, `level` a number longer; both are written to.
+///        The levels are those of the unturned normals. In the grid, normal[1] and normal[2] are
+///        the levels of the middles of sides, in place of bends.
 void l3d_turn_levels(std::span<float> away, std::span<float> level, l3d_micro_grid& grid);
 
-/// The sign of the light that a quad of a grid shows: -1 if the grid shows_both and the quad turns
-/// to the right. A folded quad shows what its piece at `side` does.
+/// The sign of the light that a quad of a grid shows. It is -1 if the grid shows_both and the quad
+/// turns to the right, else 1. A folded quad shows the sign of its piece at `side`.
 /// Shape: side as in l3d_edge_polylines.
 float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::size_t side);
 

@@ -20,27 +20,28 @@
 #include <span>
 #include <vector>
 
-/// The dicer for patches that both can dice.
+/// The dicer that gets the patches that both dicers can dice.
 enum class l3d_dice_way {
     lanes,  ///< the SIMD dicer; the general one takes the rest
     general ///< the general one, the slow twin, takes all
 };
 
-/// Turns batches of placed patches into parts for the rasterizer.
+/// Dices batches of placed patches into parts for the rasterizer.
 ///
 /// The result of a patch depends on the patch and the view alone, unless the frame's budget runs
 /// short. Then it depends on the patches of this batch and of earlier ones, too. Parts come in the
 /// order of their patches. So nothing depends on the workers.
 ///
-/// Each batch may spend half of the budget that is left, the last batch all of it. Its patches get
-/// equal shares. Those that kept the tolerance with less leave the rest to the others. The others
-/// are diced again as long as that at least doubles their shares. So no frame costs twice its
-/// budget.
-/// For a shade that inspects surfaces, vertices have their parameters in place of normals, and a
-/// part's material is the index of its patch in all batches of the frame. In a frame with paints
-/// the parameters of vertices are kept, too. Lives: borrows the workers. Parts live until the next
-/// batch, or as long as keep_batches says. Cost:  no allocation in a frame of patches and batches
-/// that was drawn before. Else, a worker
+/// Each batch may spend half of the budget that is left, the last batch all of it. The patches of a
+/// batch get equal shares. Patches that keep the tolerance with less leave the rest to the others.
+/// These are diced again, as long as that at least doubles their shares. So no frame costs twice
+/// its budget.
+///
+/// For a shade that inspects surfaces, vertices have their parameters in place of normals. A part's
+/// material then is the index of its patch in all batches of the frame. In a frame with paints the
+/// parameters of vertices are kept, too.
+/// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches() says.
+/// Cost:  no allocation in a frame of patches and batches that was drawn before. Else, a worker
 ///        allocates for a patch that is larger than any that the frame's other workers had. A slot
 ///        (the i-th place of a batch) allocates for a patch larger than any it held.
 template <class T> class l3d_frame_dicer {
@@ -50,13 +51,15 @@ public:
         : workers_(workers), way_(way), keep_parameters_(keep_parameters),
           each_worker_(static_cast<std::size_t>(workers.count())) {}
 
-    /// From the next frame on: whether the parts of all batches live until the frame after it.
+    /// Sets whether the parts of all batches of a frame live until the next frame begins. It takes
+    /// effect from the next frame on.
     void keep_batches(bool keep) { keeps_batches_ = keep; }
 
     /// Starts a frame. Expects: tolerance > 0, near > 0.
     void begin(const l3d_dice_view& view);
 
-    /// Expects: batch is of this scene and culling.
+    /// Dices a batch of patches, and returns their parts. Expects: the batch comes from this scene
+    /// and culling.
     std::span<const l3d_surface_part* const> dice(const l3d_patch_scene& scene,
                                                   const l3d_scene_culling& culling,
                                                   std::span<const l3d_placed_patch> batch);
@@ -67,8 +70,9 @@ public:
         return slots_[first_slot_ + i].used();
     }
 
-    /// Gives each quad and triangle of patch i of the last batch a name of its own, in place of a
-    /// material, and notes them. Without names enough it does nothing.
+    /// Names each quad and triangle of patch i of the last batch, and notes the names in `to`. A
+    /// name is a number of its own in place of a material. Pieces for which there are not enough
+    /// names keep their material.
     /// Expects: a shading with paints; `like` has material, texture and map, `next` the next name.
     void name_polygons(std::size_t i, const l3d_detail::painted_part& like, std::size_t& next,
                        l3d_detail::painted_parts& to);
@@ -77,15 +81,17 @@ public:
     const l3d_dice_counts& counts() const { return counts_; }
 
 private:
-    /// Shape: two cache lines begin with it, so that workers do not take each other's.
+    /// A worker's memory. Shape: it begins a pair of cache lines, so that workers do not take each
+    /// other's.
     struct alignas(128) worker_space {
         l3d_lane_dicer<T> lanes;
         l3d_patch_dicer<T> general;
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
-        l3d_bend_bounds bends;                      ///< bends of the patch that is diced
-        std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
+        l3d_bend_bounds bends; ///< bends of the patch that is diced
+        std::optional<l3d_surface_bends>
+            own_bends; ///< bends as placed, if the placement is no similarity
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);
@@ -132,7 +138,7 @@ private:
     std::size_t first_slot_ = 0, next_slot_ = 0; ///< the last batch's; the one behind it
     std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;
-    std::vector<outcome> outcomes_;   ///< likewise
+    std::vector<outcome> outcomes_;   ///< one for each patch of the last batch
     std::vector<std::size_t> wanted_; ///< the slots that are to be diced
     std::int64_t budget_left_ = 0;
     std::vector<const l3d_surface_part*> parts_;

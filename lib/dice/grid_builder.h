@@ -25,17 +25,19 @@ template <class T> class l3d_grid_builder {
 public:
     using piece = l3d_surface_piece;
 
-    /// Starts a patch with the data of all its pieces. Lives: normals and edges must outlive its
-    /// drawing.
+    /// Starts a patch with the data of all its pieces.
+    /// Lives: normals and edges must outlive its drawing.
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
-    /// Expects: the piece's sides name edges of those given to begin.
+    /// Draws a piece with its slits. Expects: the piece's sides name edges of those given to
+    /// begin().
     void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// Draws the rest of a piece that needs no clipping, after its grid: the slits, and the corners
-    /// at their common places. Shape: the grid's blocks and out.u, out.v are written.
+    /// Draws the rest of a piece that needs no clipping, after its grid: it moves the corners to
+    /// their common places, and fills the slits.
+    /// Expects: the grid's blocks, out.u and out.v are written.
     void close(const piece& p, l3d_diced_piece& out);
 
     /// Fills the slits along the sides of a piece outside the window up to its corners: the piece

@@ -18,7 +18,8 @@ struct l3d_clip_vertex {
 /// Whether a homogeneous point is between the near and the far plane and inside the guard band.
 bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
 
-/// A homogeneous point as a vertex: the one way in which corners and points of edges become pixels.
+/// Makes a vertex of a homogeneous point. Corners and points of edges become pixels by this
+/// function alone.
 l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_view& view);
 
 /// Adds the part of triangle a b c that can be drawn, as triangles, to `out`.

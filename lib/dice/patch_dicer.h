@@ -18,34 +18,34 @@
 #include <limits>
 #include <vector>
 
-/// Pieces of a patch at most: 2047 cuts, some of which go to parts outside the picture.
+/// The most pieces of a patch: 2047 cuts, some of which go to parts outside the picture.
 inline constexpr std::size_t l3d_most_pieces = 2048;
 
-/// Vertices of a patch at most, those of its edges not counted, and about as many quads. A patch
+/// The most vertices of a patch, those of its edges not counted, and about the most quads. A patch
 /// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the
-/// finest tolerance. The limit takes some 2 seconds and 700 MB.
+/// finest tolerance. Dicing and drawing so many takes some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
-/// The largest cost of a patch; tells afterwards whether the patch could have used more.
+/// The largest cost of dicing a patch. It tells afterwards whether the patch could have used more.
 ///
 /// Units: samples that are diced in lanes. A sample that is evaluated by itself costs
 ///        l3d_evaluated_cost of them, and each piece l3d_piece_cost.
 struct l3d_dice_budget {
     std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
-    bool is_short = false; ///< with more, the bound would be smaller
+    bool is_short = false; ///< whether the bound would be smaller with a larger budget
 };
 
-/// A sample in lanes takes some 20 ns, all in all. A sample that is evaluated by itself, lit, and
-/// clipped and filled as two triangles takes 0.3 us. The plan of a piece takes 5 us. Both are
-/// measured on spikes through the near plane.
+/// Costs in units of a sample that is diced in lanes, which takes some 20 ns, all in all. A sample
+/// that is evaluated by itself, lit, and clipped and filled as two triangles takes 0.3 us. The plan
+/// of a piece takes 5 us. Both are measured on spikes through the near plane.
 inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
 /// Dices patches given as homogeneous image nets.
 ///
-/// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip,
-/// or if it crosses the near plane and is not yet fine. The least fine piece is cut first. No patch
-/// is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn as finely as the
-/// budget allows, and the bound tells the error.
+/// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip.
+/// It is also cut if it crosses the near plane and is not yet fine. The least fine piece is cut
+/// first. No patch is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn
+/// as finely as the budget allows, and the bound tells the error.
 ///
 /// A piece's rows are walked by forward differences in T, restarted exactly at each strip. Along
 /// each side the piece fills the slit between its own boundary row and the side's edge polyline.
@@ -69,7 +69,7 @@ public:
               l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes = nullptr,
               const l3d_bend_bounds& bends = {});
 
-    /// The same without a budget.
+    /// Dices a patch without a budget.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts) {
         l3d_dice_budget enough;
@@ -94,7 +94,7 @@ private:
         l3d_block_needs needs;
         double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
         double depth_budget = 0, excess = 0;
-        double depth_growth = 1; ///< growth of quotients by w, as w of its chords is off
+        double depth_growth = 1; ///< factor by which quotients by w grow, as w of chords is off
     };
 
     /// A piece that is still too coarse.

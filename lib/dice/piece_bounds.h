@@ -11,10 +11,10 @@
 #include <cstddef>
 #include <span>
 
-/// l3d_most_steps_whole for pieces that need clipping. They are drawn slowly, and their triangles
-/// have no contours for smooth edges. So they are cut until nearly all parts before the near plane
-/// go to the lanes. With 4, 30 edge pixels of a ball beside the eye err by over 30 levels; with 2,
-/// only 9 do (`near_outline`).
+/// The most steps of a strip in a piece that needs clipping; others have l3d_most_steps_whole.
+/// Clipped pieces are drawn slowly, and their triangles have no contours for smooth edges. So
+/// pieces are cut until nearly all parts before the near plane go to the lanes. With 4 steps, 30
+/// edge pixels of a ball beside the eye err by over 30 levels; with 2, only 9 do (`near_outline`).
 inline constexpr int l3d_most_steps_clipped = 2;
 
 /// The nets of a piece and of its blocks, the way to draw the piece, and the errors of its
@@ -43,7 +43,8 @@ public:
     /// The error that rounding of the vertices adds to the chord error. Units: pixels.
     double vertex_error() const { return vertex_error_; }
 
-    /// The error of vertices in slits along the piece's sides, likewise.
+    /// The error that rounding of vertices adds to the chord error of slits along the piece's
+    /// sides. Units: pixels.
     double row_error() const {
         return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
     }

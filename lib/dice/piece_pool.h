@@ -12,7 +12,7 @@
 
 /// Pieces in the order in which they were diced, kept for their memory.
 ///
-/// Shape: begins two cache lines, as others are written by other workers.
+/// Shape: a pool begins a pair of cache lines, since other workers write to other pools.
 /// Cost:  allocates only when there are more, or larger ones, than ever before.
 class alignas(128) l3d_piece_pool {
 public:

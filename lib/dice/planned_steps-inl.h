@@ -25,14 +25,14 @@ using lane_tag = hn::CappedTag<double, most_strips>;
 using lane_vec = hn::Vec<lane_tag>;
 using lane_mask = hn::Mask<lane_tag>;
 
-/// The two directions; as an index, and as the other one's.
+/// The two directions of parameters, used as indices, too.
 enum direction : std::size_t { along_u, along_v };
 constexpr direction other(direction d) {
     return d == along_u ? along_v : along_u;
 }
 
-/// A number of each block in two orders: in `by[d]` the blocks of a strip of direction d lie side
-/// by side. Blocks of missing strips have 0.
+/// One number per block, in two orders: in `by[d]` the blocks of a strip of direction d lie side by
+/// side. Blocks of missing strips have 0.
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips] = {};
 
@@ -43,7 +43,7 @@ struct block_numbers {
                     of[strips * b + a];
     }
 
-    /// Numbers of the blocks of a strip, from `lane` on.
+    /// The numbers of a strip's blocks, from `lane` on.
     HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
         return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
     }
@@ -65,7 +65,7 @@ HWY_INLINE void largest_in_strips(const block_numbers& of, direction d,
     }
 }
 
-/// The strips at a piece's sides, where there are four.
+/// 1 for the strips at a piece's sides, 0 for others, where there are four strips.
 alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
 
 /// Steps along one direction, and their effects, by strip.
@@ -86,7 +86,7 @@ struct steps_along {
 
 /// Effect of steps on the blocks of a strip of one direction, from some lane on.
 struct strip_numbers {
-    lane_vec step, bend, moved; ///< across the strip: those of the other direction
+    lane_vec step, bend, moved; ///< across the strip, by steps of the other direction
     lane_vec own_step, own_bend, own_moved;
 };
 

@@ -25,7 +25,7 @@ template <std::floating_point T> std::int32_t rounded(T value) {
 
 } // namespace l3d_detail
 
-/// (x / w, y / w) in 1/256 pixel.
+/// Projects a homogeneous point, and rounds it to (x / w, y / w) in 1/256 pixel.
 ///
 /// Expects: w > 0, |x / w| and |y / w| at most l3d_guard_band.
 /// Errors:  two roundings, of the reciprocal and of the product: at most 2.01 u |x / w|; snapping
@@ -37,8 +37,8 @@ template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
             static_cast<float>(reciprocal)};
 }
 
-/// The same in fixed point: one exact quotient, rounded once.
-/// Expects: also |x| and |y| below 2^(bits - 1 - 8) raw, as the guard band and the image
+/// Projects a point in fixed point, by one exact quotient that is rounded once.
+/// Expects: in addition, |x| and |y| below 2^(bits - 1 - 8) raw, as the guard band and the image
 ///          transform's scale make sure.
 template <class S, int F, l3d_overflow O>
 l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F, O> w) {

@@ -32,7 +32,7 @@ struct l3d_block_needs {
     bool keeps_depth = false;                     ///< whether any depth is not zero
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
     per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< second bounds of w, in depth budgets
-    per_block least_w{}; ///< for visible blocks: the least exact w of a drawn point
+    per_block least_w{}; ///< least exact w of a drawn point, for visible blocks
 
     /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
     bool balanced = false;
@@ -61,12 +61,12 @@ struct l3d_block_needs {
     unsigned without_normals = 0; ///< bits of visible blocks that may have places without a normal
     normal_bends bends;
 
-    /// Steps below which quads are too large to be filled fast. Not certified: a perspective
-    /// curve may run through its pixels faster than its control points are apart.
+    /// The fewest steps that keep quads small enough to be filled fast. They are not certified: a
+    /// perspective curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
 
     /// The factor by which errors are to be smaller where outlines may be: along the piece's sides,
-    /// and in blocks that may fold over, as bits. No bound relies on it.
+    /// and in blocks that may fold over, whose bits `folds` has. No bound relies on it.
     double finer_outlines = 1;
     unsigned folds = 0;
 };
@@ -85,22 +85,23 @@ inline constexpr double l3d_largest_quad = 48;
 l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
-/// Takes the view's wishes for outlines. Expects: the needs' strips are those of the piece.
+/// Adds the view's wishes for finer steps at outlines. Expects: the needs' strips are those of the
+/// piece.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs);
 
 /// Steps per strip of a piece that is cut into strips x strips blocks.
 ///
-/// The grid is a tensor product, so that it is watertight inside by construction: all blocks of
-/// a u-strip share its steps. Integers, not powers of two: on the teapot that saves a third of
-/// the quads, and four strips instead of one save another third.
+/// The grid is a tensor product, so that it is watertight inside by construction: all blocks of a
+/// u-strip share its steps. Steps are any whole numbers, not powers of two alone. On the teapot
+/// that saves a third of the quads, and four strips instead of one save another third.
 struct l3d_step_plan {
     static constexpr int most_strips = l3d_block_needs::most_strips;
 
     int strips = 1;
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
-    double bend_error = 0;  ///< the same along the normal, in budgets of depth
+    double bend_error = 0;  ///< bound of the errors along the normal, in budgets of depth
     bool visible = false;   ///< whether any block may reach into the picture
     bool balanced = false;  ///< whether vertices inside strips are to be moved, see l3d_balance
 
@@ -113,16 +114,15 @@ struct l3d_step_plan {
 ///
 /// Let c be the weight of a direction's steps (1/8 h^2, or l3d_balanced_error). Let m be the weight
 /// by which its vertices are moved (0, or l3d_balance h^2). A quad errs by at most
-///     c_u uu + c_v vv + m_u m_v uuvv + d k,   d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv
-///                                                 + 4 m_u m_v uuvv,
-/// d being a bound of the corners' mixed difference and k 1/16 or 1/4, see l3d_second_bounds. Slits
-///                                                   between a side's row and its edge err as much
-///                                                   as unbalanced chords. So the outer blocks'
-///                                                   unbalanced chords keep the budget, too.
+///     c_u uu + c_v vv + m_u m_v uuvv + d k,
+///     d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv + 4 m_u m_v uuvv.
+/// Here d bounds the corners' mixed difference, and k is 1/16 or 1/4, see l3d_second_bounds. Slits
+/// between a side's row and its edge err as much as unbalanced chords. So the outer blocks'
+/// unbalanced chords keep the budget, too.
 ///
-/// Along the normal they err by at most
-///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv) and so on (NUMERICS,
-/// section 3, Depth), and that keeps its own budget.
+/// Along the normal, a quad errs by at most
+///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv)
+/// and further terms (NUMERICS, section 3, Depth). This error keeps a budget of its own.
 ///
 /// Outlines get finer steps only if these are no reason to cut the piece: no more than
 /// l3d_most_steps_whole a strip, and none with `triangles`.
@@ -133,10 +133,13 @@ struct l3d_step_plan {
 ///          Enough steps are taken that the exact w is then at least half of that.
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
-/// Error of depth with other steps than those planned, as l3d_step_plan::bend_error.
+/// The error along the normal with the steps of any plan. Units: budgets of depth, as
+/// l3d_step_plan::bend_error.
 double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
 
-/// Steps from the blocks' nets. Shape, Expects: as l3d_needs_of.
+/// Plans the steps of a net from the nets of its blocks.
+/// Shape:   as l3d_needs_of.
+/// Expects: as l3d_needs_of.
 inline l3d_step_plan l3d_plan_steps(const l3d_image_net& net,
                                     std::span<const l3d_image_patch> blocks,
                                     const l3d_dice_view& view, double budget, l3d_quad_kind kind) {

@@ -17,16 +17,17 @@
 /// The contents of a model file: patches, or polygons.
 using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
 
-/// The model of a file in any format of l3d_read_model: its patches if it holds nothing else, or
-/// its polygons. Patches among polygons become quads, as by l3d_polygon_model::load, so that
-/// nothing is missing. Notes on skipped lines are added to `notes`.
-/// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file that holds
-///         neither, and for patches that l3d_patch_model::from_patches refuses.
+/// Loads a model file in any format of l3d_read_model. A file of patches alone gives patches. Any
+/// other file gives polygons; patches among them become quads, as l3d_polygon_model::load makes
+/// them. Notes on skipped lines are added to `notes`.
+/// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file without patches
+///         and polygons, and for patches that l3d_patch_model::from_patches refuses.
 L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);
 
-/// The viewer of such a model: exact patches, or polygons through a depth buffer. Its constructor
-/// takes a canvas, the model, a camera and settings, which `{}` leaves as usual.
+/// The viewer for a kind of model: exact patches, or polygons through a depth buffer. Its
+/// constructor takes a canvas, the model, a camera and settings; `{}` stands for the usual
+/// settings.
 ///
 ///     std::visit([&]<class Model>(const Model& model) {
 ///         l3d_pipeline_for<Model> pipeline(l3d_memory_canvas({640, 480}), model,

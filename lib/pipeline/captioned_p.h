@@ -17,18 +17,19 @@
 
 namespace l3d_detail {
 
-/// Hands every call on to a pipeline, and draws a panel on the finished picture. Before the
-/// pipeline draws again, the covered pixels are put back: some programs add to the last picture.
+/// Draws a program's caption on the finished pictures of a pipeline, and hands every call on to it.
+/// Before the pipeline draws again, the covered pixels are put back, since some programs add to the
+/// last picture.
 ///
-/// For some seconds the panel tells the subject, the lesson, and some keys. If that would hide much
-/// of the picture, it tells less, down to the key that lists the others, or nothing. The keys of
-/// help show all keys, page after page, and hide them again. Another panel has the pipeline's
-/// message.
+/// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If it
+/// would hide much of the picture, it tells less, down to the key that lists all keys, or nothing.
+/// The help keys show all keys, page after page, and then hide them. Another panel shows the
+/// pipeline's message.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
 public:
-    /// Units: the first words stay for so many seconds.
+    /// Units: `hint_seconds`: seconds for which the first panel stays.
     captioned(l3d_pipeline& shown, l3d_screen& screen, l3d_caption caption, l3d_font font,
               double hint_seconds);
 
@@ -66,8 +67,8 @@ private:
     l3d_screen& screen_;
     l3d_caption caption_;
     l3d_font font_;
-    double hint_seconds_;       ///< that are left
-    std::size_t help_page_ = 0; ///< that is shown, from 1; 0 for none
+    double hint_seconds_;       ///< seconds for which the first panel stays
+    std::size_t help_page_ = 0; ///< the page of help shown, from 1; 0 for none
     bool is_old_ = false;       ///< the drawn panel is not the wanted one
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;

@@ -16,7 +16,7 @@
 struct L3D_PUBLIC l3d_common_times {
     double raster = 0;  ///< clearing, coverage, depth, shading, lines
     double overlay = 0; ///< control nets and text
-    double total = 0;   ///< all stages but those below
+    double total = 0;   ///< all stages of drawing; show and write are no part of it
     double show = 0;    ///< bringing the picture to the screen; not part of total
     double write = 0;   ///< writing picture files; not part of total
 };
@@ -56,18 +56,18 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// Pixels that stay from the last frame, as nothing changed there.
     std::int64_t pixels_kept = 0;
 
-    /// How much of the bounds of places and depth comes from curved models, whose patches stand for
-    /// surfaces that are not bicubic.
+    /// The part of the bounds of places and depth that comes from curved models, whose patches
+    /// stand for surfaces that are not bicubic.
     double curved_px = 0;
 
-    /// Pixels that any outline's bound reaches, where nothing is certain about what is seen. It is
-    /// none_counted if nobody asked, or if only a part of the picture was drawn.
+    /// The number of pixels that the bound of an outline reaches, in which it is not certain what
+    /// is seen. It is none_counted if nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 
-    /// The largest part of any pixel's square that may show another surface, or the background,
-    /// than in the exact picture, from 0 to 1. It counts surfaces drawn in another place, and not
-    /// the sampling of pixels. It is infinite if nobody asked for the map of errors, or if places
-    /// or depth have no bound.
+    /// The largest part of a pixel's square, from 0 to 1, that may show another surface, or the
+    /// background, than in the exact picture. Surfaces drawn in another place count, the sampling
+    /// of pixels does not. It is infinite if nobody asked for the map of errors, or if places or
+    /// depth have no bound.
     double coverage_bound = std::numeric_limits<double>::infinity();
     /// The largest error of any channel in pixels that lie inside one surface, in levels of 255. It
     /// is infinite if nobody asked for the map of errors.
@@ -76,7 +76,8 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// The work that this frame did not need, and the test that proved it, a line each.
+    /// Explains the work that the frame left out: a line for each reason, with the test that proved
+    /// it.
     std::string explanation() const;
 
 private:
@@ -94,10 +95,10 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
     }
 };
 
-/// Counts of the work that a frame's order took.
+/// Counts of the work of putting a frame's triangles into painting order.
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< triangles to be ordered
-    std::int64_t pairs = 0;     ///< pairs of triangles compared as they may share pixels
+    std::int64_t pairs = 0;     ///< pairs of triangles compared, since they may share pixels
     std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
     std::int64_t knotted = 0;   ///< triangles in the knots
     std::int64_t cuts = 0;      ///< triangles and pieces cut in two
@@ -120,7 +121,8 @@ struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// The work that this frame did not need, and the test that proved it, a line each.
+    /// Explains the work that the frame left out: a line for each reason, with the test that proved
+    /// it.
     std::string explanation() const;
 };
 

@@ -14,7 +14,8 @@
 
 namespace l3d_detail {
 
-/// The paints of a frame of patches.
+/// Collects the pictures on a frame's patches, for the rasterizer to paint. Each quad gets a name:
+/// a number in place of a material.
 class laid_pictures {
 public:
     /// Starts a frame. Returns the paints for its shading; null if no picture lies on the scene.
@@ -60,7 +61,7 @@ private:
 
     painted_parts parts_;
     l3d_face_paints paints_;
-    std::size_t next_ = 0; ///< the next name
+    std::size_t next_ = 0; ///< the next name to give
 };
 
 } // namespace l3d_detail

@@ -12,15 +12,16 @@
 #include <string>
 #include <vector>
 
-/// The keys of every lesson, and what dragging with the mouse does, for a program's caption.
+/// Rows for a program's caption: the keys of every lesson, and the effect of dragging with the
+/// mouse, which `dragging` describes.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragging);
 
-/// A pipeline of a world in which time passes. The user can stop it, begin again, and take hold of
-/// it with the mouse.
+/// A pipeline of a world in which time passes: the common part of the book's lessons. The user can
+/// stop time, start again, and take hold of the world with the mouse.
 ///
 /// Pictures have a dark ground, or a black one if the canvas is classic. A subclass draws on top of
 /// the picture before, unless it clears that.
-/// Lives: as l3d_pipeline_2d.
+/// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
 public:
     /// A lesson on this canvas. Errors: as l3d_pipeline_2d.
@@ -48,7 +49,7 @@ protected:
 
     /// Stops the lesson, or lets it go on.
     void set_stopped(bool stopped) { stopped_ = stopped; }
-    /// Whether the user has stopped it.
+    /// Whether the lesson is stopped.
     bool is_stopped() const { return stopped_; }
 
 private:
@@ -59,10 +60,11 @@ private:
     virtual void advance(double seconds) = 0;
     /// Puts the lesson back to how it began.
     virtual void restart() = 0;
-    /// The pointer has moved to (x, y) by (right, down) with its first button held; by 0 when the
-    /// button is pressed. Units: pixels.
+    /// Called when the pointer moves with its first button held, and, with a motion of 0, when that
+    /// button is pressed. The pointer is at (x, y) and has moved by (right, down).
+    /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
-    /// The wheel was turned away from the user by so many notches.
+    /// Called when the wheel turns, by `notches` away from the user.
     virtual void roll(int notches);
 
     l3d_lesson(bool is_classic, l3d_canvas&& canvas);

@@ -14,7 +14,8 @@
 
 #include <memory>
 
-/// Culls, dices within the tolerance, and fills; batch after batch, nearest first.
+/// Draws surfaces by adaptive forward differencing: culls patches, dices them within the tolerance,
+/// and fills them, batch after batch, the nearest first.
 ///
 /// Lives: borrows the workers.
 /// Cost:  no allocation once the largest frame has been seen, if nobody asks for outlines.
@@ -44,8 +45,8 @@ private:
 
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
-    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< inspects, if `surface_` cannot
-    const l3d_surface_rasterizer* used_;                ///< in the last frame
+    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< for inspection, if `surface_` cannot
+    const l3d_surface_rasterizer* used_;                ///< the rasterizer of the last frame
     l3d_inspected_scene inspected_;
     l3d_detail::laid_pictures pictures_;
     l3d_scene_culling culling_;

@@ -11,10 +11,13 @@
 
 namespace l3d_detail {
 
-/// The free rest of a picture, as its largest free rectangles, which overlap. A panel takes the
-/// rectangle that holds it unwrapped, nearest to its corner: first along its edge of the picture,
-/// then farther from the edge. If none does, the panel is wrapped more narrowly; at last it takes
-/// the largest rectangle, with smaller letters.
+/// Finds places for panels in the free rest of a picture. The rest is kept as its largest free
+/// rectangles, which overlap.
+///
+/// Among the rectangles that hold a panel unwrapped, the panel takes the one nearest to its corner:
+/// first along its edge of the picture, then farther from the edge. If none does, it is wrapped
+/// more narrowly in the largest rectangle that holds it so. At last it takes the largest rectangle,
+/// with smaller letters.
 class panel_places {
 public:
     panel_places(l3d_size picture, const l3d_panel_style& style)

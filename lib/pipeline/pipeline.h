@@ -38,11 +38,12 @@ public:
     /// Set to true to ask the dispatcher to finish after the current frame.
     bool done = false;
 
-    /// Any event; called before the more special call below, if there is one for it.
+    /// Called for any event, before the more special call below if there is one for it.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// A key was pressed: ASCII code or l3d_key. Only any_event tells of keys with Alt or Super
-    /// held, of characters with Ctrl, of Shift, Ctrl and Alt alone, and of keys that only type.
+    /// A key was pressed, given as an ASCII code or l3d_key. Some keys reach only any_event: keys
+    /// with Alt or Super held, characters with Ctrl, Shift, Ctrl and Alt by themselves, and keys
+    /// that only type.
     virtual void key_event(int key) { static_cast<void>(key); }
 
     /// A button, the pointer or the wheel moved.
@@ -55,12 +56,13 @@ public:
     virtual void update_event(double seconds) { static_cast<void>(seconds); }
 
     /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
-    /// Errors:  l3d_interrupted, as interrupt_when says; the pixels are no picture then.
+    /// Errors: throws l3d_interrupted if the function of interrupt_when asks for it; the pixels are
+    ///         no picture then.
     virtual void draw_event() {}
 
-    /// Sets a function that a long draw_event calls now and then: if it returns true, draw_event
-    /// ends by l3d_interrupted. A later one draws a whole picture again. Fast pipelines may ignore
-    /// it.
+    /// Sets a function that a long draw_event calls now and then. If it returns true, draw_event
+    /// throws l3d_interrupted, and the next draw_event draws a whole picture again. Fast pipelines
+    /// may ignore the function.
     virtual void interrupt_when(std::function<bool()> wanted) { static_cast<void>(wanted); }
 
     /// The box of the pixels that the last draw_event may have changed; the dispatcher shows no
@@ -70,33 +72,37 @@ public:
         return {0, 0, most, most};
     }
 
-    /// The picture that draw_event drew has been shown and stored.
+    /// Called when the picture of draw_event has been shown and stored.
     virtual void frame_event(const l3d_frame_times& times) { static_cast<void>(times); }
 
-    /// Called in place of draw_event, after update_event, where nobody wants the frame's picture.
-    /// True if later pictures do not depend on it; else the dispatcher has it drawn all the same.
+    /// Called in place of draw_event, after update_event, if nobody wants the frame's picture.
+    /// Returns true if later pictures do not depend on this one. If it returns false, the
+    /// dispatcher has the picture drawn all the same.
     virtual bool skip_event() { return false; }
 
     /// Whether nothing changes until the next event, however much time goes by. In a window the
     /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
     virtual bool is_at_rest() const { return false; }
 
-    /// The caption of the window until it changes: lines that \n divides; "" for nothing.
+    /// The text of the window's caption, shown until it changes; \n divides its lines. It is "" for
+    /// none.
     virtual std::string message() const { return {}; }
 
-    /// Time that the program stays at rest if no event comes. Units: seconds, more than 0. After
-    /// it, or at the event, rest_event comes. Expects: is_at_rest().
+    /// The time for which the program stays at rest if no event comes. After that time, or at the
+    /// next event, rest_event is called.
+    /// Units:   seconds, more than 0.
+    /// Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
-    /// Lets seconds of a rest pass, for which no update_event comes.
+    /// Lets time of a rest pass, for which no update_event comes. Units: seconds.
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
     /// Whether anything would look different if draw_event were called now. The dispatcher
     /// neither draws nor shows while this is false and no event came.
     virtual bool needs_redraw() const { return true; }
 
-    /// One line that the user should read once, such as fewer threads than wanted; "" if there is
-    /// none. The dispatcher asks after each frame.
+    /// One line that the user should read once, such as that fewer threads draw than wanted; "" if
+    /// there is none. The dispatcher asks after each frame.
     virtual std::string take_remark() { return {}; }
 };
 
@@ -124,22 +130,24 @@ struct L3D_PUBLIC l3d_caption {
     /// The program's own keys. The keys of every program are added automatically.
     std::vector<l3d_caption_row> keys{};
 
-    /// The keys that show and hide the help. A program that needs one of them leaves it out.
+    /// The keys that show and hide the help. A program that needs one of them for itself leaves it
+    /// out here.
     std::string help = "h?";
 
     /// The corner in which the window shows its caption for some seconds, or until a button is
     /// pressed. Choose one where the program has nothing to see.
     l3d_corner corner = l3d_corner::bottom_left;
 
-    /// All keys: the program's own, F11, those of help, and the end.
+    /// All keys: the program's own keys, F11, the help keys, and the keys that end the program.
     std::vector<l3d_caption_row> all_keys() const;
 
     /// The text of --help: the sentences, and a list of all keys below them.
     std::string text() const;
 };
 
-/// Turns seconds into whole steps. So a world that moves step by step moves as fast at any frame
-/// rate. At 30 frames a second it makes two steps of a 60th each, at 300 one in every fifth frame.
+/// Turns seconds into whole steps, so that a world that moves step by step is equally fast at any
+/// frame rate. With 60 steps a second, it makes two per frame at 30 frames a second, and one in
+/// every fifth frame at 300.
 class L3D_PUBLIC l3d_ticker {
 public:
     /// Units:   steps per second. Expects: positive.
@@ -147,7 +155,7 @@ public:
 
     /// The number of steps due `seconds` after the last call; the rest is kept for the next call.
     ///
-    /// At most a second's worth: a program that was stopped does not catch up with hours.
+    /// It is at most a second's worth, so a program that was stopped does not catch up with hours.
     int due(double seconds) {
         // A rounding error is no reason to put off a step. 1/60 s, as a double, times 60 is 1, but
         // a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
@@ -161,7 +169,7 @@ public:
 
 private:
     double per_second_;
-    double steps_ = 0; ///< not yet handed out, may be less than 0 by the slack
+    double steps_ = 0; ///< steps not yet handed out; may be less than 0 by the slack
 };
 
 #endif

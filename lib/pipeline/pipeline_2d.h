@@ -9,11 +9,12 @@
 
 #include <memory>
 
-/// A pipeline with a screen and a rasterizer for it. q and Escape end it; it survives resizes.
+/// A pipeline that draws on a screen with a 2D rasterizer. The keys q and Escape end it, and it
+/// follows changes of the screen's size.
 ///
-/// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. One with keys of its
-/// own passes those that it does not know to l3d_pipeline_2d::key_event.
-/// Lives:   owns screen and rasterizer.
+/// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. If it has keys of
+/// its own, it passes all others to l3d_pipeline_2d::key_event.
+/// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_pipeline_2d : public l3d_pipeline {
 public:
     /// A pipeline that draws on this canvas. Errors: as l3d_rasterizer_factory::create_2d.
@@ -21,7 +22,8 @@ public:
 
     /// The screen that shows the pictures.
     l3d_screen& screen() { return *screen_; }
-    /// The canvas's letters. Lives: copies share what they have drawn, so all belong to one thread.
+    /// The canvas's letters. Lives: copies share the letters drawn so far, so all belong to one
+    /// thread.
     const l3d_font& font() const { return font_; }
     /// The picture's width and height, in pixels.
     l3d_size size() { return screen_->pixels().size(); }
@@ -38,7 +40,8 @@ protected:
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
 private:
-    /// Draws on top of the last picture: only `clear_buffer` and a resize clear it.
+    /// Draws a picture. The last picture lies below it, unless `clear_buffer` or a resize cleared
+    /// that.
     virtual void draw(l3d_rasterizer_2d& rasterizer) = 0;
 
     std::unique_ptr<l3d_screen> screen_;

@@ -30,10 +30,10 @@ class l3d_pixel_boxes;
 /// Work that a frame does although it could skip it; the picture is the same, or as good. Only
 /// benchmarks set these, to compare with and without a rule.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
-    bool unit_normals = false; ///< lambert: in each pixel, also where less would do
-    bool drawing = false;      ///< that of drawing the last frame's contents again
+    bool unit_normals = false; ///< lambert: made in each pixel, also where less would do
+    bool drawing = false;      ///< a frame is drawn again, also where nothing changed
 
-    /// Every such work, as if no rule could skip any.
+    /// All of this work, as if no rule could skip any.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
 };
 
@@ -58,7 +58,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// change of what the function does, call redraw().
     l3d_own_shade own{};
 
-    /// Viewers draw the scale of a shade that inspects into the picture.
+    /// Whether viewers draw the scale of an inspecting shade into the picture.
     bool legend = true;
 
     /// The direction towards the light. Units: world space, any length.
@@ -69,43 +69,44 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// pixel more closely.
     l3d_lighting lighting{};
 
-    /// One light goes with the eye, in place of `light` and `lighting`: l3d_headlight. So no side
-    /// is in the dark.
+    /// Whether one light goes with the eye (l3d_headlight), in place of `light` and `lighting`, so
+    /// that no side is in the dark.
     bool headlight = false;
 
-    /// Edges are means over pixels, not stairs; see l3d_shading.
+    /// Whether edges are smooth: means over pixels, not stairs; see l3d_shading.
     bool antialias = true;
 
-    /// The colour that far surfaces fade into. Only the library's own method has it, for shades of
-    /// light and normals. The certificate of shades then includes the fog's share of the bound of
-    /// depth (NUMERICS, section 23).
+    /// The fog that far surfaces fade into. Only the library's own method draws it, for shades of
+    /// light and normals. The certified bound of shades then includes the effect of errors of depth
+    /// on the fog (NUMERICS, section 23).
     l3d_fog fog{};
 
     /// The way to look up pictures that lie on patches (l3d_patch_scene::lay). Only the library's
-    /// own method has them. Their colours have no certificate: the bound of shades is infinite.
+    /// own method draws them. Their colours have no certificate: the bound of shades is infinite.
     l3d_texture_filter texture_filter = l3d_texture_filter::anisotropic;
 
     /// The picture's colours where nothing is drawn.
     l3d_background background = l3d_background::gradient();
 
-    /// The lines of the adaptive grid are drawn instead of the filled surface.
+    /// Whether the lines of the adaptive grid are drawn instead of the filled surface.
     bool wireframe = false;
 
-    /// The control nets are drawn on top.
+    /// Whether the control nets are drawn on top.
     bool net = false;
 
     /// Work that is done although it could be skipped.
     l3d_kept_work keep{};
 
-    /// A patch, or a sixteenth of a large one, is left out if all of it turns its back: dS/du x
-    /// dS/dv points away from the eye. Backs in the same piece as a front stay. The model decides
-    /// this, not its placement, so a mirrored model shows the same side.
+    /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch, or a
+    /// sixteenth of a large one, is left out if all of it turns its back to the eye. A back in the
+    /// same piece as a front stays. The model decides which side is the front, not its placement,
+    /// so a mirrored model shows the same side.
     bool one_sided = false;
 
-    /// The distance of each pixel is kept, for depth().
+    /// Whether the distance of each pixel is kept, for depth().
     bool depth = false;
 
-    /// The number of covered pixels is reported.
+    /// Whether the number of covered pixels is reported.
     bool count_pixels = false;
 
     /// The budget of a frame for patches that have to be cut or clipped (l3d_dice_budget).
@@ -113,13 +114,13 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// bound says so.
     std::int64_t most_samples = 0;
 
-    /// The pixels that outlines reach are kept, and their number is reported.
+    /// Whether the pixels that outlines reach are kept, and their number is reported.
     bool outlines = false;
 
-    /// The error of each pixel is bounded, for error_map().
+    /// Whether the error of each pixel is bounded, for error_map().
     bool error_map = false;
 
-    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
     /// on.
     int threads = l3d_usual_threads();
 
@@ -128,7 +129,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_method_factory method{};
 };
 
-/// Why nothing can be drawn like this, naming the value at fault; "" if it can.
+/// The reason why nothing can be drawn with these values, naming the one at fault; "" if it can.
 L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                                          const l3d_afd_settings& settings);
 
@@ -183,15 +184,16 @@ public:
     /// l3d_framed.
     void frame_all();
 
-    /// That camera, or the one given if it shows the scene well: l3d_framed_unless_well.
+    /// Returns `usual` if it shows the scene well, else a camera that shows the whole scene:
+    /// l3d_framed_unless_well.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_without_area; "" if
-    /// it may show something.
+    /// The reason why the last picture shows nothing: the text of l3d_why_unseen, or
+    /// l3d_without_area. It is "" if the picture may show something.
     std::string why_empty() const;
 
-    /// The inspection of the next frame: the settings', with a scale that suits the scene if they
-    /// leave that open. Its colours are l3d_inspection_colors.
+    /// The inspection that the next frame shows. It is that of the settings; if they leave the
+    /// scale open, it has one that suits the scene. Its colours are l3d_inspection_colors.
     /// Cost: if the scene changed, some 7 us a patch, but at most 30 ms.
     l3d_inspection inspection();
 
@@ -199,9 +201,9 @@ public:
     /// settings.
     std::optional<l3d_pick> pick(double x, double y) const;
 
-    /// Fills surfaces with another method from the next frame on.
+    /// Fills surfaces with another method from the next frame on. The camera returns to perspective
+    /// if the method draws nothing else.
     /// Expects: no frame is being drawn.
-    /// The camera returns to perspective if the method draws nothing else.
     /// Errors:  exceptions of the factory; then the old method stays.
     void take_method(const l3d_method_factory& method);
 
@@ -211,17 +213,17 @@ public:
     /// The depth of the last frame, empty for a wireframe. Expects: settings asked for it.
     const l3d_depth_buffer& depth() const { return depth_; }
 
-    /// The same as distances along the view axis, +infinity where nothing is.
+    /// The depth of the last frame as distances along the view axis, +infinity where nothing is.
     /// Shape: row by row from the top, width values each.
     std::vector<float> distances() const;
 
     /// The pixels that outlines reach in the last frame. It is null if nobody asked for them, if
-    /// the method does not find them, or if a part of the picture was drawn alone.
+    /// the method does not find them, or if only a part of the picture was drawn.
     const l3d_pixel_bits* outlines() const;
 
     /// The bound of each pixel's difference from the exact picture, with the settings' lights and
-    /// fog. Null if nobody asked for it, for a wireframe, for shades that are not light,
-    /// with point lights, and without a background.
+    /// fog. It is null if nobody asked for it, for a wireframe, for shades that are not light, with
+    /// point lights, and without a background.
     const l3d_error_map* error_map() const;
 
     /// The report of the last frame drawn; each call computes the hash.
@@ -249,34 +251,33 @@ protected:
         return rasterizer_;
     }
 
-    /// The report of the frame before, without the hash; draw_overlay of the frame that is drawn
-    /// now may read it.
+    /// The report of the previous frame, without the hash, for draw_overlay of the present one.
     const l3d_frame_report& last_report() const { return report_; }
 
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
-    /// For draw_overlay and paint_surfaces: the picture, to be written to. The next frame that
-    /// differs is drawn whole.
+    /// The picture, to be written to in draw_overlay and paint_surfaces. After this call, the next
+    /// frame that differs is drawn whole.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();
     }
 
-    /// For draw_overlay: draws the borders of all patches of a part on the picture, hidden ones
-    /// too. Nothing if no model has a part of that name.
+    /// Draws the borders of all patches of a part on the picture, hidden ones too; for
+    /// draw_overlay. It draws nothing if no model has a part of that name.
     void mark_part(const std::string& name);
 
     /// Changes the finished surface's pixels, before control nets are drawn over it. Called
     /// whenever draw_overlay is.
     virtual void paint_surfaces() {}
 
-    /// Draws on top of the finished surface; timed as `overlay`. Called in frames that draw
-    /// anything or that redraw() asked for. A viewer's panels come on top of it.
+    /// Draws on top of the finished surface; timed as `overlay`. It is called in frames that draw
+    /// anything or that redraw() asked for. A viewer's panels lie on top of it.
     virtual void draw_overlay() {}
 
 private:
-    /// The panels of a viewer.
+    /// Draws the panels of a viewer.
     virtual void draw_panels() {}
 
     struct basis;

@@ -32,15 +32,15 @@ struct L3D_PUBLIC l3d_handle_view {
 /// closes, and at a pole. These move together, and their weights change by the same factor.
 ///
 /// A drag with the left button moves a handle in the plane through it that is parallel to the
-/// picture, one with the right button along the view axis: up is away from the eye. Over a handle
-/// the wheel changes the weight. All of this can be undone.
+/// picture. A drag with the right button moves it along the view axis; up is away from the eye. The
+/// wheel over a handle changes its weight. All of this can be undone.
 /// Lives: a value.
 class L3D_PUBLIC l3d_control_handles {
 public:
     /// A place in the world.
     using vector = l3d_nurbs_surface::vector;
 
-    /// Handles of these surfaces. Cost: a look at each control point.
+    /// Makes handles for these surfaces. Cost: a look at each control point.
     explicit l3d_control_handles(std::vector<l3d_nurbs_surface> surfaces);
 
     /// The surfaces as they are now.
@@ -56,43 +56,45 @@ public:
     /// them. Expects: handle < count().
     std::string name(std::size_t handle) const;
 
-    /// The handle at (x, y), nearest to it; of some in about the same place the one nearest to the
-    /// eye. Nothing if none is within reach.
+    /// Finds the handle nearest to (x, y). If several are in about the same place, it finds the one
+    /// nearest to the eye. The result is nothing if no handle is within reach.
     /// Units: pixels from the picture's left upper corner.
     std::optional<std::size_t> find(double x, double y, const l3d_handle_view& view) const;
 
-    /// The handle under the pointer, or the one that is dragged; none without either.
+    /// The handle that is dragged, or else the one under the pointer; nothing if there is neither.
     std::optional<std::size_t> marked() const { return marked_; }
 
-    /// How far handles reach, as l3d_framed asks. Lives: borrows this.
+    /// The reach of all handles, to pass to l3d_framed. Lives: the result borrows this object.
     l3d_reach reach() const;
 
-    /// Moves a handle. False, and nothing changes, beyond 1e12 from the origin.
+    /// Moves a handle. It returns false, and changes nothing, if a coordinate exceeds 1e12.
     /// Expects: handle < count().
     bool move(std::size_t handle, const vector& to);
 
-    /// Multiplies the weights of a handle. False, and nothing changes, where a weight would leave
-    /// least_weight to most_weight. Expects: handle < count(), factor > 0.
+    /// Multiplies the weights of a handle. It returns false, and changes nothing, if a weight would
+    /// leave the range from least_weight to most_weight.
+    /// Expects: handle < count(), factor > 0.
     bool scale_weight(std::size_t handle, double factor);
     /// The least weight that scale_weight makes.
     static constexpr double least_weight = 1e-3;
-    /// The largest one. Bounds of the error are tested up to here.
+    /// The largest weight that scale_weight makes. Bounds of the error are tested up to here.
     static constexpr double most_weight = 1e3;
 
-    /// Takes the last change back: a whole drag, or all changes of one weight. False if there is
-    /// none.
+    /// Takes the last change back: a whole drag, or all changes of one weight. It returns false if
+    /// there is none.
     bool undo();
 
     /// The effect of an event.
     enum class effect {
-        none,    ///< it means nothing to handles
-        seen,    ///< it was for a handle; another picture is needed, of the same surfaces
-        changed, ///< the surfaces are others now
+        none,    ///< the event means nothing to handles
+        seen,    ///< the picture of handles is old, the surfaces are the same
+        changed, ///< the surfaces have changed
     };
-    /// Drags handles, and marks the one under the pointer.
+    /// Handles an event of the pointer: drags a handle or changes its weight, and marks the one
+    /// under the pointer.
     effect pointer(const l3d_event& event, const l3d_handle_view& view);
 
-    /// Draws nets and handles. Those behind a surface are pale. Without depths, none are.
+    /// Draws nets and handles. Those behind a surface of `depth` are pale; if it is null, none are.
     void draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_view& view,
               const l3d_depth_buffer* depth) const;
 
@@ -125,15 +127,15 @@ private:
     std::optional<std::size_t> marked_;
     std::optional<grab> grab_; ///< the hold on the marked handle
     std::vector<state> undo_;
-    /// The change that goes on: more of it makes no further state to go back to.
+    /// The change in progress. More of the same change adds no further state to undo.
     std::optional<std::pair<std::size_t, change>> going_on_;
 };
 
 /// l3d_pipeline_afd_viewer with l3d_control_handles on its model, and keys that show them, undo and
 /// save. A panel tells the bound, times, and the handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance at its own place, or the key says why it shows no
-///          handles.
+/// Expects: the scene is one opaque instance at its own place; else the key for handles says why it
+///          shows none.
 /// Cost:    after a change the whole model is made again before the next frame, some 10 us a
 ///          bicubic patch, and more for other pieces. The panel tells the time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {
@@ -142,16 +144,16 @@ public:
     l3d_pipeline_afd_editor(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                             const l3d_afd_settings& settings);
 
-    /// Puts these surfaces into the scene, with handles on them. Nothing is left to be undone.
-    /// Expects: pieces() of the surfaces, in their order, are as many as those of the model, which
-    ///          has colours and parts.
+    /// Puts these surfaces into the scene, with handles on them. No earlier change can be undone.
+    /// Expects: the pieces() of the surfaces, in their order, are as many as those of the model,
+    ///          which gives colours and parts.
     void edit(const l3d_patch_model& model, std::vector<l3d_nurbs_surface> surfaces);
 
-    /// Whether the panel tells times in a window. Pictures that are counted want none: each run
-    /// draws the same. Default: true.
+    /// Sets whether the panel tells times in a window; at first it does. Turn this off if each run
+    /// has to draw the same pictures.
     void tell_times(bool whether) { tells_times_ = whether; }
 
-    /// The handles; null before edit() and the key that shows them.
+    /// The handles; null until edit(), or the key that shows handles, makes them.
     const l3d_control_handles* handles() const { return handles_ ? &*handles_ : nullptr; }
 
     /// Sets the function that the key S calls with the surfaces; without one the key does nothing.

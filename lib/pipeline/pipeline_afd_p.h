@@ -31,7 +31,7 @@ struct l3d_pipeline_afd::basis {
     friend bool operator==(const basis&, const basis&) = default;
 };
 
-/// The task of one drawing: the scene, and its place.
+/// The task of one drawing: the scene, the picture, and the part of it to draw.
 struct l3d_pipeline_afd::drawing {
     const l3d_patch_scene& scene;
     l3d_pixels target;
@@ -55,7 +55,7 @@ struct l3d_pipeline_afd::stages {
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent things
-    l3d_image mixed;               ///< one of those pictures
+    l3d_image mixed;               ///< one of these pictures, to be mixed
     l3d_detail::depth_lines lines; ///< kept for its memory
     std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
 };

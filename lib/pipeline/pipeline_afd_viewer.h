@@ -13,34 +13,35 @@
 #include <string>
 #include <vector>
 
-/// The named parts of all models of a scene, one of which is chosen, and each of which is shown or
-/// hidden. Parts of one name are one, in whichever instance.
+/// Shows and hides the named parts of a scene's models, one of which is chosen. Parts of the same
+/// name count as one, in whichever instance.
 ///
 /// Only shown parts stand in the scene: a hidden part's patches are taken out of their instances.
-/// An instance that a program gives another model has all of that model again.
+/// If a program gives an instance another model, all of that model is shown.
 /// Lives: borrows the scene.
 class L3D_PUBLIC l3d_part_switch {
 public:
-    /// The scene may get its models later.
+    /// Switches the parts of this scene, which may get its models later.
     explicit l3d_part_switch(l3d_patch_scene& scene) : scene_(scene) {}
 
-    /// Chooses the next part, beginning with the first, and again after the last one. Returns: a
-    /// line that names it.
+    /// Chooses the next part: the first one at the first call, and again after the last one.
+    /// Returns: a line that names the part.
     std::string choose_next();
 
-    /// Hides the chosen part, or shows it again. Without one, the first is chosen. One part at
-    /// least stays shown. Returns: a line that tells the part's new state.
-    /// Cost: bounds of the patches that stay are computed again: some microseconds for each.
+    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first. At least
+    /// one part stays shown.
+    /// Returns: a line that tells the part's new state.
+    /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
     std::string switch_chosen();
 
     /// The name of the chosen part; "" if none is.
     const std::string& chosen() const { return chosen_; }
 
-    /// Shows all that this has hidden.
+    /// Shows all parts that this object has hidden.
     void show_all();
 
 private:
-    /// An instance's own model, and the one in its place.
+    /// An instance's own model, and the model of shown parts in its place.
     struct taken {
         l3d_patch_model whole, shown;
     };
@@ -52,8 +53,8 @@ private:
 
     l3d_patch_scene& scene_;
     std::vector<std::string> names_;  ///< names of all parts, in the order of the instances
-    std::vector<std::string> hidden_; ///< some of them
-    std::string chosen_;              ///< one of them; "" at first
+    std::vector<std::string> hidden_; ///< names of the hidden parts
+    std::string chosen_;              ///< name of the chosen part; "" at first
     std::vector<taken> instances_;
 };
 
@@ -64,7 +65,7 @@ public:
 
     /// The viewer's keys, mouse and lines of text.
     l3d_viewer_controls& controls() { return controls_; }
-    /// The same, read-only.
+    /// The viewer's keys, mouse and lines of text, read-only.
     const l3d_viewer_controls& controls() const { return controls_; }
 
     void any_event(const l3d_event& event) override { controls_.note(event); }
@@ -73,8 +74,8 @@ public:
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
     void draw_event() override;
-    /// Time alone changes only what controls() change. A subclass that overrides update_event
-    /// overrides this, too.
+    /// Whether the controls are at rest: time alone changes nothing else. A subclass that overrides
+    /// update_event overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
     double rest_left() const override { return controls_.rest_left(); }
     void rest_event(double seconds) override;

@@ -22,19 +22,21 @@ struct left_out {
     std::int64_t count;
 };
 
-/// The count of each reason, by its name.
+/// The counts of all reasons, each by its name.
 json counts_json(std::span<const left_out> reasons);
 
-/// The beginning of a line.
+/// The first entries of a report's line of JSON.
 json head_json(const l3d_common_report& report);
 
-/// Adds the times that every frame has.
+/// Adds the times that every frame has to an object of times.
 void add_times(json& times, const l3d_common_times& more);
 
-/// Adds the end of a line: pixels, the names of the reasons that occurred, the hash.
+/// Adds the last entries of a report's line: pixels, the names of the reasons that occurred, the
+/// hash.
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
 
-/// A line for each reason that occurred: how many of `all` things called `what` it left out.
+/// Explains what was left out: a line for each reason that occurred, with its count among `all`
+/// things called `what`.
 std::string explained(std::span<const left_out> reasons, std::int64_t all, const std::string& what);
 
 } // namespace l3d_detail

@@ -29,20 +29,20 @@ struct L3D_PUBLIC l3d_method_frame {
     /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< the eye
-    const l3d_matrix<double>& to_image; ///< for the library's own methods, as is `view`
-    const l3d_dice_view& view;          ///< others ask the camera for its image_matrix
+    const l3d_matrix<double>& to_image; ///< world to image; for the library's own methods
+    const l3d_dice_view& view;          ///< for them, too; others use the camera's image_matrix
     const l3d_shading& shading;         ///< light, and the way to shade
     l3d_pixels target;                  ///< the picture, to be drawn into
     l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target
-    bool wants_depth;                   ///< else the method may leave the depth buffer as it is
-    bool untouched;                     ///< nobody wrote to the target since the last frame's end
-    bool counts_pixels;                 ///< whether the number of covered pixels is wanted
+    bool wants_depth;                   ///< whether depth is wanted; else the buffer may stay as is
+    bool untouched;     ///< whether nobody wrote to the target since the last frame's end
+    bool counts_pixels; ///< whether the number of covered pixels is wanted
 
     /// The part of the picture that is drawn; the rest stays as it is. It is the whole picture,
     /// unless the method draws parts and nobody wants depth.
     l3d_pixel_box part;
 
-    bool outlines = false; ///< somebody wants to know the pixels that outlines reach
+    bool outlines = false; ///< whether the pixels that outlines reach are wanted
     /// How the pictures that lie on patches are looked up.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
     double curved_px = 0; ///< how far the scene's patches are off the surfaces that they stand for
@@ -51,11 +51,11 @@ struct L3D_PUBLIC l3d_method_frame {
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
-/// Draws the surfaces of whole frames, and bounds its error.
+/// Draws the surfaces of whole frames, and bounds the error.
 ///
 /// The picture of a method depends on the frame alone, not on frames before or on threads.
-/// `counts().bound_px` is the certified image error of what was drawn; infinity stands for a method
-/// that can give none.
+/// `counts().bound_px` is the certified image error of the drawn surfaces. It is infinite for
+/// methods that cannot give any.
 class L3D_PUBLIC l3d_surface_method {
 public:
     l3d_surface_method() = default;
@@ -83,12 +83,12 @@ public:
     /// The counts of the last frame's filling, covered pixels among them.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
-    /// The pixels of the last frame that outlines reach, if it asked for them. Methods that do not
-    /// find them give null. So does a frame that was a part of a picture.
+    /// The pixels that outlines reach in the last frame. It is null if the frame did not ask for
+    /// them, or was only a part of a picture. Methods that do not find them give null, too.
     const l3d_pixel_bits* outlines() const { return do_outlines(); }
 
 protected:
-    /// The value for `covered`, given the depth of all that was drawn.
+    /// The value of l3d_surface_counts::covered, given the depth of all that was drawn.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }
@@ -123,10 +123,10 @@ public:
     /// The factory of the library's own method.
     l3d_method_factory();
 
-    /// A factory of methods that `create` makes, called by this name in reports and messages. Only
-    /// a method whose counts bound the error can draw mode `error`.
-    /// Only one that `draws_parallel` is asked for a parallel projection, and uses the depths that
-    /// l3d_shading has there.
+    /// A factory of methods that `create` makes. Reports and messages call them by `name`.
+    /// `has_bound` says that their counts bound the error, which mode `error` needs.
+    /// `draws_parallel` says that they draw parallel projections, with the depths that l3d_shading
+    /// has there; other methods are not asked to.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false,
                        bool draws_parallel = false);
 

@@ -33,17 +33,17 @@ struct L3D_PUBLIC l3d_pointed_place {
 /// The questions that the controls ask a viewer about its picture. An empty function leaves out the
 /// controls that need it.
 struct L3D_PUBLIC l3d_viewed {
-    /// The camera that shows everything along the line of sight of the given one.
+    /// Makes the camera that shows everything along the line of sight of the given one.
     std::function<l3d_camera(const l3d_camera&)> framed{};
     /// The nearest place at a position, in pixels from the picture's left upper corner; none if
     /// there is no surface.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
 };
 
-/// Moves a viewer's camera: turns it about its target, moves and zooms by the place under the
+/// Moves a viewer's camera: turns it about its target, moves and zooms it by the place under the
 /// pointer, shows a model from its sides, and frames it.
 ///
-/// Lives:   borrows screen and camera.
+/// Lives: borrows screen and camera.
 class L3D_PUBLIC l3d_view_steering {
 public:
     /// A place or a direction in the world.
@@ -56,12 +56,12 @@ public:
     /// picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
-    /// Back to the first view.
+    /// Returns to the first view.
     void go_home();
     /// Shows everything along the line of sight.
     void frame_all();
-    /// Keeps the view of the model after the picture has got another size. A camera that a program
-    /// placed itself stays as it is.
+    /// Adapts the camera to a new size of the picture, so that the view of the model stays the
+    /// same. A camera that a program placed itself stays as it is.
     void resized();
 
     /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
@@ -73,28 +73,28 @@ public:
     /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
     /// turn() until look_from or go_home. Units: degrees.
     void roll(double degrees);
-    /// Moves things at the target's depth so many pixels to the right and down.
+    /// Moves the eye so that things at the target's depth go to the right and down. Units: pixels.
     void pan(double right, double down);
-    /// Multiplies the distance from the target, unless that leads too near or too far.
+    /// Multiplies the eye's distance from the target, unless that leads too near or too far.
     void approach(double factor) { approach(factor, camera_.target); }
     /// Moves the eye to this direction from the target, at the same distance. The three numbers are
     /// steps along the axes of l3d_upright, such as (0, 0, 1) for the front. Expects: not all 0.
     void look_from(double right, double up, double front);
-    /// Takes the other projection. True if it is parallel.
+    /// Switches between perspective and parallel projection. Returns true if it is parallel then.
     bool switch_projection();
     /// Moves the eye to the opposite side.
     void look_from_opposite();
 
-    /// The place under the pointer becomes the middle of the picture, which the eye turns about.
-    /// False if nothing is there.
+    /// Makes the place under the pointer the middle of the picture, which the eye turns about.
+    /// Returns false if nothing is there.
     bool turn_about(double x, double y);
 
-    /// A world place's position in the picture, as rasterizers count: whole numbers are the middles
-    /// of pixels. Nothing if it is before the near plane.
+    /// The position of a place of the world in the picture, as rasterizers count: whole numbers are
+    /// the middles of pixels. The result is nothing if the place is nearer than the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
-    /// A button went down, the pointer moved or the wheel turned: turns, moves or zooms. True if
-    /// another picture is needed.
+    /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
+    /// true if another picture is needed.
     bool pointer(const l3d_event& event);
 
 private:
@@ -117,7 +117,7 @@ private:
     l3d_camera first_; ///< the program's own view, without a home
     l3d_camera kept_;  ///< view set by home or frame; camera_ differs once it was moved
     bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
-    vector upright_;                           ///< the model's, whatever the picture shows
+    vector upright_;                           ///< the model's own, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled
     double turn_speed_ = 1;
     l3d_size size_;
@@ -126,30 +126,31 @@ private:
     int x_ = 0, y_ = 0;
 };
 
-/// Measures the pictures of the last second: time and rate are means over the same pictures, by one
-/// clock. So no picture seems to take longer than the time to the next.
+/// Measures the time that pictures take, and their rate, over the last second. Both are means over
+/// the same pictures, by one clock, so no picture seems to take longer than the time to the next.
 ///
 /// A second without a picture counts as rest, and the rate begins anew with the next two pictures.
 class L3D_PUBLIC l3d_picture_pace {
 public:
     /// A clock that is never set back.
     using clock = std::chrono::steady_clock;
-    /// Tells the time.
+    /// The type of function that tells the time.
     using teller = std::function<clock::time_point()>;
 
     /// Measures with this clock.
     explicit l3d_picture_pace(teller now = clock::now) : now_(std::move(now)) {}
 
-    /// Drawing begins, also of a picture that is not counted in the end.
+    /// Notes that drawing begins, also of a picture that is not counted in the end.
     void begin();
-    /// Drawing ends. Expects: begin() was called.
+    /// Notes that drawing has ended, and counts the picture. Expects: begin() was called.
     void end();
 
     /// The time that drawing a picture takes. Units: milliseconds. 0 before the first end().
     double milliseconds() const;
     /// Pictures a second, from the first that counts to the last begin(). 0 at rest.
     double per_second() const;
-    /// Both numbers, for people; at rest only the time, and "" before the first end().
+    /// Both numbers as text for people. At rest it is the time alone, and "" before the first
+    /// end().
     std::string text() const;
 
 private:
@@ -158,7 +159,7 @@ private:
     };
 
     teller now_;
-    std::deque<picture> done_; ///< those that count
+    std::deque<picture> done_; ///< the pictures that count
     clock::time_point begin_{};
     bool follows_ = false; ///< begin_ follows done_ without a rest
 };
@@ -172,31 +173,31 @@ struct L3D_PUBLIC l3d_viewer_row {
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
-/// A panel that a viewer has in its picture all the time, and where.
+/// A panel that a viewer has in its picture all the time, and its corner.
 struct L3D_PUBLIC l3d_standing_panel {
     l3d_panel panel{};                            ///< empty for none
     l3d_corner corner = l3d_corner::bottom_right; ///< where it stands
 };
 
-/// The controls of all viewers: the eye turns about its target and comes nearer, turntable, pause,
-/// status, help, screenshot, the end. A viewer has one, hands events on to it, and adds rows of
-/// keys of its own to the one table that help and keys both come from.
+/// The controls of all viewers: turning and moving the eye, turntable, pause, status, help,
+/// screenshot, the end. A viewer has one such object and hands events on to it. Help and keys come
+/// from one table of rows, to which the viewer adds its own.
 ///
 /// Calls that return a bool say whether another picture is needed.
-/// Lives:   borrows pipeline, screen and camera.
+/// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// `rows` are the viewer's own; `reset` undoes its changes of the view beside the camera, and
-    /// may be empty; `viewed` answers questions about the picture; `font` has the letters of all
-    /// panels.
-    /// Expects: no key is in two rows, ours included.
+    /// Makes the controls of a viewer. `rows` are the viewer's own. `reset` undoes its changes of
+    /// the view beside the camera, and may be empty. `viewed` answers questions about the picture.
+    /// `font` has the letters of all panels.
+    /// Expects: no key is in two rows, those of this class included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
-    /// Turns the eye around the target by this angle from frame to frame, or per 1 / fps of a
-    /// second where time is measured. The first frame is not turned. Units: degrees; frames a
-    /// second.
+    /// Lets the eye turn around the target by this angle per frame. Where time is measured, it is
+    /// the angle per 1 / fps of a second. The first frame is not turned.
+    /// Units: degrees; frames a second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
     }
@@ -214,20 +215,22 @@ public:
     }
 
     /// Sets the function that the key g calls; without one the key does nothing. The function
-    /// returns the view as the options that show it again, which are shown.
+    /// returns the command-line options that show the present view again, and the viewer shows
+    /// them.
     void set_view_teller(std::function<std::string()> tell) { tell_view_ = std::move(tell); }
 
-    /// The first view, which the key r returns to: l3d_view_steering::set_home.
+    /// Sets the function that makes the first view, which the key r returns to:
+    /// l3d_view_steering::set_home.
     void set_home(std::function<l3d_camera()> home) { steering_.set_home(std::move(home)); }
 
     /// Shows everything along the line of sight, as the key f does.
     void frame_all() { steering_.frame_all(); }
 
-    /// Adds a program's own key below the viewer's, above those of the program's window.
+    /// Adds a program's own key to the table: below the viewer's keys, above the window's keys.
     /// Expects: its keys are in no other row.
     void add(l3d_viewer_row row);
 
-    /// The picture has another size.
+    /// Adapts the view when the picture has got another size.
     void resized() { steering_.resized(); }
 
     /// Learns whether Ctrl and Shift are held: called with each event, before key() or pointer().
@@ -243,14 +246,15 @@ public:
     bool pointer(const l3d_event& event);
     /// Lets time pass: the turntable turns. Units: seconds.
     bool update(double seconds);
-    /// Whether nothing turns.
+    /// Whether nothing moves by itself: the turntable is off or paused.
     bool is_at_rest() const { return turntable_degrees_ == 0 || paused_; }
-    /// The time for which nothing changes the picture while nothing turns: until the hint ends.
-    /// Units: seconds.
+    /// The time until the hint ends, which alone changes the picture while nothing turns; infinite
+    /// without a hint. Units: seconds.
     double rest_left() const {
         return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
     }
-    /// Lets seconds of a rest pass. Returns whether the hint ends, so that a picture is due.
+    /// Lets time of a rest pass. Returns whether the hint ends, so that a picture is due. Units:
+    /// seconds.
     bool rest(double seconds);
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }
@@ -261,23 +265,25 @@ public:
     /// The looks of the panels, with letters as large as the window and its display ask for.
     l3d_panel_style panel_style() const;
 
-    /// Shows a hint for so many seconds, or until the first key: which key lists all others.
+    /// Shows a hint for some seconds, or until the first key: it names the key that lists all
+    /// others.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
-    /// A line that is shown until the next key. Expects: an action of a row is running.
+    /// Shows a line until the next key. Expects: the call comes from an action of a row.
     void say(std::string line) { message_ = std::move(line); }
 
-    /// Performs the key l of a viewer of surfaces: takes the other value, and says so.
+    /// Switches the headlight on or off, and says so: the effect of the key l in viewers of
+    /// surfaces.
     void switch_headlight(bool& is_on);
 
-    /// Takes the camera's other projection, and says so.
+    /// Switches between perspective and parallel projection, and says so.
     void switch_projection();
 
     /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Sets the reason why the picture is empty, as l3d_why_unseen tells it; "" if it is not. The
-    /// reason is shown with the key that mends it; 0 for none.
+    /// Sets the reason why the picture is empty, a text of l3d_why_unseen; "" if it is not empty.
+    /// The reason is shown with the key that mends it; 0 for none.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())
@@ -290,16 +296,16 @@ public:
                hint_seconds_ > 0 || !marks_.empty();
     }
 
-    /// Panels on top of a finished picture: status, help and message, as they are switched on, the
-    /// viewer's own legend and its standing panel, if they are not empty. They fit into every
-    /// window, and none covers another. Help without room beside them replaces those in its way,
-    /// but for the message. `lines` are the viewer's own of the status, below that of pace().
+    /// Draws panels on top of a finished picture: status, help and message, as they are switched
+    /// on, and `legend` and `standing`, if they are not empty. They fit into every window, and none
+    /// covers another. If the help finds no room, it replaces the panels in its way, except the
+    /// message. `lines` are the viewer's own lines of the status, below that of pace().
     void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
               const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
 
     /// The pace of the viewer's pictures, for the viewer to measure.
     l3d_picture_pace& pace() { return pace_; }
-    /// The same, read-only.
+    /// The pace of the viewer's pictures, read-only.
     const l3d_picture_pace& pace() const { return pace_; }
 
 private:

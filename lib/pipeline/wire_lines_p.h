@@ -13,13 +13,13 @@
 
 namespace l3d_detail {
 
-/// Draws the steps that were taken: the sides of all quads, and of the triangles that clipping
+/// Draws diced surfaces as lines: the sides of all quads, and of the triangles that clipping
 /// leaves. Neighbours share one line.
 class wire_lines {
 public:
     explicit wire_lines(wire_picture& picture) : picture_(picture) {}
 
-    /// Expects: parts that note their borders, if lines are smooth.
+    /// Draws the lines of these parts. Expects: parts that note their borders, if lines are smooth.
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
@@ -44,9 +44,10 @@ private:
             }
     }
 
-    /// Adds a side's line: its noted border if there is one, which its neighbour has, too. The
-    /// grid's own line differs by a part of the tolerance, and two such lines would look like one
-    /// that is too bright. Between them are the triangles of a slit, which is empty to the eye.
+    /// Adds the lines along a part's four sides. A side with a noted border is drawn as this
+    /// border, which its neighbour has, too. The grid's own line differs from it by a part of the
+    /// tolerance, and two such lines would look like one that is too bright. The triangles of the
+    /// slit between them are not seen.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

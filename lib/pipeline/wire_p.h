@@ -22,7 +22,8 @@
 
 namespace l3d_detail {
 
-/// A line. Units: 1/256 pixel from the picture's top left corner; depths as l3d_shading has them.
+/// A line in the picture, with the depths of its ends.
+/// Units: 1/256 pixel from the picture's top left corner; depths as in l3d_shading.
 struct wire {
     std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     float from_inv_w = 0, to_inv_w = 0;
@@ -37,7 +38,7 @@ struct wire {
 /// A set of lines that several neighbours may share, in either direction.
 class shared_wires {
 public:
-    /// Whether this line is new.
+    /// Adds a line. Returns whether it is new.
     bool add(const wire& w) {
         const std::uint64_t from = place(w.x0, w.y0), to = place(w.x1, w.y1);
         return seen_.insert({std::min(from, to), std::max(from, to)}).second;
@@ -60,8 +61,8 @@ inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 /// Draws lines of one colour, sharp or smooth.
 class wire_drawer {
 public:
-    /// Units:   `width` in pixels, as l3d_screen::text_scale has it: 1 where a display is no finer
-    ///          than usual.
+    /// Units: `width` in pixels: l3d_screen::text_scale, which is 1 where a display is no finer
+    ///        than usual.
     wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth, double width)
         : rasterizer_(rasterizer), color_(color), smooth_(smooth), width_(width) {}
 
@@ -81,8 +82,8 @@ public:
     }
 
 private:
-    /// Draws wide lines with square ends. All smooth ones are one path, so pixels under several are
-    /// covered once.
+    /// Draws wide lines with square ends. All smooth ones become one path, so that pixels under
+    /// several are covered once.
     void draw_wide(std::span<const wire> wires) {
         path_.clear();
         for (const wire& w : wires) {
@@ -111,13 +112,14 @@ private:
     l3d_path path_;
 };
 
-/// A picture of lines that hide nothing, before a background, in fog if there is any.
+/// Draws a picture of lines that hide nothing, before a background, in fog if there is any.
 ///
-/// Without background, and in fog, what lines cover is drawn first, as line_cover.h has it. In fog,
-/// the nearest line says how dim a pixel is.
+/// Without a background, and in fog, it first draws how much of each pixel lines cover; finish()
+/// colours the pixels by that (line_cover_p.h). In fog, the nearest line decides how dim a pixel
+/// is.
 class wire_picture {
 public:
-    /// Clears the picture. Units: as wire_drawer.
+    /// Clears the picture. Units: `width` as in wire_drawer.
     wire_picture(l3d_rasterizer_2d& rasterizer, const l3d_pixels& picture,
                  const l3d_shading& shading, bool smooth, double width)
         : rasterizer_(rasterizer), picture_(picture), shading_(shading), smooth_(smooth),
@@ -138,7 +140,7 @@ public:
                 note_depths(w);
     }
 
-    /// Afterwards the picture is whole.
+    /// Colours the pixels if only their cover was drawn. Afterwards the picture is complete.
     void finish() {
         if (!covers_)
             return;
@@ -149,7 +151,7 @@ public:
 private:
     static constexpr std::uint32_t whole_cover = 255;
 
-    /// Over a wide line's width, and up to its corners.
+    /// Notes the depths along a line; for a wide line over its width, and up to its corners.
     void note_depths(const wire& w) {
         const double change = double{w.to_inv_w} - double{w.from_inv_w};
         visit_side({w.x0, w.y0, w.from_inv_w, {}}, {w.x1, w.y1, w.to_inv_w, {}}, picture_.size(),

@@ -14,19 +14,21 @@
 
 /// Judges cells by the pieces that reach into them.
 ///
-/// Pieces that meet make a sheet. If no piece of a sheet ends, folds or breaks in the cell, then
-/// the sheet fills the cell or lies outside it (NUMERICS, The map of doubt).
-/// Lives: kept for its memory. Cost: grows with the square of the pieces.
+/// Pieces that meet make a sheet. A sheet of which no piece ends, folds or breaks in the cell
+/// either fills the cell or lies outside it (NUMERICS, The map of doubt).
+/// Lives: kept for its memory.
+/// Cost:  grows with the square of the pieces.
 class l3d_cell_bounds {
 public:
-    /// Bounds the exact picture in a cell. Shape: indices into leaves, of all pieces that may reach
-    /// into the cell.
+    /// Bounds the exact picture in a cell.
+    /// Shape: `touching` has the indices in `leaves` of all pieces that may reach into the cell.
     l3d_doubt_verdict judge(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
 
-    /// Whether a cell, grown by the bound of places, shows a single surface, even if all is drawn
-    /// nearer or farther by its bound. Shape: as judge.
+    /// Whether a cell, grown by the bound of places, shows a single surface, even if each surface
+    /// is drawn nearer or farther by its bound.
+    /// Shape: `touching` as in judge().
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
 
@@ -49,16 +51,16 @@ public:
         int facing;
         std::uint32_t index; ///< index among all pieces
         std::size_t parent;  ///< another member of the sheet; the root is its own parent
-        double nearest = 0;  ///< w in the cell
+        double nearest = 0;  ///< least w in the cell
     };
 
 private:
-    /// Pieces that are connected in the cell, and perhaps more.
+    /// Pieces that are connected in the cell, and perhaps further ones.
     struct sheet {
-        bool may_end = false; ///< it may end or fold in the cell
+        bool may_end = false; ///< whether it may end or fold in the cell
         bool is_there = false, may_be_there = false;
-        bool is_seen = false; ///< it may be seen
-        double farthest = 0;  ///< w
+        bool is_seen = false; ///< whether it may be seen
+        double farthest = 0;  ///< largest w in the cell
         bool fills() const { return is_there && !may_end; }
     };
 

@@ -18,17 +18,17 @@
 
 /// A lamp of the exact picture.
 struct l3d_doubt_lamp {
-    l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< towards it: unit, in the world
+    l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< unit vector towards the lamp, in the world
     l3d_light_color color{1, 1, 1};                 ///< parts of white
 };
 
-/// Light by the rule of l3d_lighting, and fog.
+/// The lights and the fog of the exact picture, by the rules of l3d_lighting and l3d_fog.
 struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
     double depth_scale = 1; ///< w / distance along the view axis, from the eye of w
-    double nearer = 0;      ///< the camera's eye is so much nearer than that of w
+    double nearer = 0;      ///< distance by which the camera's eye is nearer than the eye of w
 };
 
 /// A patch that stands in the picture.
@@ -36,14 +36,14 @@ struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
     double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
     double near = 0;                  ///< nothing nearer is drawn
-    double normal_off = 0;            ///< error of its normals, whose length is that of the model's
+    double normal_off = 0;            ///< error of its normals, which are as long as the model's
     double turned = 0;                ///< distance of its unit normals from the surface's
     const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
     /// Whether its back need not be drawn, and the sign of the facing that is the back.
     bool one_sided = false;
     double back = 1;
     l3d_color_parts color{1, 1, 1}; ///< colour of its material
-    l3d_color_parts highlight{};    ///< likewise
+    l3d_color_parts highlight{};    ///< highlight of its material
     int sharpness = 1;
     /// The frame's lights and fog; null for one white light without highlights and fog.
     const l3d_doubt_lighting* lighting = nullptr;
@@ -91,8 +91,8 @@ struct l3d_doubt_view {
     }
 };
 
-/// A number that changes over a piece. It is between least and most, and also within `off` of a
-/// linear function of the place.
+/// Bounds of a number that changes over a piece. The number lies between `least` and `most`, and
+/// within `off` of at(x, y), a linear function of the place.
 struct l3d_doubt_line {
     double least = 0, most = 0;
     double middle = 0, along_x = 0, along_y = 0, off = 0; ///< places count from the piece's own
@@ -100,8 +100,8 @@ struct l3d_doubt_line {
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };
 
-/// Cosines of the normals, turned to the eye, with the direction to a lamp, and with the half-way
-/// vector between lamp and eye.
+/// Bounds of two cosines of a piece's normals, which are turned to the eye: `lit` with the
+/// direction to a lamp, `facing` with the half-way vector between lamp and eye.
 struct l3d_doubt_cosines {
     l3d_doubt_line lit, facing;
 };
@@ -115,18 +115,19 @@ struct l3d_doubt_bounds {
     unsigned open_sides = 0;   ///< bits of the sides where the surface ends
     bool may_end = false;      ///< the near or the far plane may cut it
     int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
-    bool may_be_missing = false; ///< its back is seen, and not drawn
+    bool may_be_missing = false; ///< whether its back is seen, and not drawn
 
     l3d_doubt_line w;
     /// The relative difference of w between the drawn and the exact piece.
     double w_margin = 0;
     l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
 
-    /// Cosines of each lamp, if the patch has lighting; none if nothing is known. With lamps, the
-    /// level's line tells only how well it is known.
+    /// Cosines for each lamp, if the patch has lighting; none if nothing is known. With lamps, the
+    /// line of `level` tells only how well it is known.
     std::vector<l3d_doubt_cosines> lamps;
 
-    /// The parameters from -1/2 to 1/2 of a place. Shape: du/dx, du/dy, dv/dx, dv/dy.
+    /// The linear map from a place to parameters from -1/2 to 1/2. Shape: du/dx, du/dy, dv/dx,
+    /// dv/dy.
     std::array<double, 4> parameters{};
     double u_off = 0, v_off = 0; ///< largest error of the parameters; infinite: not known
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
@@ -140,7 +141,7 @@ struct l3d_doubt_bounds {
     /// Whether the place (x, y) may be on the piece.
     bool may_show(double x, double y) const { return touches({x, y, x, y}); }
 
-    /// Least and largest of a line in the part of a box that the piece may reach.
+    /// The least and the largest value of a line in the part of a box that the piece may reach.
     std::array<double, 2> range(const l3d_doubt_line& of, const l3d_image_box& in) const;
 };
 
@@ -151,7 +152,7 @@ struct l3d_doubt_leaf {
     bool has_no_area = false; ///< it is seen exactly from its edge, and adds no light to any cell
 };
 
-/// Cost: a microsecond.
+/// Bounds a piece in a view. Cost: a microsecond.
 l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_view& view);
 
 #endif

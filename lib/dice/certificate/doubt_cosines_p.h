@@ -14,7 +14,8 @@ namespace l3d_detail {
 /// Rounding of sums of a few dozen products in double, some 2^-53 each, with much to spare.
 inline constexpr double rounding = 0x1p-40;
 
-/// A linear function of a piece's parameters, from -1/2 to 1/2, that is close to four corners.
+/// A linear function of a piece's parameters, from -1/2 to 1/2, that fits values at the four
+/// corners.
 struct plane {
     double middle = 0, in_u = 0, in_v = 0;
 
@@ -40,14 +41,15 @@ struct seen_normals {
 
     vector axis{0.0, 0.0, 0.0};
     std::array<double, count> along; ///< each normal's part along the axis
-    double most_along = 0;           ///< largest size
+    double most_along = 0;           ///< largest |along|
     double most_across = 0, longest = 0;
     double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
 
     explicit seen_normals(const std::array<vector, count>& normals);
 };
 
-/// The cosine n.l of unit normals over a piece: within `off` of a plane, from least to most.
+/// Bounds of the cosine n.l of unit normals n over a piece: from `least` to `most`, and within
+/// `off` of `line`.
 struct cosines {
     plane line{0, 0, 0, 0};
     double off = 1, least = -1, most = 1;
@@ -60,7 +62,7 @@ struct cosines {
 /// Turns a linear function of the parameters into one of the place.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
-/// Puts a line into a result, or a range alone if the line is no better.
+/// Sets bounds to a line and its range, or to the range alone if the line is no better.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
 /// Sets the bounds for all lamps of the piece's lighting, and the level's spread, which tells

@@ -35,7 +35,7 @@ struct light_lines {
 };
 using light_ranges = std::array<interval, light_lines::most>;
 
-/// Bounds of the light of a piece in a cell. The background may be the colour of fog.
+/// Bounds of the light of a piece in a cell. `background` counts if it is the colour of the fog.
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
@@ -64,8 +64,8 @@ private:
     const l3d_doubt_leaf* best_ = nullptr;
     const l3d_doubt_leaf* first_ = nullptr; ///< first of the leaves that are added
     bool is_one_look_ = true, is_known_ = true;
-    l3d_light_bounds light_;       ///< light of all of them
-    light_ranges ranges_, beside_; ///< numbers; distances from the best
+    l3d_light_bounds light_;       ///< light of all pieces added
+    light_ranges ranges_, beside_; ///< ranges of the numbers; distances from the best piece's
 };
 
 } // namespace l3d_detail

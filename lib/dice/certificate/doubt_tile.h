@@ -12,15 +12,15 @@
 #include <span>
 #include <vector>
 
-/// Bounds of a pixel of the exact picture. Units: parts of the square.
+/// Bounds of a pixel of the exact picture. Units: parts of the pixel's square.
 struct l3d_doubt_pixel {
-    /// Its light, where that is certain.
+    /// The light of the part that is certain.
     l3d_light_bounds light;
 
-    /// The part that may show another surface in the exact picture.
+    /// The part of which it is not certain what the exact picture shows.
     double unsure = 0;
 
-    /// The part that may show another surface when it is drawn.
+    /// The part that may show another surface if surfaces are drawn within their bounds.
     double unsure_drawn = 0;
 
     /// The part that certainly shows one surface in the exact picture.
@@ -58,7 +58,7 @@ private:
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
         l3d_light_bounds light{};       ///< its part of the pixel's certain light
-        double unsure = 0, covered = 0; ///< likewise
+        double unsure = 0, covered = 0; ///< its parts of the pixel's `unsure` and `covered`
     };
 
     l3d_image_box box_of(const cell& c) const;

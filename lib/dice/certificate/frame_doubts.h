@@ -22,7 +22,7 @@
 /// Lives: borrows all that it refers to.
 struct l3d_doubted_frame {
     const l3d_patch_scene& scene;
-    const l3d_matrix<double>& to_image; ///< the world to the view's units
+    const l3d_matrix<double>& to_image; ///< takes the world to the view's units
     const l3d_dice_view& view;
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
     /// Bounds of places and of depth; infinite if there is none. Units: pixels.
@@ -31,9 +31,9 @@ struct l3d_doubted_frame {
     /// Whether the frame shows Lambert's levels of one white light, without highlights and fog;
     /// else `lighting` counts.
     bool has_levels = true;
-    l3d_lighting lighting{}; ///< beside the direction of the first light
+    l3d_lighting lighting{}; ///< lights, without the direction of the first one
     l3d_fog fog{};
-    double nearer = 0;           ///< as l3d_doubt_lighting has it
+    double nearer = 0;           ///< distance by which the camera's eye is nearer than the eye of w
     l3d_pixels drawn;            ///< greys in all three channels, or any colours
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };
@@ -44,7 +44,7 @@ struct l3d_doubted_frame {
 /// Cost: some 7 us a pixel that shows a surface, and a millisecond a pixel at an outline.
 class l3d_frame_doubts {
 public:
-    /// Expects: light that is not 0; a picture of the view's size.
+    /// Bounds the pixels of a frame. Expects: light that is not 0; a picture of the view's size.
     void find(const l3d_doubted_frame& frame, l3d_workers& workers);
 
     /// The bound of each pixel of the last frame, in levels.
@@ -58,8 +58,9 @@ public:
     /// picture, from 0 to 1. Infinite if places or depth have no bound.
     double coverage_bound() const { return coverage_bound_; }
 
-    /// The largest bound of any pixel that lies inside one surface or the background. Units:
-    /// levels. Infinite if no pixel lies inside a surface, and some lie in neither.
+    /// The largest bound of any pixel that lies inside one surface or the background. It is
+    /// infinite if no pixel lies inside a surface, and some lie in neither.
+    /// Units: levels.
     double color_bound() const { return color_bound_; }
 
     /// Pieces of patches that have been cut in two, in all frames so far: the map's cost.
@@ -71,7 +72,7 @@ private:
         l3d_doubt_patch of;
         l3d_image_box box;
     };
-    /// Bounds of a pixel; the mean of all choices of transparent surfaces.
+    /// Bounds of a pixel: the mean over all choices of transparent surfaces.
     struct pixel {
         l3d_light_bounds light;
         double unsure = 0, unsure_drawn = 0, covered = 0; ///< the most of any choice
@@ -93,7 +94,7 @@ private:
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
     l3d_error_map map_, coverage_;
-    bool is_searched_ = false; ///< for other surfaces within the bounds
+    bool is_searched_ = false; ///< whether other surfaces were searched for within the bounds
     double coverage_bound_ = 0, color_bound_ = 0;
 };
 

@@ -38,7 +38,7 @@ struct l3d_light_bounds {
         return result;
     }
 
-    /// Adds another light.
+    /// Adds a part of another light.
     void add(const l3d_light_bounds& other, double part = 1) {
         for (std::size_t i = 0; i < least.size(); ++i) {
             least[i] += part * other.least[i];
@@ -65,12 +65,12 @@ struct l3d_light_bounds {
     }
 };
 
-/// Bounds of a cell. Units: levels.
+/// The result of judging a cell.
 struct l3d_doubt_verdict {
     bool is_certain = false; ///< one surface of one colour, or the background, fills it
-    bool is_covered = false; ///< and it is a surface, no background
+    bool is_covered = false; ///< a surface of one colour fills it, not the background
     l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
-    double spread = 0;                                ///< unknown spread of its levels
+    double spread = 0;                                ///< unknown spread of its light, in levels
 };
 
 #endif

@@ -29,13 +29,15 @@ struct edge_strips;
 ///        points, if it needs no clipping and is one of four (AVX-512).
 class l3d_edge_polyline {
 public:
-    /// Four edges at once: lines[k] of edges[k], whose points have the share shares[k] of the
-    /// view's errors. Expects: the view's near is no farther than that of the least of these.
+    /// Builds four lines at once, lines[k] for edges[k]. The points of edges[k] have the share
+    /// shares[k] of the view's errors.
+    /// Expects: the view's near plane is no farther than that of points with the least share.
     static void build(std::span<l3d_edge_polyline, 4> lines,
                       const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
                       const std::array<double, 4>& shares = {1, 1, 1, 1});
 
-    /// One edge; the same points, but slower than a quarter of four.
+    /// Builds the line of one edge. The points are the same, but it takes more than a quarter of
+    /// the time of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
     /// Reserves memory, so that no edge allocates here that would not in `other`.
@@ -50,8 +52,8 @@ public:
     /// A point in the form for clipping, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
-    /// Number of equal parts, 16 at most, of an edge all points of which can be drawn. It is one,
-    /// or as many as it takes until 32 steps a strip are enough.
+    /// The number of equal parts, at most 16, that an edge consists of if all of its points can be
+    /// drawn. It is one, or as many as are needed so that 32 steps a strip are enough.
     static constexpr std::size_t most_parts = 16;
     std::size_t parts() const { return parts_; }
 
@@ -76,7 +78,7 @@ public:
     }
 
     /// Certified image error of the visible segments, in pixels: the error of chords between exact
-    /// points, and that of the points themselves.
+    /// points, and the error of the points themselves.
     double chord_error() const { return chord_error_; }
     double vertex_error() const { return vertex_error_; }
     double bound() const { return chord_error_ + vertex_error_; }
@@ -94,7 +96,7 @@ private:
     void reverse();
 
     std::size_t size_ = 0;
-    std::vector<double> t_; ///< this and the next three may be longer than size_
+    std::vector<double> t_; ///< t_, x_, y_ and inv_w_ may be longer than size_
     std::vector<std::int32_t> x_, y_;
     std::vector<float> inv_w_;
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-/// The polylines of one patch after the other, kept for their memory.
+/// The polylines of one patch at a time, kept for their memory.
 ///
 /// Shape: outer edges are [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along
 ///        v). From 4 on, they are the edges along which the patch is cut.
@@ -37,7 +37,8 @@ public:
         return used_++;
     }
 
-    /// Reserves memory, so that edges no more and no larger than any of `other` allocate nothing.
+    /// Reserves memory for as many edges as `other` has, each as large as its edge there, so that
+    /// building such edges allocates nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())
             edges_.resize(other.edges_.size());

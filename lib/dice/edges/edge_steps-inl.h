@@ -42,7 +42,8 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
-/// l3d_space_bound_of of strips from l on, not yet divided by w, without the factor 6.
+/// The bound l3d_space_bound_of of strips from lane l on, not yet divided by w, and without the
+/// factor 6.
 HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) {
     const eight_doubles d;
     const number zero = same(0), one = same(1), scale = same(focal);
@@ -93,9 +94,9 @@ struct strip_wishes {
     row grown_by; ///< largest move of vertices by balance
 };
 
-/// Steps and chord errors of all strips; see l3d_second_bound_of and l3d_depth_bound_of. The errors
-/// are those of unbalanced chords, as in slits. Only the first lanes are `used`; whole vectors are
-/// written.
+/// Plans the steps and chord errors of all strips, as l3d_second_bound_of and l3d_depth_bound_of
+/// do. The errors are those of unbalanced chords, as in slits. Only the first `used` lanes count;
+/// whole vectors are written.
 void plan_strips(const strip_nets& nets, std::size_t used, const l3d_image_box& window,
                  double focal, const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;

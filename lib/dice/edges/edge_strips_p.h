@@ -12,10 +12,11 @@
 
 namespace l3d_detail {
 
-/// Edges worked on together.
+/// The number of edges that are worked on together.
 inline constexpr std::size_t edges_at_once = 4;
 
-/// The direction in which an edge's points are made: from the lexicographically smaller end.
+/// Whether an edge's points are made from its last control point on. They begin at the
+/// lexicographically smaller end.
 inline bool runs_backwards(const l3d_image_curve& edge) {
     const auto& p = edge.points;
     for (std::size_t i = 0; i < 2; ++i)
@@ -27,7 +28,8 @@ inline bool runs_backwards(const l3d_image_curve& edge) {
 
 /// The arrays that get an edge's points, and facts on them.
 struct edge_strips {
-    /// Vectors are stored whole, of up to eight doubles.
+    /// Room for all points of an edge, and one vector of up to eight doubles, since vectors are
+    /// stored whole.
     static constexpr std::size_t room =
         std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1 + 8;
 
@@ -35,7 +37,7 @@ struct edge_strips {
     std::int32_t *x, *y;
     float* inv_w;
 
-    l3d_block_starts strips; ///< one or four; none if the edge is not of this kind
+    l3d_block_starts strips; ///< one or four; none if the edge needs clipping or more steps
     double chord_error, vertex_error;
     bool too_long; ///< every control point can be drawn, but a strip needs more than 32 steps
 };

@@ -21,13 +21,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Control points of a net, and blocks.
+/// The number of control points of a net, and of blocks.
 constexpr std::size_t points = 16;
 
 using floats = hn::CappedTag<float, points>;
 using float_lanes = hn::Vec<floats>;
 
-/// The norm of seen_in in step_bound.cpp, for a block a lane.
+/// The norm that seen_in of step_bound.cpp computes, with one block per lane.
 struct seen_norm {
     float_lanes x, y, radius;
 
@@ -50,8 +50,8 @@ struct largest_of {
     }
 };
 
-/// Lanes from i on of an array in which each group of four repeats one element: number `of` of its
-/// group.
+/// Loads lanes i on of the array p, but fills each group of four with the group's element number
+/// `of`.
 template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i / 4 * 4 + of);
@@ -60,7 +60,7 @@ template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, st
 #endif
 }
 
-/// Lanes i on of an array that repeats the four elements at p.
+/// Loads lanes i on of an array that repeats the four elements at p.
 HWY_ATTR HWY_INLINE float_lanes repeated(const float* p, [[maybe_unused]] std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i % 4);
@@ -74,8 +74,9 @@ struct block_nets {
     alignas(64) float at[3][4][4][points];
 };
 
-/// The blocks' nets, first along u in lanes that stand for rows of the net and u-strips, then
-/// along v. Shape of net: [component][4 * row + column].
+/// Cuts a net into the blocks' nets: first along u, in lanes that stand for rows of the net and
+/// u-strips, then along v.
+/// Shape: net is [component][4 * row + column].
 HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
     const floats d;
     const std::size_t lanes = hn::Lanes(d);
@@ -110,7 +111,8 @@ HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
             }
 }
 
-/// Boxes of the blocks from here on, relative to the net's centre.
+/// Boxes of the blocks from a lane on, relative to the net's centre, and the largest gaps between
+/// neighbouring control points.
 struct lane_boxes {
     float_lanes left, top, right, bottom, least_w, gap_u, gap_v;
 };
@@ -154,7 +156,8 @@ HWY_ATTR HWY_INLINE lane_boxes boxes_of(const block_nets& blocks, std::size_t la
     return box;
 }
 
-/// Second differences of all lines of the blocks, and the mixed ones.
+/// Takes the largest norms of each block's second differences. Those along u go to `uu`, those
+/// along v to `vv`, and the mixed ones to `uv`.
 HWY_ATTR HWY_INLINE void take_differences(const block_nets& blocks, std::size_t lane,
                                           const seen_norm& norm, largest_of& uu, largest_of& uv,
                                           largest_of& vv) {

@@ -10,7 +10,7 @@
 
 namespace l3d_detail {
 
-/// A net around a point of its own: x' = x - X w, y' = y - Y w, so that x' / w is small where the
+/// A net around a point (X, Y) of its own: x' = x - X w, y' = y - Y w. So x' / w is small where the
 /// patch is small, wherever it lies in the picture.
 ///
 /// Shape: [component][4 * row + column].
@@ -22,18 +22,18 @@ struct centred_net {
 
 /// The data of a patch for the choice of steps and the errors of its vertices.
 struct lane_bounds {
-    /// In front of the near plane, before the far one, within the guard band. If not, nothing else
-    /// is valid.
+    /// Whether the patch lies between the near and the far plane and within the guard band. If not,
+    /// nothing else is valid.
     bool ordinary = false;
     l3d_image_box hull,
-        seen; ///< pixels from the picture's centre; `seen` as l3d_piece_bounds has it
+        seen; ///< boxes of the net and of its visible part, in pixels from the picture's centre
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< one block, if the net is small
+    l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen
 };
 
-/// Finds the needs in lanes. The slow twin is l3d_needs_of; the needs here exceed its by at most
-/// the rounding of floats, so they are bounds, too.
+/// Finds the needs of a patch in lanes. The slow twin is l3d_needs_of. The needs here exceed those
+/// of the twin by at most the rounding of floats, so they are bounds, too.
 /// Cost: no more than one block takes in scalar code.
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out);
 

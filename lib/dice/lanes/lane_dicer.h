@@ -25,7 +25,7 @@ template <class T> class l3d_lane_dicer {
 public:
     /// Dices the patch in one piece, with grid and slits. It leaves nothing out.
     ///
-    /// Shape:   edges as l3d_edge_polylines::outer() has them, of this net and view.
+    /// Shape:   edges in the order of l3d_edge_polylines::outer(), of this net and view.
     /// Expects: tolerance > 0, near > 0.
     /// Errors:  false, with nothing written, if the patch is not ordinary. An ordinary patch
     ///          reaches neither to the near or the far plane nor out of the guard band. Neither it
@@ -35,8 +35,8 @@ public:
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
 
-    /// The steps of a patch or piece whose edges' vertices err by `edge_vertex`; more than 32 a
-    /// strip are too many for fill().
+    /// Plans the steps of a patch or piece whose edges' vertices err by `edge_vertex`. More than 32
+    /// a strip are too many for fill().
     /// Lives:  until the next one is planned.
     /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
     const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,

@@ -18,7 +18,8 @@ namespace l3d_detail {
 /// exactly 0.
 inline constexpr float normal_rounding = 0x1p-43F;
 
-/// A number of every vertex of a grid, and of one vector more, kept for its memory.
+/// Arrays with a number of every vertex of a grid, and room for one vector more; kept for their
+/// memory.
 struct vertex_numbers {
     std::vector<float> away = std::vector<float>(room), level = std::vector<float>(room);
 
@@ -30,14 +31,15 @@ struct vertex_numbers {
 /// twin is l3d_normal_columns.
 /// Expects: the grid's places are there.
 /// Errors:  before the normal is made a unit vector, some 16 * 2^-24 of the coefficients as they
-///          are weighed there (Bernstein polynomials are positive, so nothing else cancels).
+///          are weighed there. Bernstein polynomials are positive, so nothing else cancels.
 void normals_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                       const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
 
-/// Writes levels and bends, as l3d_micro_vertex has them, of normals that are turned to the eye.
-/// The slow twin is l3d_light_grid. Expects: as above.
-/// Errors: each level errs by 229.5 times the error of the unit normal: 2^-16 where the normal's
-///         coefficients are not much larger than the normal.
+/// Writes the levels and bends of l3d_micro_vertex for normals that are turned to the eye. The slow
+/// twin is l3d_light_grid.
+/// Expects: the grid's places are there.
+/// Errors:  each level errs by 229.5 times the error of the unit normal: 2^-16 where the normal's
+///          coefficients are not much larger than the normal.
 void levels_in_lanes(const l3d_normal_net& net, const lane_parameters& u, const lane_parameters& v,
                      const l3d_shading& shading, vertex_numbers& memory, l3d_micro_grid& grid);
 

@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// Columns and rows that are taken at a time; the arrays are filled with finite numbers beyond the
-/// last one.
+/// The number of columns or rows that are taken at a time. Beyond the last one, the arrays hold
+/// finite numbers.
 inline constexpr std::size_t lane_columns = 16;
 
 /// Parameters along one direction of a grid of at most 4 strips.
@@ -23,13 +23,14 @@ struct lane_parameters {
     alignas(64) double moved[room]; ///< part of its second derivative by which a vertex is moved
     std::size_t count = 0;
 
-    /// Rounded up to whole vectors.
+    /// The count, rounded up to whole vectors.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
-    /// The middle between each and the next; the last one again.
+    /// The middles between neighbouring parameters, and the last parameter itself at the end.
     lane_parameters middles() const;
 
-    /// Sets the points i / n of each strip, balanced or not; 1 from the last one on.
+    /// Sets the parameters i / n of each strip, balanced or not. The last one, and all behind it,
+    /// are 1.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 
     /// Maps the parameters to the stretch from low to high.
@@ -39,24 +40,26 @@ struct lane_parameters {
 /// The kinds of registers in which columns can be walked.
 enum class lane_register { float_32, float_64, fixed_32, fixed_64 };
 
-/// The source and the target of vertices.
+/// The input of walk_in_lanes.
 struct lane_walk {
     const centred_net& net;
     const lane_parameters& u;
     int strips;
     bool balanced;
-    std::array<int, 4> rows;         ///< steps of each strip along v
-    std::int32_t origin_x, origin_y; ///< x' / w' = 0 in the picture, in sub-pixels from its corner
+    std::array<int, 4> rows; ///< steps of each strip along v
+    std::int32_t origin_x,
+        origin_y; ///< place of x' / w' = 0 in the picture, in sub-pixels from its corner
     double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
     float depth_scale = 1;
-    /// In a parallel projection, the w that is left out of registers, and depth by w; else 0.
+    /// In a parallel projection, the w that registers leave out, and the change of depth with w;
+    /// else 0.
     double w_middle = 0, depth_slope = 0;
 };
 
-/// Walks all columns by forward differences, each started exactly in double at each strip, and
-/// writes them, projected and snapped. The slow twin is l3d_strip_walker.
-/// Expects: the grid's size is that of the parameters; every point is in the guard band.
-/// Cost:    9 additions a column and step, one division and a few products a vertex.
+/// Walks all columns by forward differences, projects and snaps their points, and writes them. Each
+/// column starts exactly, in double, at each strip. The slow twin is l3d_strip_walker.
+/// Expects: the grid has as many columns and rows as there are parameters; every point is in the
+/// guard band. Cost:    9 additions a column and step, one division and a few products a vertex.
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
 
 } // namespace l3d_detail

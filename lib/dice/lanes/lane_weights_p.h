@@ -11,9 +11,9 @@ namespace l3d_detail {
 /// The weight of control point `from` of a cubic in control point `to` of its part on [strip / 4,
 /// (strip + 1) / 4].
 ///
-/// A part's control point is the blossom at its ends, in the numbers that `to` says: de Casteljau's
-/// scheme with another parameter at each level. The weight is a multiple of 1/64, so exact in a
-/// float.
+/// A part's control point is the cubic's blossom, `to` of whose arguments are the part's upper end
+/// and the rest its lower end. It comes from de Casteljau's scheme with another parameter at each
+/// level. The weight is a multiple of 1/64, so it is exact in a float.
 /// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
 constexpr float quarter_weight(int strip, int to, int from) {
     std::array<double, 4> p{};
@@ -26,7 +26,7 @@ constexpr float quarter_weight(int strip, int to, int from) {
     return static_cast<float>(p[0]);
 }
 
-/// Block 4 * b + a, u-strip a of v-strip b, has lane 4 * b + a.
+/// The weights of all blocks. Block 4 * b + a, u-strip a of v-strip b, has lane 4 * b + a.
 struct quarter_weights {
     static constexpr std::size_t lanes = 16;
     alignas(16) float u[4][4][4];     ///< [to][from][a]

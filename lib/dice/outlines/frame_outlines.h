@@ -21,17 +21,20 @@
 ///        of the scene, also of those that cover no pixel.
 class l3d_frame_outlines {
 public:
+    /// Starts a frame.
     /// Shape: to_image takes the world to the view's units. In a parallel projection, depths change
-    /// by
-    ///        depth_by_pixel where the distance changes by a pixel's width; in perspective it is 0.
+    ///        by depth_by_pixel where the distance changes by a pixel's width; in perspective it is
+    ///        0.
     /// Units: focal in pixels.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, double focal, double depth_by_pixel);
 
-    /// Adds the result of a patch of the frame. Patches of which nothing is drawn may be left out.
+    /// Adds the diced pieces of a patch of the frame. Patches of which nothing is drawn may be left
+    /// out.
     void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
 
-    /// Finds all outlines. Units: pixels; the nearest w drawn, in the view's, or 0.
+    /// Finds all outlines. Units: bounds in pixels; `near` is the nearest w drawn, in the view's w,
+    /// or 0.
     void finish(double bound_px, double depth_bound_px, double near);
 
     /// The outlines of the last frame that was finished.
@@ -44,7 +47,8 @@ private:
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1, depth_by_pixel_ = 0;
-    std::map<const void*, l3d_patch_neighbours> sides_; ///< by the identity of the frame's models
+    std::map<const void*, l3d_patch_neighbours>
+        sides_; ///< sides of the frame's models, by identity
     l3d_two_layer_depths depths_;
     l3d_pixel_bits mask_;
 };

@@ -17,31 +17,33 @@ struct l3d_picture_place {
     double x = 0, y = 0;
 };
 
-/// Finds the pixels near outlines.
+/// Marks the pixels near visible outlines in a mask.
 ///
-/// Cuts patches in halves until each half is proven to have no visible outline, or its outline is
-/// nearly straight. The straight outline is put into a mask, as wide as the bound.
+/// It halves patches until each piece certainly has no visible outline, or its outline is nearly
+/// straight. It marks all pixels within the bound of a straight outline.
 ///
-/// Outlines are sides that are asked for, the cuts by the near and the far plane, and folds: where
-/// the normal is perpendicular to the line of sight. All bounds are those of exact patches, however
-/// drawn. The drawn depth says only whether an outline is visible.
-/// Cost:    some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
+/// Three kinds of lines count as outlines. They are the sides that add() names, the cuts by the
+/// near and the far plane, and folds. At a fold the normal is perpendicular to the line of sight.
+/// The bounds hold for the exact patches, whatever grid is drawn. The drawn depths only tell
+/// whether an outline is hidden.
+/// Cost: some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Beside a fold, up to half of `depth_bound` away, its two sheets are closer than their bounds
-    /// of depth. The fold's picture is a parabola d = k t^2 / 2 over the depth t, and the normal's
+    /// Searches with these bounds of the drawn frame. At a fold, pixels up to half of `depth_bound`
+    /// farther away are marked. So near to a fold, its two sheets are closer than their bounds of
+    /// depth. The fold's picture is a parabola d = k t^2 / 2 over the depth t, and the normal's
     /// slope is k t. So the sheets, 2 t apart in depth, are 4 d apart along the normal, and each
     /// may err.
-    /// Units:   pixels; `farthest_near` in the view's w: the farthest near plane in use.
-    /// Lives:   borrows depths and mask.
+    /// Units: pixels; `farthest_near` is the farthest near plane in use, in the view's w.
+    /// Lives: borrows view, depths and mask.
     l3d_outline_search(const l3d_dice_view& view, double focal, double depth_by_pixel, double bound,
                        double depth_bound, double farthest_near, const l3d_two_layer_depths& depths,
                        l3d_pixel_bits& mask);
 
-    /// Shape: patch and normals in one space, with the eye in it; `sides` as l3d_patch_neighbours
-    /// has
-    ///        them; `share` as l3d_dice_view::share_of of the patch's own points. Far patches are
-    ///        known less well than near ones.
+    /// Marks the outlines of a patch. `sides` has bits for the sides that count as outlines
+    /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of of the patch's own points: far
+    /// patches are known less well than near ones.
+    /// Shape: patch and normals in one space, with the eye in it.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
              const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides,
              double share);
@@ -52,11 +54,11 @@ private:
 
     /// A part of a patch, and the outlines that it may still have.
     struct piece : l3d_exact_part {
-        l3d_bezier_patch<double, 3> patch; ///< from the eye
+        l3d_bezier_patch<double, 3> patch; ///< the patch, with the eye as origin
         unsigned sides = 0;
         bool may_fold = true;
     };
-    /// A polynomial over a piece by its coefficients, known to `error`.
+    /// A polynomial over a piece by its coefficients, whose values are known to `error`.
     template <std::size_t N> struct level_set {
         std::array<double, N * N> at;
         double error = 0;
@@ -75,12 +77,12 @@ private:
                       double radius);
 
     const l3d_dice_view& whole_;
-    l3d_dice_view view_; ///< view with the patch's share of errors, as all down to window_
+    l3d_dice_view view_; ///< view with the patch's share of errors; so are all down to window_
     double focal_, depth_by_pixel_, bound_, depth_bound_, farthest_near_;
-    double radius_ = 0, fold_radius_ = 0; ///< widths that a side, or a fold, reaches
+    double radius_ = 0, fold_radius_ = 0; ///< reach of the bounds around a side, or a fold
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
-    double allowed_; ///< the most that a line may be too wide
+    double allowed_; ///< the most by which a line may be too wide
     const l3d_two_layer_depths& depths_;
     l3d_pixel_bits& mask_;
     std::int64_t pieces_ = 0;

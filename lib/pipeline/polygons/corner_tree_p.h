@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// A corner's place in the plane of its polygon, in whole steps of a grid. Below 2^52: areas of
-/// triangles are exact.
+/// A corner's place in the plane of its polygon, in whole steps of a grid. Coordinates are below
+/// 2^52, so that areas of triangles are exact.
 struct flat_place {
     std::int64_t u = 0, v = 0;
 };
@@ -24,13 +24,13 @@ inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_pl
     return wide_integer{b.u - a.u} * (p.v - a.v) - wide_integer{b.v - a.v} * (p.u - a.u);
 }
 
-/// A tree of halves of the corners, by the wider side of their box, with the number that is left in
-/// each.
+/// A tree that finds out whether any corner of a polygon lies in a triangle. Each node halves its
+/// corners across the wider side of their box, and counts those that are not yet removed.
 ///
-/// Cost: n log n to make. A question for an empty triangle looks at the boxes that its sides cross,
-///       about sqrt(n), and for others at fewer.
-/// Source:  Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
-///          1975).
+/// Cost:   n log n to make. A question about an empty triangle looks at the boxes that the
+///         triangle's sides cross, about sqrt(n), and other questions at fewer.
+/// Source: Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
+///         1975).
 class corner_tree {
 public:
     /// Lives: borrows the places.
@@ -40,7 +40,7 @@ public:
     void remove(std::size_t corner);
 
     /// Whether blocks(p, {ab, bc, ca}) is true for any other remaining corner p in the triangle or
-    /// on its sides. The numbers are turn() of p and each side, and not negative.
+    /// on its sides. The three numbers are turn() of each side and p, and not negative.
     /// Expects: the triangle is counterclockwise.
     template <class Blocks>
     bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {
@@ -74,7 +74,7 @@ private:
         std::size_t node, begin, end; ///< places in `order_`
     };
 
-    /// Corners in a leaf: fewer are looked at one by one.
+    /// The most corners in a leaf, which are looked at one by one.
     static constexpr std::size_t leaf = 8;
 
     void make(const half& all);

@@ -12,20 +12,21 @@
 
 namespace l3d_detail {
 
-/// Normals of corners that differ from those of their vertices.
+/// Finds the normals of corners that differ from those of their vertices.
 ///
 /// Two faces that share an edge are smooth there if their normals are at most the crease angle
-/// apart. Around a vertex, faces that hang together by smooth edges share a normal, the mean of
-/// theirs weighted by area. A vertex all of whose faces are smooth keeps one normal for all.
-/// Cost:    k log k for a vertex of k faces.
+/// apart. Around a vertex, faces that are connected by smooth edges share a normal: the mean of
+/// their own, weighted by area. A vertex all of whose faces are smooth keeps one normal for all.
+/// Cost: k log k for a vertex of k faces.
 class crease_normals {
 public:
     using vector = l3d_polygon_mesh::vector;
     using direction = l3d_vector<float, 3>;
 
-    /// `areas` are the faces' normals times their areas; `of_faces` and `of_vertices` unit vectors.
-    /// Units:   degrees, 0 to 180.
-    /// Expects: all outlive this; a valid mesh.
+    /// `areas` are the faces' normals times their areas. `of_faces` and `of_vertices` are unit
+    /// vectors.
+    /// Units:   crease_angle in degrees, 0 to 180.
+    /// Expects: a valid mesh; all arguments outlive this object.
     crease_normals(const l3d_polygon_mesh& mesh, std::span<const vector> areas,
                    std::span<const direction> of_faces, std::span<const direction> of_vertices,
                    double crease_angle);
@@ -36,8 +37,8 @@ public:
     /// The normals of corners, unit vectors.
     std::span<const direction> normals() const { return normals_; }
 
-    /// The place in normals() of the normal of a face's corner at a vertex, or `none` if it has the
-    /// vertex's own.
+    /// The index in normals() for a face's corner at a vertex; `none` if the corner has the
+    /// vertex's own normal.
     std::uint32_t at(std::uint32_t vertex, std::uint32_t face) const;
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -47,7 +48,7 @@ private:
     struct corner {
         std::uint32_t face, before, after;
     };
-    /// The place of the normal of a vertex's face.
+    /// A face at a vertex, and the index of its normal there.
     struct place {
         std::uint32_t vertex, face, normal;
         friend auto operator<=>(const place&, const place&) = default;
@@ -60,7 +61,7 @@ private:
     std::span<const direction> of_faces_;
     float least_cosine_, least_of_mean_;
     std::vector<direction> normals_;
-    std::vector<place> places_; ///< in order
+    std::vector<place> places_; ///< sorted, to be searched
 
     struct end {
         std::uint32_t vertex, corner;
@@ -68,7 +69,7 @@ private:
     };
     /// The corners around a vertex; kept for their memory.
     std::vector<end> ends_;
-    std::vector<std::uint32_t> groups_; ///< another corner connected with each
+    std::vector<std::uint32_t> groups_; ///< for each corner, another one of its group
     std::vector<vector> sums_;
     std::vector<std::uint32_t> numbers_;
 };

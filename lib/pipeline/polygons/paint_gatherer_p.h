@@ -12,8 +12,9 @@
 
 namespace l3d_detail {
 
-/// Gives each triangle of painted models a name of its own, behind all materials of the frame.
-/// Lives: borrows what it fills.
+/// Gives each triangle of painted models a name: a number of its own beyond those of the frame's
+/// materials, by which rasterizers find its paint.
+/// Lives: borrows the settings and the paints that it fills.
 class paint_gatherer {
 public:
     paint_gatherer(const l3d_polygon_settings& settings, std::size_t materials,
@@ -24,8 +25,9 @@ public:
             out.filter = *settings.textures;
     }
 
-    /// The name of a model's first triangle. None if it has no paint, if the settings want none, or
-    /// if there are no more names: then its faces have the colours of their materials.
+    /// Adds a model, and returns the name of its first triangle. It adds nothing if the model has
+    /// no paint, if the settings want none, or if there are not enough names left. Faces then have
+    /// the colours of their materials.
     /// Lives: the model is borrowed as long as the paints are in use.
     std::optional<std::uint32_t> add(const l3d_polygon_model& model, const l3d_polygon_view& view,
                                      std::uint32_t first_material) {

@@ -31,13 +31,13 @@ enum class L3D_PUBLIC l3d_polygon_style {
     hidden_lines, ///< the sides, but for parts that faces hide
 };
 
-/// The answer of l3d_pipeline_polygons::why_empty if all faces were left out as they are seen from
-/// behind.
+/// The answer of l3d_pipeline_polygons::why_empty if all faces were left out because they are seen
+/// from behind.
 inline constexpr const char* l3d_turning_its_back = "turning its back";
 
 /// The settings by which a model is drawn.
 struct L3D_PUBLIC l3d_polygon_settings {
-    /// Surfaces, or lines.
+    /// Whether faces are filled, or drawn as lines.
     l3d_polygon_style style = l3d_polygon_style::solid;
 
     /// The way in which surfaces get their colours.
@@ -49,24 +49,25 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The colours of lights, and further lights.
     l3d_lighting lighting{};
 
-    /// One light goes with the eye, in place of `light` and `lighting`: l3d_headlight. So no side
-    /// is in the dark.
+    /// Whether one light goes with the eye (l3d_headlight), in place of `light` and `lighting`, so
+    /// that no side is in the dark.
     bool headlight = false;
 
-    /// The turn about x, y and z, round the middle of the box. Units: degrees.
+    /// The model's turn about x, y and z, through the middle of its box. Units: degrees.
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
-    /// Which of these turns comes first.
+    /// The order of these turns.
     l3d_rotation_order rotation_order = l3d_rotation_order::xyz;
 
-    /// The material of all faces, whatever the model says; its picture is not seen.
+    /// A material for all faces, in place of the model's own. Its picture is not shown.
     std::optional<l3d_material> material{};
 
-    /// How pictures on faces are looked up; nothing if none are to be seen.
+    /// The way to look up pictures on faces; nothing if none are to be shown.
     std::optional<l3d_texture_filter> textures = l3d_texture_filter::anisotropic;
 
-    /// Faces that are seen from behind are left out. Else both sides of all faces are shown, with
-    /// the normals turned to the eye. Faces that closed bodies hide then cost nothing, either.
+    /// Whether faces that are seen from behind are left out. Else both sides of all faces are
+    /// shown, with the normals turned to the eye. Faces that closed bodies hide cost nothing in
+    /// both cases.
     bool cull = false;
 
     /// The picture's colours where nothing is drawn.
@@ -75,13 +76,13 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The fog that far surfaces and lines fade into.
     l3d_fog fog{};
 
-    /// Edges are means over pixels, not stairs, and lines are smooth.
+    /// Whether edges and lines are smooth: means over pixels, not stairs.
     bool antialias = true;
 
-    /// The number of covered pixels is reported.
+    /// Whether the number of covered pixels is reported.
     bool count_pixels = false;
 
-    /// The number of drawing threads, as l3d_workers has it. It is constant from the first frame
+    /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
     /// on.
     int threads = l3d_usual_threads();
 };
@@ -117,11 +118,12 @@ public:
     /// l3d_framed.
     void frame_all();
 
-    /// That camera, or the one given if it shows the model well: l3d_shows_well.
+    /// Returns `usual` if it shows the model well (l3d_shows_well), else a camera that shows the
+    /// whole model.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
-    /// Why the last picture shows nothing, as l3d_why_unseen tells it, or l3d_turning_its_back or
-    /// l3d_without_area; "" if it may show something.
+    /// The reason why the last picture shows nothing: the text of l3d_why_unseen,
+    /// l3d_turning_its_back or l3d_without_area. It is "" if the picture may show something.
     std::string why_empty() const;
 
     /// Finds the face at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
@@ -136,8 +138,8 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
-    /// Time alone changes only what controls() change. A subclass that overrides update_event
-    /// overrides this, too.
+    /// Whether the controls are at rest: time alone changes nothing else. A subclass that overrides
+    /// update_event overrides this, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
     double rest_left() const override { return controls_.rest_left(); }
     void rest_event(double seconds) override;
@@ -157,26 +159,26 @@ protected:
     /// The inputs of a frame.
     struct scene {
         l3d_pixels target;                       ///< the picture, to be written to
-        const l3d_polygon_frame& frame;          ///< the model's triangles in it
-        std::span<const l3d_material> materials; ///< theirs; none if all are plain
+        const l3d_polygon_frame& frame;          ///< the model's triangles in the picture
+        std::span<const l3d_material> materials; ///< materials of these; none if all are plain
         l3d_shading shading;                     ///< light, and the way to shade
-        bool count_pixels;                       ///< as in the settings
+        bool count_pixels;                       ///< whether covered pixels are counted
         bool smooth_lines;                       ///< whether sides are drawn as smooth lines
     };
 
-    /// Errors:  as l3d_workers and l3d_rasterizer_factory::create_2d.
+    /// A pipeline that draws this model on this canvas. Errors: as l3d_workers and
+    /// l3d_rasterizer_factory::create_2d.
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 
-    /// The report of the frame before, without the hash; draw_overlay of the frame that is drawn
-    /// now may read it.
+    /// The report of the previous frame, without the hash, for draw_overlay of the present one.
     const l3d_polygon_report& last_report() const { return report_; }
 
-    /// For draw_overlay: draws points, lines and polygons on the picture.
+    /// The rasterizer for draw_overlay: it draws points, lines and polygons on the picture.
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
-    /// Draws on top of the finished model; timed as `overlay`. The viewer's panels come on top of
-    /// it, but for standing_panel, of which they keep clear.
+    /// Draws on top of the finished model; timed as `overlay`. The viewer's panels lie on top of
+    /// it, and keep clear of standing_panel().
     virtual void draw_overlay() {}
 
     /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
@@ -186,11 +188,12 @@ protected:
     l3d_workers& workers() { return workers_; }
 
 private:
-    /// Draw the whole picture, and add to times and counts of the report.
+    /// Both functions draw the whole picture, and add to the report's times and counts.
     virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
-    /// Whether the frame's parts are drawn, beside its list of triangles or instead of it.
+    /// Whether the parts of a frame are drawn, together with its list of triangles or instead of
+    /// it.
     virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);

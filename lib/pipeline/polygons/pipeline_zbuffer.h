@@ -48,7 +48,7 @@ private:
     std::unique_ptr<l3d_surface_rasterizer> rasterizer_;
     std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< has fog, if `rasterizer_` has not
     l3d_depth_buffer depth_;
-    std::vector<l3d_painter_triangle> triangles_; ///< with their sides, for hidden lines
+    std::vector<l3d_painter_triangle> triangles_; ///< triangles with their sides, for hidden lines
 };
 
 #endif

@@ -22,11 +22,12 @@
 #include <span>
 #include <vector>
 
-/// Takes each vertex to the picture once, then finds the faces that are seen, and clips some.
+/// Finds the triangles of a model that may be seen, and places them in the picture. It projects
+/// each vertex once, then leaves out faces that are not seen, and clips some.
 ///
-/// Projection is in double for every number type, then rounded to 1/256 pixel: l3d_real is for what
-/// is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at
-/// the farthest end of the model's sphere, linear in between, as rasterizers need it.
+/// Projection is in double for every number type, then rounded to 1/256 pixel; l3d_real is only for
+/// what is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and
+/// 1 at the farthest end of the model's sphere, linear in between, as rasterizers need it.
 /// Expects: workers, model and view outlive each make().
 /// Cost:    keeps its memory: 32 bytes per vertex and 8 per triangle drawn, 72 more in parts. For
 ///          anti-aliasing, 13 more per triangle of the model.
@@ -34,44 +35,45 @@ class l3d_polygon_frame {
 public:
     /// The choice of triangles, and their form.
     struct way {
-        /// Faces seen from behind are left out.
+        /// Whether faces seen from behind are left out.
         bool cull = true;
-        /// Vertices have their own normals; else each corner has its face's.
+        /// Whether vertices have their own normals; else each corner has its face's.
         bool smooth = false;
-        /// Also triangles that hold no pixel's centre, and the borders of parts.
+        /// Whether triangles that hold no pixel's centre are kept, and borders of parts are made.
         bool antialias = false;
-        /// Parts are made. Else triangles can only be listed. Expects: true for anti-aliasing.
+        /// Whether parts are made. Else triangles can only be listed. Expects: true for
+        /// anti-aliasing.
         bool parts = true;
-        /// Without `cull`, faces seen from behind are still left out if closed bodies hide them
-        /// all.
+        /// Whether faces seen from behind are left out without `cull`, too, if closed bodies hide
+        /// them all.
         bool cull_hidden = false;
-        /// The place of the model's first material among those of the picture.
+        /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
         /// The first triangle's number among materials, if each triangle has one of its own
         /// (l3d_face_paints). Expects: the model has materials.
         std::optional<std::uint32_t> first_painted{};
     };
 
-    /// Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`; without ends, parts
-    /// are of a size that suits the workers.
+    /// Makes the frame. Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`.
+    /// Without ends, parts are of a size that suits the workers.
     void make(const l3d_polygon_model& model, const l3d_polygon_view& view, const way& how,
               l3d_workers& workers, std::span<const std::size_t> ends = {});
 
-    /// The value that mode `error` shows for a part.
+    /// Sets the pixel word that mode `error` shows for a part.
     void set_error_color(std::size_t part, std::uint32_t word) {
         chunks_[part].part.error_color = word;
     }
 
-    /// Triangles ready for a rasterizer; no grids. None if parts were not asked for.
-    /// Lives:   until the next make.
+    /// Triangles ready for a rasterizer, without grids. There are none if parts were not asked for.
+    /// Lives: until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
-    /// Lists the same triangles one by one, with the sides that are sides of faces. A clipped
-    /// triangle has the outline of its rest.
+    /// Lists the triangles of all parts one by one, each with those of its sides that are sides of
+    /// faces. A clipped triangle has the outline of the part that is left.
     /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
-    /// Where the parts of that list end.
+    /// The ends of the parts in that list.
     std::vector<std::size_t> ends() const;
     /// Lists the triangles of one part. Expects: `out` has as many elements as the part has
     /// triangles.
@@ -80,9 +82,9 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// Triangles of the model in one item of work, and in one part, unless asked otherwise: some
-    /// 10^4 cycles at the least. 16 chunks give workers even shares. Chunks above the largest would
-    /// not stay in a cache of the second level.
+    /// The wanted number of chunks, and the least and most triangles of the model in one. Without
+    /// `ends`, a chunk is one item of work and one part. The smallest takes some 10^4 cycles. 16
+    /// chunks give workers even shares. Larger ones would not stay in a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
@@ -90,8 +92,8 @@ private:
         /// Numbers in the model of the triangles that are drawn. Pieces of a clipped triangle
         /// follow each other.
         std::vector<std::uint32_t> names;
-        /// A float's sign bit for a triangle seen from behind, else 0; a piece has its place behind
-        /// 1.
+        /// For each of `names`, the sign bit of a float if it is seen from behind, else 0. For a
+        /// piece of a clipped triangle it is 1 more than the index in `pieces`.
         std::vector<std::uint32_t> signs;
         std::vector<l3d_painter_triangle> pieces; ///< pieces of clipped triangles
         l3d_diced_piece clipped;                  ///< pieces of one triangle

@@ -19,23 +19,23 @@
 
 /// A triangle of a face.
 struct L3D_PUBLIC l3d_model_triangle {
-    std::array<std::uint32_t, 3> corners{}; ///< vertex indices, in the order of the face's
+    std::array<std::uint32_t, 3> corners{}; ///< vertex indices, in the order of the face's corners
     std::uint32_t face = 0;                 ///< index of the face that it is part of
     /// Bit k: the side from corner k to the next is a side of the face, not a diagonal.
     std::uint32_t sides = 0;
 };
 
-/// Bounds that some triangles' faces share, side by side in the list of a model's triangles.
+/// Bounds that 32 triangles share, side by side in the list of a model's triangles.
 ///
-/// Each face's normal is at most `spread` away from `axis`, and its triangle's first corner at most
-/// `reach` from `middle`. So a view may show at once that all are seen from the same side.
+/// Each triangle has its face's normal at most `spread` away from `axis`, and its first corner at
+/// most `reach` away from `middle`. So one test may show that all are seen from the same side.
 struct L3D_PUBLIC l3d_facing_block {
     static constexpr std::size_t triangles = 32; ///< the last block may have fewer
 
-    l3d_vector<double, 3> axis{0.0, 0.0, 0.0};   ///< axis of the normals
-    l3d_vector<double, 3> middle{0.0, 0.0, 0.0}; ///< middle of the corners
-    double spread = 0;                           ///< largest angle of a normal to it
-    double reach = 0;                            ///< largest distance of a corner
+    l3d_vector<double, 3> axis{0.0, 0.0, 0.0};   ///< mean of the normals
+    l3d_vector<double, 3> middle{0.0, 0.0, 0.0}; ///< mean of the first corners
+    double spread = 0; ///< largest distance of a normal's tip from the axis' tip
+    double reach = 0;  ///< largest distance of a corner from the middle
 };
 
 /// Faces whose normals differ by more have a crease where they meet. A prism of 12 and more sides,
@@ -58,7 +58,7 @@ public:
     /// A direction in the model's space.
     using direction = l3d_vector<float, 3>;
 
-    /// No polygons.
+    /// A model without polygons.
     l3d_polygon_model() : l3d_polygon_model(l3d_polygon_mesh()) {}
     /// Shares the contents.
     l3d_polygon_model(const l3d_polygon_model&) = default;
@@ -75,13 +75,14 @@ public:
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
                                double crease_angle = l3d_usual_crease_angle);
 
-    /// The polygons of a file in any format of l3d_read_model, and its patches as l3d_usual_facets
-    /// by l3d_usual_facets quads each. Its notes are left out.
+    /// Loads the polygons of a file in any format of l3d_read_model. Patches become
+    /// l3d_usual_facets by l3d_usual_facets quads each. Notes on skipped lines are left out.
     /// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file that holds
     ///         neither polygons nor patches.
     static l3d_polygon_model load(const std::string& file);
 
-    /// The given polygons, but for faces that crossed themselves and a move to the origin.
+    /// The given polygons. Faces of four corners that crossed themselves are two triangles, and all
+    /// vertices are moved if `to_origin` asked for it.
     const l3d_polygon_mesh& mesh() const { return contents_->mesh; }
     /// The triangles of all faces that are shown, face after face.
     std::span<const l3d_model_triangle> triangles() const { return contents_->triangles; }
@@ -89,18 +90,18 @@ public:
     /// Triangle i is in block i / l3d_facing_block::triangles.
     std::span<const l3d_facing_block> facing_blocks() const { return contents_->facing_blocks; }
 
-    /// The unit normals of faces, seen from whose tips corners run counterclockwise; zero for a
-    /// face of no area.
+    /// The unit normals of faces; zero for a face of no area. Seen from a normal's tip, the face's
+    /// corners run counterclockwise.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The normals of vertices: the mesh's own if it has any, on the side of most faces' normals;
-    /// else the mean of the faces around, weighted by area. Unit vectors; zero where no face is. At
-    /// creases, corner_normal has others.
+    /// The unit normals of vertices. They are the mesh's own if it has any, turned to the side of
+    /// most faces' normals. Else each is the mean of the faces around, weighted by area. They are
+    /// zero where no face is. At creases, corner_normal() has others.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
-    /// The normal that a triangle is lit with at a corner: its vertex's, or another one where the
-    /// vertex is on a crease, or the opposite one where the mesh folds over. Expects: triangle <
-    /// triangles().size(), corner < 3.
+    /// The normal that a triangle is lit with at a corner. It is the vertex's, another one if the
+    /// vertex is on a crease, or the opposite one where the mesh folds over.
+    /// Expects: triangle < triangles().size(), corner < 3.
     const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
         const std::uint32_t of = contents_->crease_corners.empty()
                                      ? no_crease
@@ -115,8 +116,8 @@ public:
     /// The named parts of the faces.
     const l3d_parts& parts() const { return contents_->parts; }
 
-    /// A model in which the faces of one part have another material. Expects: an index of
-    /// parts().names().
+    /// A model in which the faces of one part have another material.
+    /// Expects: an index of parts().names().
     l3d_polygon_model part_painted(std::size_t part, const l3d_material& material) const;
 
     /// A model that shows some parts alone; faces without a part are left out. It keeps its mesh,
@@ -130,22 +131,23 @@ public:
     /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
     /// vertex has a colour.
     std::span<const l3d_material> materials() const { return contents_->materials; }
-    /// The place of a face's material in materials(); 0 if there are none. Expects: face <
-    /// mesh().faces().
+    /// The index of a face's material in materials(); 0 if there are none.
+    /// Expects: face < mesh().faces().
     std::uint32_t material_of(std::size_t face) const {
         return contents_->materials_of_faces.empty() ? 0 : contents_->materials_of_faces[face];
     }
 
-    /// The same faces with pictures on those whose materials name any: mesh().pictures in their
-    /// order. Where a pointer is null or missing, faces have the colours of their materials.
+    /// A model of the same faces, with pictures on all faces whose materials name one. `textures`
+    /// has a texture for each of mesh().pictures. Where it is null or missing, faces have the
+    /// colours of their materials.
     l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
-    /// Those pictures.
+    /// The pictures given to textured().
     std::span<const std::shared_ptr<const l3d_texture>> textures() const {
         return contents_->textures;
     }
 
-    /// For each triangle, what is blended over it; none if no vertex has a colour and no material a
-    /// texture.
+    /// For each triangle, the colours or the picture that is blended over it. It is empty if no
+    /// vertex has a colour and no material a texture.
     std::span<const l3d_painted_triangle> painted() const { return contents_->painted; }
 
     /// The corner of the model's box with the smallest x, y and z.
@@ -191,10 +193,10 @@ private:
         /// none.
         std::vector<std::array<std::uint32_t, 3>> crease_corners;
         std::vector<l3d_material> materials;
-        std::vector<std::uint32_t> materials_of_faces; ///< places in these
+        std::vector<std::uint32_t> materials_of_faces; ///< for each face, an index in materials
         std::vector<std::shared_ptr<const l3d_texture>> textures;
         std::vector<l3d_painted_triangle> painted;
-        std::vector<bool> repainted; ///< faces that vertices' colours do not count for; or empty
+        std::vector<bool> repainted; ///< faces whose vertices' colours do not count; or empty
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
     };
@@ -204,7 +206,8 @@ private:
     std::shared_ptr<const contents> contents_;
 };
 
-/// The most pixels of a texture: those of 8192 by 8192, 0.7 GB with its smaller pictures.
+/// The most pixels of a texture: as many as 8192 by 8192 have. With its smaller pictures it takes
+/// 0.7 GB.
 inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 
 /// The textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. A picture
@@ -224,10 +227,11 @@ L3D_PUBLIC std::shared_ptr<const l3d_texture> l3d_read_texture(const std::string
 
 struct l3d_model_file;
 
-/// Largest n that programs take: 2 n^2 triangles for each patch make two million for the teapot.
+/// The largest n for l3d_tessellated that programs take. It makes 2 n^2 triangles of each patch,
+/// two million for the teapot.
 inline constexpr int l3d_most_facets = 192;
 
-/// The usual n of models that are drawn as polygons.
+/// The n for l3d_tessellated with which programs usually draw models as polygons.
 inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles.
@@ -236,8 +240,9 @@ struct L3D_PUBLIC l3d_patch_mesh {
     std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
 };
 
-/// Each patch as n by n quads of two triangles, counterclockwise where dS/du x dS/dv points to,
-/// with the patch's normals at the vertices, of its material and in its part.
+/// Turns each patch into n by n quads of two triangles, counterclockwise seen from where dS/du x
+/// dS/dv points to. Their vertices have the patch's normals, and the triangles its material and its
+/// part.
 ///
 /// Patches with a common boundary have the same points on it: these are a function of the
 /// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
@@ -247,8 +252,8 @@ struct L3D_PUBLIC l3d_patch_mesh {
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 /// The polygons of a file that was read, and its patches as n by n quads each.
-/// Errors: throws l3d_error(bad_input) for a file that holds neither, and for patches that are no
-///         bicubic ones.
+/// Errors:  throws l3d_error(bad_input) for a file that holds neither polygons nor patches, and for
+///          patches that are not bicubic.
 /// Expects: n >= 1.
 L3D_PUBLIC l3d_polygon_mesh l3d_mesh_of(const l3d_model_file& file, const std::string& name, int n);
 

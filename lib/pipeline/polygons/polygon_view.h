@@ -31,22 +31,22 @@ struct L3D_PUBLIC l3d_picture_fit {
     /// Factor by which widths of the picture are stretched against heights.
     /// Expects: > 0.
     double stretch = 1;
-    /// The picture is moved so far to the right and down. Units: pixels.
+    /// The distance by which the picture is moved to the right and down. Units: pixels.
     double shift = 0;
 };
 
-/// The depths of a view's points: 1 / distance, or in a parallel projection, where `step` is not 0,
-/// base + step distance. Units: distances along the view axis.
+/// The rule by which a view's points get their depths: 1 / distance, or base + step * distance in a
+/// parallel projection, where `step` is not 0.
+/// Units: distances along the view axis.
 struct L3D_PUBLIC l3d_view_depths {
-    /// As l3d_shading has them.
+    /// The numbers of the rule, as in l3d_shading.
     double base = 0, step = 0;
 
-    /// The depth of a point of the picture. Shape: its d and w, as l3d_polygon_view::matrix has
-    /// them.
+    /// The depth of a point of the picture, from its d and w by l3d_polygon_view::matrix.
     double at(double d, double w) const { return step == 0 ? 1 / w : base + step * d; }
 };
 
-/// The one matrix of a frame, from the model to the picture, and what else depends on the view.
+/// The matrix of a frame, from the model to the picture, and all else that depends on the view.
 ///
 /// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The pixel is the picture's centre
 ///          plus (x / w, y / w). d is the distance along the view axis. w is d in perspective,
@@ -73,26 +73,27 @@ public:
     /// Whether the projection is parallel: far things do not look smaller.
     bool is_parallel() const { return camera_.is_parallel(); }
 
-    /// Positive if a plane's front, where its normal points to, is seen: the sign of
-    /// N . (eye - p). All in model space.
+    /// Positive if the eye sees a plane's front, the side that its normal points to. The sign is
+    /// that of the dot product of the normal and eye - point, all in model space.
     double faces_eye(const vector& normal, const vector& point) const {
         return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
     }
 
     /// Whether all planes with normals within `spread` of `axis` and points within `reach` of
-    /// `middle` show their fronts or, if `front` is false, their backs. May say no in doubt.
+    /// `middle` show their fronts or, if `front` is false, their backs. It may say no in doubt.
     /// Expects: normals of length 1 or 0.
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;
 
-    /// The depths of what lies in a ball of model space. In a parallel projection they are 2 at its
-    /// nearest and 1 at its farthest point. Expects: radius >= 0.
+    /// The depths of things in a ball of model space. In a parallel projection they are 2 at the
+    /// ball's nearest and 1 at its farthest point.
+    /// Expects: radius >= 0.
     l3d_view_depths depths(const vector& middle, double radius) const;
 
-    /// For the rasterizers, the light in world space. The rays are zero, so that no pixel's normal
-    /// is turned round. The plane of a face says which of its sides is seen. The smooth normals of
-    /// a face at an outline point away from the eye in some of its pixels, and are right as they
-    /// are.
+    /// The shading for rasterizers, with the light in world space. Its rays are zero, so that
+    /// rasterizers turn no pixel's normal round, since the plane of a face says which of its sides
+    /// is seen. Smooth normals near an outline point away from the eye in some pixels, and are
+    /// right as they are.
     l3d_shading shading(l3d_shade mode, const vector& light,
                         const l3d_lighting& lighting = {}) const;
 

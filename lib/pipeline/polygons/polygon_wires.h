@@ -13,9 +13,9 @@
 #include <span>
 #include <vector>
 
-/// Finds the lines of a frame.
+/// Finds the lines of a frame in which a model is drawn as the sides of its faces.
 ///
-/// Cost:    keeps its memory: 40 bytes per vertex, 13 per triangle, 24 per line.
+/// Cost: keeps its memory: 40 bytes per vertex, 13 per triangle, 24 per line.
 class l3d_polygon_wires {
 public:
     /// One line for each side of a face that is not culled. It is cut where it reaches behind the

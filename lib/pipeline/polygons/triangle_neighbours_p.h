@@ -13,18 +13,20 @@
 
 namespace l3d_detail {
 
-/// For each side of each triangle of a model, the triangle beyond it.
+/// Finds the triangle across each side of each triangle of a model.
 ///
-/// Vertices at the same place are the same, whatever their numbers. A triangle with two corners at
-/// one place has no neighbours: those on its two sides meet.
-/// Cost:    12 bytes per triangle, and linear time when a model comes for the first time.
+/// It compares vertices by their indices. If some side then has no neighbour, vertices at the same
+/// place count as one, even if their indices differ. A triangle with two corners that count as one
+/// has no area and gets no neighbours. The triangles on both sides of it become neighbours of each
+/// other.
+/// Cost: 12 bytes per triangle, and linear time when a model comes for the first time.
 class triangle_neighbours {
 public:
-    /// There is no other triangle, or one whose corners go round the other way. Where more than two
-    /// meet, the first two may be neighbours, and further ones have none.
+    /// Stands for no neighbour: there is no other triangle, or its corners go round the other way.
+    /// Where more than two meet, the first two may be neighbours, and further ones have none.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// Finds the neighbours of a model, unless it is the last call's.
+    /// Finds the neighbours of a model, unless it is that of the last call.
     void make(const l3d_polygon_model& model);
 
     /// The triangle across the side from corner `side` to the next one; or none.

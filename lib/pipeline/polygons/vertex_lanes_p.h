@@ -17,17 +17,17 @@
 
 namespace l3d_detail {
 
-/// The vertices of a model, each once.
+/// The vertices of a model in the picture, each once.
 ///
 /// Shape: a place is x, y (1/256 pixel), the bits of inv_w, and 0. inv_w is 0 where the vertex
-///        cannot be drawn. A normal is three numbers in world space and 0. So one vector of 16
-///        bytes has either, and four vectors are turned into arrays of their components.
+///        cannot be drawn. A normal is three numbers in world space and 0. So each fills a vector
+///        of 16 bytes, and four vectors are turned into arrays of their components.
 struct placed_vertices {
     using place = std::array<std::int32_t, 4>;
     using normal = std::array<float, 4>;
 
     std::vector<place> places;
-    std::vector<normal> normals; ///< as many, or none in use
+    std::vector<normal> normals; ///< one for each place, or none in use
 };
 
 /// The way from places of the model to places of the picture.
@@ -49,13 +49,13 @@ struct triangle_choice {
     const l3d_polygon_model& model;
     const l3d_polygon_view& view;
     std::span<const placed_vertices::place> places;
-    bool cull = true;     ///< not those seen from behind
-    bool squares = false; ///< also those that hold no pixel's centre
+    bool cull = true;     ///< leave out triangles seen from behind
+    bool squares = false; ///< take triangles that hold no pixel's centre, too
 };
 
 /// Some triangles that may be seen, in the model's order.
 struct chosen_triangles {
-    static constexpr std::size_t room = 256; ///< 2 KB: the nearest cache holds more
+    static constexpr std::size_t room = 256; ///< 2 KB, less than the nearest cache holds
     /// The sign bit of a float.
     static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;
 
@@ -67,14 +67,15 @@ struct chosen_triangles {
     bool clipped = false; ///< the last one has a corner that cannot be drawn
 };
 
-/// Lists triangles from `begin` on, until all up to `end` were looked at, there is no more room, or
-/// one must be clipped. Others are counted by the reason why they are left out.
-/// Returns: the first that was not looked at.
+/// Lists the triangles from `begin` on that may be seen. It stops when it has looked at all up to
+/// `end`, when there is no more room, or at one that must be clipped. The others are counted by the
+/// reason why they are left out.
+/// Returns: the first triangle that was not looked at.
 std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::size_t end,
                              chosen_triangles& to, l3d_polygon_counts& counts);
 
-/// Adds the first `count` of the chosen triangles, with the vertices' normals unless there are
-/// none, turned round by `sign`.
+/// Adds the first `count` of the chosen triangles, with the vertices' normals if `with_normals`,
+/// turned round by their `sign`.
 void add_triangles(std::span<const l3d_model_triangle> triangles, const placed_vertices& vertices,
                    bool with_normals, const chosen_triangles& chosen, std::size_t count,
                    l3d_micro_triangles& to);

@@ -9,19 +9,19 @@
 #include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
-/// The rate that the book's programs are made for: their motion per update is ours per 1/60 s.
-/// Units: updates a second.
+/// The rate that the book's programs are made for. Their motion per update is the library's motion
+/// per 1/60 s. Units: updates a second.
 inline constexpr double l3d_book_rate = 60;
 
 /// A place with three axes of its own; each push is along one of them, and each turn about one.
 ///
-/// Motion is damped, and given per second: after a push the speed falls off exponentially, and the
-/// way made good in any time is its exact integral. So flights end in the same place at any frame
-/// rate; at l3d_book_rate they are the book's, but for its whole degrees.
-/// Shape:   left-handed: right x up = forward, up x forward = right, forward x right = up; the book
-///          calls them VRI, VUP and VFW, and the place VRP.
-/// Units:   world units, degrees, seconds; a turn is clockwise for one who sees its axis come at
-///          him.
+/// Motion is given per second, and damped: after a push the speed falls off exponentially. The
+/// distance flown in any time is the exact integral of that. So flights end in the same place at
+/// any frame rate. At l3d_book_rate they are the book's, except that the book turns by whole
+/// degrees.
+/// Shape: left-handed: right x up = forward, up x forward = right, forward x right = up; the book
+///        calls them VRI, VUP and VFW, and the place VRP.
+/// Units: world units, degrees, seconds; a turn is clockwise for one who sees its axis come at him.
 template <class T> class L3D_PUBLIC l3d_moveable {
 public:
     /// A place in the world.
@@ -58,13 +58,15 @@ public:
     /// The axis that points forward, a unit vector in the world.
     const vector& forward() const { return forward_; }
 
-    /// One press of a key: `times` is +1 or -1 along or about an axis, 0 otherwise. A velocity that
-    /// has reached its limit (90 units, 95 degrees per update in the book) stays.
+    /// Adds `thrust` to the velocity along each axis, as one press of a key does: `times` is +1 or
+    /// -1 along an axis, 0 otherwise. A velocity that has reached its limit (90 units per update in
+    /// the book) stays.
     void push(const by_axis& times);
-    /// As push, but turns: `times` is about each axis.
+    /// Adds to the spin about each axis, as push() does to the velocity. The limit is 95 degrees
+    /// per update in the book.
     void twist(const by_axis& times);
 
-    /// Turns at once. Units: degrees.
+    /// Turns at once about the axis right(). Units: degrees.
     void turn_about_right(double degrees);
     /// Turns at once about the axis up(). Units: degrees.
     void turn_about_up(double degrees);
@@ -76,14 +78,14 @@ public:
     /// Errors:  false, and nothing changes, if one is zero or both lie on a line.
     bool set_axes(const vector& forward, const vector& up);
 
-    /// Turns so that forward() points from the place to `target`; `up` is as of set_axes.
-    /// Errors:  as set_axes.
+    /// Turns so that forward() points from the place to `target`; `up` is used as by set_axes().
+    /// Errors: false, and nothing changes, if a direction is zero or both lie on a line.
     bool look_at(const point& target, const vector& up = point::of(0, 1, 0).from_origin) {
         return set_axes(target - place, up);
     }
 
-    /// Moves the place by a matrix, and turns the axes by it.
-    /// Errors:  false, and nothing changes, if the matrix leaves no axes.
+    /// Transforms the place and the axes by a matrix.
+    /// Errors: false, and nothing changes, if the matrix leaves no axes.
     bool transform(const l3d_matrix<T>& m);
 
     /// Flies on. A subclass that moves otherwise overrides it. Expects: seconds >= 0.
@@ -91,12 +93,12 @@ public:
     ///          1 again, so that no rounding adds up.
     virtual void update(double seconds);
 
-    /// Whether update() changes anything. A subclass that overrides that overrides this, too.
+    /// Whether update() changes anything. A subclass that overrides update() overrides this, too.
     virtual bool moves() const;
 
-    /// From the world to the three axes with the place as origin.
+    /// The matrix from world coordinates to those along the three axes, with the place as origin.
     l3d_matrix<T> viewing_transform() const;
-    /// From the three axes with the place as origin to the world.
+    /// The matrix from coordinates along the three axes, with the place as origin, to the world's.
     l3d_matrix<T> inverse_viewing_transform() const;
 
 private:
@@ -117,12 +119,13 @@ L3D_PUBLIC double l3d_fov_degrees(double term);
 
 /// A perspective camera in a left-handed world: x right, y up, z away from the viewer.
 ///
-/// Units:   fovx and fovy are terms as of l3d_fov_term, of the picture's width and height; near_z
-///          and far_z are distances along the view axis.
+/// Units:   fovx and fovy are terms of l3d_fov_term, for the picture's width and height; near_z and
+///          far_z are distances along the view axis.
 /// Expects: fovx, fovy > 0; 0 < near_z < far_z.
 template <class T> class L3D_PUBLIC l3d_camera_left_handed : public l3d_moveable<T> {
 public:
-    /// 100 degrees wide, about what a human eye sees; pixels are squares.
+    /// A camera for pictures of this size. It sees 100 degrees of width, about as a human eye;
+    /// pixels are squares.
     explicit l3d_camera_left_handed(l3d_size size);
 
     /// Fields of view along x and y, as terms of l3d_fov_term.
@@ -130,15 +133,14 @@ public:
     /// The least and the largest distance that is drawn, in world units.
     double near_z = 5.5, far_z = 500;
 
-    /// Follows the picture's new shape: squares stay squares.
+    /// Adapts fovy to a new size of the picture, so that squares stay squares.
     void change_size(l3d_size from, l3d_size to);
 
-    /// Turns as if a hand moved the world: things in the middle of a picture of this size move so
-    /// many pixels to the right and down.
+    /// Turns as if a hand dragged the world. Things in the middle of a picture of this size move by
+    /// `right` and `down` pixels.
     void drag(double right, double down, l3d_size size);
 
-    /// A point's place in the picture, whose centre is (width / 2, height / 2); y is down. Expects:
-    /// p[2] > 0.
+    /// A place in the picture, whose centre is (width / 2, height / 2); y is down.
     struct pixel {
         /// From the picture's left and top, in pixels.
         double x, y;
@@ -147,10 +149,10 @@ public:
     pixel project(const l3d_point<T>& p, l3d_size size) const;
 };
 
-/// The same view of the same world seen through our camera, whose world is this one with z
-/// reversed. A point (x, y, z) here is (x, y, -z) there, and pictures are alike.
+/// The l3d_camera that shows the same picture. Its world is the left-handed one with z reversed:
+/// the point (x, y, z) of that world is (x, y, -z) for l3d_camera.
 ///
-/// A pixel's centre is where our camera samples, 1/2 beyond the book's in x and y.
+/// l3d_camera samples at the centre of a pixel, 1/2 beyond the book's place in x and y.
 /// Expects: square pixels: fovx * width = fovy * height.
 template <class T> L3D_PUBLIC l3d_camera l3d_right_handed(const l3d_camera_left_handed<T>& camera);
 

@@ -46,7 +46,7 @@ private:
 /// The geometry is never transformed in place: every frame starts from it, so nothing is deformed
 /// by rounding. The placement is a list of matrices, the first one applied first; their product is
 /// updated automatically. The behaviour comes from a subclass, or from a plug-in.
-/// Shape:   faces are as of l3d_polygon_mesh; a world's axes are left-handed.
+/// Shape: faces as in l3d_polygon_mesh; a world's axes are left-handed.
 class L3D_PUBLIC l3d_object {
 public:
     /// The numbers that pictures are computed in.
@@ -59,23 +59,23 @@ public:
     /// Leaves its children without a parent, placed by their own matrices.
     virtual ~l3d_object();
 
-    std::string name; ///< for messages; need not differ from others
+    std::string name; ///< for messages; several objects may have the same one
 
-    /// Replaces its polygons, and the pictures on them (l3d_read_textures), which only what is
-    /// filled by depth shows. Expects: mesh.is_valid().
+    /// Replaces the object's polygons, and the pictures on them (l3d_read_textures), which are seen
+    /// only where surfaces are filled by depth. Expects: mesh.is_valid().
     void set_mesh(l3d_polygon_mesh mesh,
                   std::vector<std::shared_ptr<const l3d_texture>> textures = {});
     /// The polygons, in the object's own coordinates.
     const l3d_polygon_mesh& mesh() const { return mesh_; }
 
     /// The mesh ready to be filled by depth, with creases of the usual angle.
-    /// Cost:    made when it is asked for after set_mesh; a copy shares its contents.
+    /// Cost: made at the first call after set_mesh; a copy shares its contents.
     const l3d_polygon_model& model() const;
 
     /// The mesh's vertices in the numbers that pictures are computed in.
     std::span<const l3d_point<real>> vertices() const { return vertices_; }
 
-    /// Sets one of the matrices; earlier ones that were never set are the identity.
+    /// Sets one of the placement's matrices. Earlier ones that were never set are the identity.
     void set_transform(std::size_t index, const l3d_matrix<real>& m);
     /// The matrices of the placement, the first one applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
@@ -84,9 +84,10 @@ public:
     /// world's if it has none.
     const l3d_matrix<real>& modeling_transform() const;
 
-    /// Hangs the object to another one, whose placement then moves it as well; null for none.
-    /// Errors:  false, and nothing changes, if the parent is the object or hangs from it.
-    /// Lives:   borrows the parent; when that goes, the object has none.
+    /// Hangs the object to another one, whose placement then moves it as well; null puts it into
+    /// the world.
+    /// Errors: false, and nothing changes, if the parent is the object or hangs from it.
+    /// Lives:  borrows the parent; when the parent goes, the object has none.
     bool set_parent(l3d_object* parent);
     /// The object that it hangs from; null if it stands in the world.
     l3d_object* parent() const { return parent_; }
@@ -103,12 +104,13 @@ public:
     /// Lets time pass. Units: seconds.
     void update(double seconds) { do_update(seconds); }
 
-    /// A copy in depth, of the same class, with a behaviour of its own. It has the same parent and
-    /// no children. Errors:  none; a behaviour that cannot be copied is left out.
+    /// A deep copy of the same class, with a behaviour of its own. It has the same parent and no
+    /// children.
+    /// Errors: none; a behaviour that cannot be copied is left out.
     std::unique_ptr<l3d_object> clone() const;
 
 protected:
-    /// A copy in depth of all but the behaviour.
+    /// A deep copy of all but the behaviour.
     l3d_object(const l3d_object& other);
 
 private:

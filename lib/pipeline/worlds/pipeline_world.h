@@ -15,26 +15,26 @@
 #include <string>
 #include <vector>
 
-/// The keys, and the mouse, for a program's caption.
+/// Rows for a program's caption: the keys of a world, and the mouse.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_world_keys();
 
-/// Keys, time and pictures of a world.
+/// Shows a world, lets time pass in it, and flies through it by keys.
 ///
-/// A world whose order is `by_depth` is filled by a surface rasterizer of the canvas's factory,
-/// with as many threads as the world's `surfaces` ask for when the first such frame is drawn.
-/// Stopped, the world is frozen, and the camera can still fly.
+/// A world whose order is `by_depth` is filled by a surface rasterizer of the canvas's factory. It
+/// has as many threads as the world's `surfaces` ask for when the first such frame is drawn. If the
+/// user stops it, the world is frozen, and the camera can still fly.
 class L3D_PUBLIC l3d_pipeline_world : public l3d_lesson {
 public:
     /// Makes a world for pictures of a size.
     using maker = std::function<std::unique_ptr<l3d_world>(l3d_size)>;
 
-    /// Shows this world on that canvas. It can't start again. Errors: as l3d_pipeline_2d.
-    /// Lives:   borrows the world.
+    /// Shows this world on that canvas. The user cannot start it again. Errors: as l3d_pipeline_2d.
+    /// Lives: borrows the world.
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
     /// Shows a world that `make` makes, now and whenever the user starts again. If the canvas is
-    /// not classic, a world that paints far polygons first is drawn by depth instead, with smooth
-    /// edges, on the dark ground of lessons.
+    /// not classic, a world that paints far polygons first is drawn by depth instead. It then has
+    /// smooth edges, on the dark ground of lessons.
     /// Errors: as l3d_pipeline_2d; exceptions of `make`.
     l3d_pipeline_world(l3d_canvas canvas, maker make);
 

@@ -28,11 +28,11 @@ enum class L3D_PUBLIC l3d_draw_order {
 /// Transforms, clips and projects polygons, and holds the result for one frame.
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
-/// at near_z, and far outside the picture; what is wholly beyond far_z is left out. New vertices
-/// follow the object's own in one list.
-/// Cost:    time linear in vertices and polygons, but for sorting; memory for the most polygons of
-///          any frame so far, and no limit to their number but 2^32.
-/// Source:  the order of steps is that of l3d_world::draw_all in the book.
+/// at near_z, and far outside the picture. Polygons wholly beyond far_z are left out. Vertices that
+/// cuts make follow the object's own in one list.
+/// Cost:   time linear in vertices and polygons, but for sorting; memory for the most polygons of
+///         any frame so far, and no limit to their number but 2^32.
+/// Source: the order of steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
 public:
     /// The numbers that pictures are computed in.
@@ -44,13 +44,14 @@ public:
     /// Adds the polygons of an object that may be seen. Returns the number of vertices transformed.
     std::size_t add(const l3d_object& object);
 
-    /// Polygons added and neither behind the eye nor outside the picture.
+    /// The number of polygons added that are neither behind the eye nor outside the picture.
     std::size_t polygons() const { return polygons_.size(); }
 
-    /// Draws the polygons added since begin(), each in its own colour; `by_depth` is far_first.
+    /// Draws the polygons added since begin(), each in its own colour; `by_depth` is drawn as
+    /// far_first.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_draw_order order);
 
-    /// The corners of a polygon, in the order of addition. Units: pixels.
+    /// The corners of a polygon; polygons count from 0, in the order of addition. Units: pixels.
     std::span<const l3d_point_2d> corners(std::size_t which) const;
 
 private:
@@ -79,8 +80,9 @@ class l3d_world_surfaces;
 
 /// The target of a world's drawing: a picture, and the rasterizers for it.
 ///
-/// A part of a picture will do: its first word and its size in `pixels`, with the whole one's
-/// stride. So a mirror or a window onto another place is drawn by a second call of draw_all.
+/// The picture may be a part of another one: `pixels` then has the part's first word and size, and
+/// the stride of the whole. So a second call of draw_all can draw a mirror, or a window onto
+/// another place.
 /// Expects: the rasterizer draws into the same pixels.
 /// Lives:   borrowed while drawing.
 struct L3D_PUBLIC l3d_world_target {
@@ -115,7 +117,7 @@ public:
     /// are as in the book: one grey for each face, hard edges, on black, by one thread.
     l3d_polygon_settings surfaces{
         .shade = l3d_shade::flat, .background = {}, .antialias = false, .threads = 1};
-    /// Objects stand still, and only the camera moves.
+    /// Whether objects stand still, so that only the camera moves.
     bool frozen = false;
 
     /// Puts an object into the world, after the others. Allowed at any time: an object added during
@@ -148,7 +150,7 @@ private:
 
     std::unique_ptr<camera_type> owned_camera_; ///< the camera that `camera` names
     std::vector<std::unique_ptr<l3d_object>> objects_;
-    /// While objects are updated, those that are to go.
+    /// Objects that were removed during an update, and are dropped after it.
     std::unordered_set<const l3d_object*> removed_;
     int updates_ = 0; ///< calls of update_all that have not returned
     l3d_facet_list facets_;

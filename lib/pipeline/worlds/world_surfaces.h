@@ -42,7 +42,7 @@ private:
         l3d_polygon_frame frame;
         l3d_polygon_wires wires;
         std::uint32_t first_material = 0;
-        std::optional<std::uint32_t> first_painted; ///< as l3d_polygon_frame::way has it
+        std::optional<std::uint32_t> first_painted; ///< its first triangle's number among materials
 
         const l3d_polygon_model& model() const { return shaped ? *shaped : *plain; }
     };
@@ -57,13 +57,13 @@ private:
     std::size_t draw_wires(const frame_input& in, const l3d_world_target& target);
     std::size_t fill(const frame_input& in, const l3d_world_target& target);
 
-    std::vector<std::unique_ptr<placed>> placed_; ///< one an object, in their order
-    std::vector<placed*> seen_;                   ///< those that this frame may show
+    std::vector<std::unique_ptr<placed>> placed_; ///< one for each object, in their order
+    std::vector<placed*> seen_;                   ///< the placed objects that this frame may show
     std::vector<l3d_material> materials_;
     l3d_face_paints paints_;
     std::vector<const l3d_surface_part*> parts_;
-    std::vector<l3d_painter_triangle> triangles_, of_object_; ///< for hidden lines
-    std::vector<std::unique_ptr<l3d_workers>> alone_;         ///< one a thread, for small objects
+    std::vector<l3d_painter_triangle> triangles_, of_object_; ///< triangles, for hidden lines
+    std::vector<std::unique_ptr<l3d_workers>> alone_; ///< one for each thread, for small objects
     l3d_depth_buffer depth_;
 };
 

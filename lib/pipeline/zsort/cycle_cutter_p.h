@@ -14,28 +14,29 @@
 
 namespace l3d_detail {
 
-/// Unties one knot at a time.
+/// Finds a painting order for a knot: a set of triangles that has none unless some are cut.
 ///
 /// First the members that go through each other are cut at each other's planes, only where they
-/// meet. Along the curve where two surfaces cross, that is a cut or two each. Cycles that are left
-/// are divided by whole planes; so is a set in which nearly all go through all. The part behind a
-/// plane comes first, the part in front of it last. That always ends, since a piece that was
-/// divided by a plane is never divided by it again.
+/// meet. Along the curve where two surfaces cross, that is a cut or two for each triangle. Then
+/// whole planes of members divide the cycles that are left, and also sets in which nearly all go
+/// through all. The pieces behind a plane are painted first, those in front of it last. This always
+/// ends, since a piece is never divided by the same plane again.
 ///
-/// All is found from front to back. So members of a large knot that are hidden by what was found
-/// are left out before they are cut any further, and the work is in proportion to what is seen.
-/// Lives:   keeps its memory.
+/// The order is found from front to back. In a large knot, members that are hidden by pieces found
+/// before are left out before they are cut any further. So the work is in proportion to what is
+/// seen.
+/// Lives: keeps its memory.
 class cycle_cutter {
 public:
-    /// Knots of more members than that are searched for hidden ones. In a smaller one, clearing the
-    /// bits of the picture would take longer than painting what is hidden.
+    /// The most members of a knot in which hidden ones are not searched for. In so small a knot,
+    /// clearing the bits of the picture would take longer than painting what is hidden.
     static constexpr std::size_t few = 48;
 
     explicit cycle_cutter(std::size_t most_without_search = few)
         : most_without_search_(most_without_search) {}
 
     /// Adds the members' pieces in painting order, and their cuts.
-    /// Expects: members name triangles, rising.
+    /// Expects: members are indices of triangles, rising.
     /// Errors:  l3d_interrupted, if the workers are.
     void untie(l3d_workers& workers, l3d_size size, std::span<const l3d_painter_triangle> triangles,
                std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
@@ -70,13 +71,13 @@ private:
     std::span<const l3d_painter_triangle> triangles_;
     std::vector<l3d_painter_piece>* pieces_ = nullptr;
     std::vector<l3d_painter_cut>* cuts_ = nullptr;
-    l3d_workers* workers_ = nullptr; ///< who are asked whether to go on
+    l3d_workers* workers_ = nullptr; ///< they are asked whether to go on
 
     struct task {
         fragments set;
-        bool cyclic; ///< known to have no order
+        bool cyclic; ///< whether it is known to have no order
     };
-    std::vector<task> tasks_; ///< the last is the next, in front of all others
+    std::vector<task> tasks_; ///< the last one is the next, in front of all others
     painter_cover cover_;     ///< cover of a large knot
     std::size_t most_without_search_;
     bool covers_ = false;

@@ -15,20 +15,22 @@
 
 namespace l3d_detail {
 
-/// How much of each item is seen.
+/// Finds the items that need no place in the painting order, since they are seen wholly or not at
+/// all.
 ///
-/// Those that are seen in all of their pixels share none with each other. So they may be painted in
-/// any order, after all others. Those that are seen nowhere need not be painted. Only the rest is
-/// in want of an order.
+/// Items that are seen in all of their pixels share none with each other. So they may be painted in
+/// any order, after all others. Items that are seen nowhere need not be painted. Only the rest
+/// needs an order.
 class hidden_test {
 public:
-    /// Nothing is known: each item needs an order.
+    /// Forgets what was found: each item needs an order again.
     void forget() { parts_.clear(); }
 
-    /// Finds it for the members of tiles, if these know pixels. In each pixel it looks for the item
-    /// that is sorted last, and compares the others with it. Where the sort is wrong, all members
-    /// of the tile are said to need an order. Returns: how many pairs were compared. Expects: items
-    /// of lesser numbers than that.
+    /// Tests the members of tiles, if the tiles know pixels. In each pixel it looks for the item
+    /// that is sorted last, and compares the others with it. If the sort is wrong in a tile, all of
+    /// its members need an order.
+    /// Expects: items have lesser numbers than `numbers`.
+    /// Returns: the number of pairs compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,
                       l3d_workers& workers);
 
@@ -38,20 +40,20 @@ public:
     bool is_whole(std::uint32_t number) const {
         return !parts_.empty() && parts_[number].seen != 0 && parts_[number].hidden == 0;
     }
-    /// How many are, of those with numbers [begin, end).
+    /// The number of items that are seen wholly, of those with numbers [begin, end).
     std::size_t count_whole(std::size_t begin, std::size_t end) const;
 
 private:
-    /// 1 if some of the item's pixels are.
+    /// Whether some of an item's pixels are seen, or hidden: 1 or 0.
     struct parts {
         std::uint8_t seen = 0, hidden = 0;
     };
 
-    /// A worker's: what is found of a tile's members. No two share lines of the caches.
+    /// A worker's results for the members of one tile. No two share lines of the caches.
     struct alignas(128) found {
         tile_fronts fronts;
         std::vector<cell_sight> of_members;
-        std::int64_t pairs = 0; ///< compared, in all tiles
+        std::int64_t pairs = 0; ///< number of pairs compared, in all tiles
     };
 
     void look(std::span<const painter_entry> members, const painter_pairs& pairs, found& room);
@@ -59,7 +61,7 @@ private:
                               found& of);
     void note(const painter_entry& member, bool is_seen, bool is_hidden);
 
-    std::vector<parts> parts_; ///< by number
+    std::vector<parts> parts_; ///< parts of the items, by number
     std::vector<found> of_workers_;
 };
 

@@ -13,10 +13,10 @@
 
 namespace l3d_detail {
 
-/// Something that is put into an order: what it is sorted by and, below, its number.
+/// A thing that is put into an order: its sort key in the upper half, its number in the lower one.
 ///
-/// Nodes are ordered like these numbers. So one that is met while others are walked can be compared
-/// with them, and nothing has to tell its place among all.
+/// Nodes come in the order of these integers. So two nodes are compared without a table of their
+/// places in the order.
 using order_node = std::uint64_t;
 
 constexpr order_node order_node_of(std::uint32_t key, std::uint32_t number) {
@@ -26,20 +26,20 @@ constexpr std::uint32_t number_of(order_node node) {
     return static_cast<std::uint32_t>(node);
 }
 
-/// Strong components of a graph that is found while it is walked.
+/// Finds the strongly connected components of a graph whose edges are computed while it is walked.
 ///
-/// Cost:    linear in nodes and edges; depth costs no stack of the processor. A node that needs
-///          nothing and that no other needs costs a bit and a call. Keeps its memory.
-/// Source:  Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
+/// Cost:   linear in nodes and edges; depth takes no stack of the processor. A node that needs
+///         nothing and that no other needs costs a bit and a call. Keeps its memory.
+/// Source: Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:
-    /// Calls emit(component) for each strongly connected component of nodes, after those that its
-    /// nodes need. Where there is a choice, the order is that of the least node.
+    /// Calls emit(component) for each strongly connected component of nodes, after the components
+    /// that its nodes need. Where there is a choice, the component with the least node comes first.
     ///
-    /// `is_free(node)` tells whether a node needs none that is greater. `needed(node, in_turn,
-    /// out)` adds to `out` what a node needs before it. Members that are emitted already may be
-    /// left out. If it is the node's turn, all lesser ones are emitted. Nodes of a component are in
-    /// rising order.
+    /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
+    /// adds the nodes that a node needs before it to `out`. It may leave out emitted ones. If
+    /// `in_turn` is true, all lesser nodes are emitted. The nodes of a component are in rising
+    /// order.
     /// Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
     template <class Free, class Needed, class Emit>
     void walk(std::span<const l3d_sort_item> nodes, std::size_t numbers, const Free& is_free,
@@ -69,8 +69,8 @@ private:
     static constexpr std::uint32_t finished = 0xffffffff;
 
     struct mark {
-        std::uint32_t index; ///< when it was first seen
-        std::uint32_t low;   ///< the earliest that can be reached from it
+        std::uint32_t index; ///< number of nodes seen before it
+        std::uint32_t low;   ///< least index of the nodes that it can reach
     };
 
     struct call {
@@ -126,7 +126,7 @@ private:
         open_.resize(first);
     }
 
-    std::vector<mark> marks_; ///< by number, of those that were seen
+    std::vector<mark> marks_; ///< marks of the seen nodes, by number
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
     std::vector<order_node> edges_; ///< edges of all nodes in calls_, the last one's at the end

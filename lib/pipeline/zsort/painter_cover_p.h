@@ -11,10 +11,11 @@
 
 namespace l3d_detail {
 
-/// The pixels that the pieces added so far will be painted in. They are found by the painter's own
-/// code, so a piece that is hidden can be left out, and no pixel changes.
+/// The pixels in which the pieces added so far will be painted. A piece that is painted before
+/// them, and only in these pixels, is hidden and can be left out. The painter's own code finds the
+/// pixels, so the picture stays the same.
 ///
-/// Lives:   borrows what begin() was given. Keeps its memory.
+/// Lives: borrows what begin() was given. Keeps its memory.
 class painter_cover {
 public:
     /// Forgets all pieces.

@@ -18,12 +18,12 @@ namespace l3d_detail {
 struct painter_item {
     /// The pixels whose centres are in its box, ends excluded.
     std::int32_t left, top, right, bottom;
-    /// Its range of 1/w.
+    /// The range of its 1/w.
     float farthest, nearest;
     /// If not 0, the box has at most eight rows and columns and lies in the picture. Bit 8 r + c is
     /// then set if pixel (left + c, top + r) is covered.
     std::uint64_t cover;
-    std::uint32_t triangle; ///< its place among those that were given
+    std::uint32_t triangle; ///< its index in the given triangles
 
     static constexpr std::int32_t small_side = 8; ///< rows and columns of `cover`
 
@@ -34,19 +34,21 @@ struct painter_item {
 
 /// The items of a list of triangles, in its order.
 ///
-/// Shape: triangles come in chunks, side by side. The items of a chunk begin where its triangles
-///        do, so there are gaps between chunks. An item's number is its place with gaps.
+/// Shape: triangles come in chunks, side by side. The items of a chunk begin at the index of its
+///        first triangle, so there are gaps between chunks. An item's number is its index, gaps
+///        included.
 class painter_items {
 public:
-    /// So many triangles are one item of a worker's work: some 10^5 cycles.
+    /// The usual number of triangles in a chunk, which is one item of a worker's work and takes
+    /// some 10^5 cycles.
     static constexpr std::size_t usual_chunk = 1024;
 
-    /// Forgets all items. Chunks of triangles will end there. Unless their sides are drawn, small
-    /// triangles that cover no pixel are left out.
+    /// Forgets all items, and takes new triangles, whose chunks end at `ends`. Unless sides are
+    /// drawn, small triangles that cover no pixel will be left out.
     void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
                l3d_size size, bool with_sides);
     /// Makes items of those triangles of a chunk that have an area and a box that holds a pixel's
-    /// centre. Chunks may be made side by side.
+    /// centre. Threads may make chunks side by side.
     void make(std::size_t chunk);
     /// Expects: all chunks are made.
     void finish();
@@ -58,14 +60,14 @@ public:
         return {items_.data() + first(chunk), kept_[chunk]};
     }
 
-    /// Whether nothing of an item shows beside the pixels that it covers.
+    /// Whether items show nothing but the pixels that they cover: no sides.
     bool are_pixels_all() const { return !with_sides_; }
     const std::array<l3d_micro_vertex, 3>& corners(const painter_item& item) const {
         return triangles_[item.triangle].v;
     }
 
     const painter_item& operator[](std::uint32_t number) const { return items_[number]; }
-    /// More than any number.
+    /// A number greater than that of any item.
     std::size_t numbers() const { return items_.size(); }
     std::size_t count() const { return count_; }
 
@@ -78,7 +80,7 @@ private:
     l3d_size size_{};
     bool with_sides_ = true;
     std::vector<painter_item> items_;
-    std::vector<std::size_t> kept_; ///< one number per chunk
+    std::vector<std::size_t> kept_; ///< number of items in each chunk
     std::vector<double> areas_;     ///< areas of each chunk's boxes
     std::size_t count_ = 0;
     double area_ = 0;

@@ -15,18 +15,18 @@
 
 /// Sorts triangles by their farthest corner, finds where that is wrong, and mends it.
 ///
-/// Only triangles that meet in the picture matter to each other. Each comes after all that it hides
-/// a part of. Strongly connected components of that relation with more than one member are cut by
-/// each other's planes until there is an order. These are two that go through each other, or cyclic
-/// overlap. The result is exact but for pixels where the two nearest depths differ by less than
-/// 2^-36 of the nearest corner.
-/// Cost:    sorting is linear. Comparing is linear in the number of triangles that lie over each
-///          other within a tile of the picture; for surfaces, in that of triangles. A set of n that
-///          all go through each other may become n^2 pieces if all of them are seen; what is hidden
-///          is left out. Keeps its memory.
-/// Source:  comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
-///          1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
-///          structures (SIGGRAPH 1980).
+/// Only triangles that meet in the picture need an order. Each comes after all that it hides a part
+/// of. Some sets have no order: triangles that go through each other, and cyclic overlaps. They are
+/// the strongly connected components of more than one member, and are cut by each other's planes
+/// until there is an order. The result is exact but for pixels where the two nearest depths differ
+/// by less than 2^-36 of the nearest corner's (painter_tie).
+/// Cost:   sorting is linear. Comparing is linear in the number of triangles that lie over each
+///         other within a tile of the picture; for surfaces, in that of triangles. A set of n that
+///         all go through each other may become n^2 pieces if all of them are seen; what is hidden
+///         is left out. Keeps its memory.
+/// Source: comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
+///         1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
+///         structures (SIGGRAPH 1980).
 class l3d_painter_order {
 public:
     /// Lives: borrows the workers.
@@ -37,33 +37,33 @@ public:
 
     /// The kind of order.
     struct way {
-        bool resolve = true; ///< else the painter's algorithm of old: sorted, and nothing compared
-        /// Triangles' sides are drawn. Else triangles that cover no pixel are left out, and perhaps
-        /// those behind others in all of their pixels.
+        bool resolve = true; ///< false for the plain painter's algorithm: sorted, nothing compared
+        /// Whether sides of triangles are drawn. Else triangles that cover no pixel are left out,
+        /// and perhaps those that are behind others in all of their pixels.
         bool sides = true;
     };
 
-    /// Orders triangles of a picture of a size. Those that cover no area are left out.
+    /// Orders the triangles of a picture of this size. Triangles without an area are left out.
     /// Lives: borrows the triangles until the next make.
     void make(std::span<const l3d_painter_triangle> triangles, l3d_size size, const way& how);
-    /// Orders all that may have pixels or sides.
+    /// Orders all triangles that may have pixels or sides.
     void make(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
         make(triangles, size, way());
     }
 
-    /// The same of triangles that come in chunks, which end there. They may be written until they
-    /// are noted.
+    /// Begins to order triangles that come in chunks, which end at `ends`. The triangles of a chunk
+    /// may be written until note() is called for it.
     void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
                l3d_size size, const way& how);
-    /// The triangles of a chunk are there. Threads may note chunks side by side.
+    /// Takes a chunk whose triangles are complete. Threads may note chunks side by side.
     void note(std::size_t chunk);
-    /// Orders all. Expects: all chunks were noted.
+    /// Orders all triangles. Expects: all chunks were noted.
     void finish();
 
-    /// The triangles that were given: what pieces and cuts name.
+    /// The given triangles, whose indices pieces and cuts refer to.
     std::span<const l3d_painter_triangle> triangles() const;
 
-    /// In the order in which they are to be painted.
+    /// The pieces in the order in which they are to be painted.
     std::span<const l3d_painter_piece> pieces() const;
     std::span<const l3d_painter_cut> cuts() const;
 

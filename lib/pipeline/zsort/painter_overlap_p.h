@@ -21,16 +21,17 @@ struct picture_point {
 /// A convex polygon of the picture, either winding.
 using picture_region = std::vector<picture_point>;
 
-/// Where one of two is in front of the other.
+/// Whether each of two things is in front of the other somewhere.
 struct front_parts {
-    bool first = false;  ///< somewhere the first is
-    bool second = false; ///< somewhere the second is
+    bool first = false;  ///< the first is in front somewhere
+    bool second = false; ///< the second is in front somewhere
 
     bool mixed() const { return first && second; }
 };
 
-/// Depths that differ by less than this part of the nearer corner are as good as equal. It is 2^-12
-/// of what a depth buffer of floats tells apart, and 2^17 times the rounding of doubles.
+/// Depths of two triangles count as equal if they differ by less than this part of a depth: that of
+/// the farther one of the triangles' nearest corners. It is 2^-12 of what a depth buffer of floats
+/// tells apart, and 2^17 times the rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the
@@ -38,11 +39,11 @@ inline constexpr double painter_tie = 0x1p-36;
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 
-/// Which is in front in what two triangles have in common. Expects: both cover some area.
+/// Finds which of two triangles is in front where both are. Expects: both cover some area.
 front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
                      const std::array<l3d_micro_vertex, 3>& b);
 
-/// Which of two planes is in front over a region; differences up to `tie` are none.
+/// Finds which of two planes is in front over a region; differences up to `tie` do not count.
 front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
                        const l3d_picture_plane& second, double tie);
 
@@ -53,14 +54,14 @@ front_parts front_over(std::span<const picture_point> region, const l3d_picture_
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 
-/// The part of a region where the first plane is in front of the second (or not). Empty only if
-/// the region has no such part.
+/// Keeps the part of a region where the first plane is in front of the second, or is not if
+/// `in_front` is false. The result is empty only if the region has no such part.
 void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
                const l3d_picture_plane& second, bool in_front, picture_region& out);
 
 picture_region region_of(const std::array<l3d_micro_vertex, 3>& v);
 
-/// The tie of two triangles.
+/// The difference up to which depths of two triangles count as equal (painter_tie).
 double tie_of(const std::array<l3d_micro_vertex, 3>& a, const std::array<l3d_micro_vertex, 3>& b);
 
 } // namespace l3d_detail

@@ -23,15 +23,15 @@ namespace l3d_detail {
 /// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of them.
 struct painter_entry {
     float farthest, nearest; ///< depths of the triangle
-    std::uint64_t cells;     ///< those that it may have pixels in
+    std::uint64_t cells;     ///< cells in which it may have pixels
     std::uint32_t number;    ///< number of its item
-    /// Its first column and its first row lie in tiles before this one: bits 0 and 1. Not noted if
-    /// the cells are the pixels that it covers.
+    /// Bit 0 is set if its first column, bit 1 if its first row lies in a tile before this one.
+    /// Both are 0 if the entry is exact.
     std::uint16_t begins_before = 0;
-    std::uint16_t is_exact = 0; ///< the cells are those pixels
+    std::uint16_t is_exact = 0; ///< whether the cells are the pixels that it covers
 
-    /// Whether two triangles may have a pixel of this tile in common, and it is the first tile of
-    /// those where they may. So each pair is found once, but for pairs of which one is exact.
+    /// Whether two triangles may have a pixel in common in this tile, and in none before it. So
+    /// each pair is found once, except pairs with one exact entry.
     bool may_meet(const painter_entry& other) const {
         return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
     }
@@ -41,7 +41,7 @@ struct painter_entry {
     }
 };
 
-/// Whether no two have a cell in common, as on a surface of one layer.
+/// Whether no two triangles have a cell in common, as on a surface of one layer.
 inline bool are_apart(std::span<const painter_entry> members) {
     std::uint64_t taken = 0;
     for (const painter_entry& member : members) {
@@ -55,10 +55,11 @@ inline bool are_apart(std::span<const painter_entry> members) {
 /// For each tile of the picture the triangles that reach it.
 class painter_tiles {
 public:
-    /// Tiles about twice as wide as the mean box, and of at least eight pixels: fewer would list
-    /// each triangle often, larger ones would list together what does not meet. Where they would
-    /// have 16 or 32, they have eight, if pixels are all that counts. Then most triangles are known
-    /// by those that they cover, and most pairs need not be compared.
+    /// Puts items into tiles that are about twice as wide as the mean box, and at least eight
+    /// pixels. Smaller tiles would list each triangle often, larger ones would list triangles
+    /// together that do not meet. If pixels are all that counts, tiles of 16 or 32 pixels are made
+    /// eight pixels wide instead. Then the pixels of most triangles are known, and most pairs need
+    /// not be compared.
     /// Lives: borrows the items until the next make.
     void make(const painter_items& items, l3d_size size, l3d_workers& workers);
 
@@ -114,9 +115,9 @@ private:
     static constexpr int cell_bits = 3;                               ///< eight cells in a row
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
-    /// Entries of each share of the triangles, as they were found, and their tiles. A worker writes
-    /// to it at each entry. So no two share a line of the caches, nor a pair of lines: some
-    /// processors fetch two together.
+    /// The entries that a worker finds for its share of the items, in that order, and their tiles.
+    /// The worker writes to it at each entry. So no two shares lie in one line of the caches, nor
+    /// in a pair of lines, which some processors fetch together.
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
         std::size_t count = 0;                      ///< number of entries
@@ -125,7 +126,8 @@ private:
         std::vector<std::uint32_t> ends; ///< ends of the share in each tile
     };
 
-    /// A small triangle's pixels lie in two tiles side by side at most, and so in columns.
+    /// Visits the tiles of a small triangle, whose pixels lie in at most two tiles of a row and of
+    /// a column.
     template <class Visit>
     void for_each_of_four(const painter_item& item, std::uint32_t number,
                           const Visit& visit) const {
@@ -148,7 +150,7 @@ private:
         put(tile + static_cast<std::size_t>(columns_) + 1, next >> (cells - side * down));
     }
 
-    /// Whether the pixels that it covers can be found.
+    /// Whether tile_cover() can find the pixels that an item covers.
     bool is_coverable(const painter_item& item) const;
 
     template <class Visit>

@@ -9,10 +9,11 @@
 #include <cstdint>
 #include <memory>
 
-/// The painter's algorithm: an order in place of depths, mended where no order is right.
+/// Draws polygons by the painter's algorithm: sorted from back to front, without a depth buffer.
+/// Where no order is right, it cuts triangles.
 ///
-/// With anti-aliasing, a depth buffer tells afterwards which of the painted pixels are at edges.
-/// With fog it tells how far they are.
+/// After painting, a depth buffer finds the pixels at edges, for anti-aliasing. Fog and point
+/// lights need its distances, too.
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// A pipeline that draws this model on this canvas.

@@ -11,7 +11,8 @@
 
 namespace l3d_detail {
 
-/// Cells of one triangle in a tile, as in painter_entry.
+/// The cells of a triangle in a tile, as the sort alone would show them. Cells are those of
+/// painter_entry.
 struct cell_sight {
     std::uint64_t shown; ///< cells where all others are painted before it
     /// Cells where the last painted triangle does not lie wholly in front of it, so that the sort
@@ -19,10 +20,11 @@ struct cell_sight {
     std::uint64_t doubtful;
 };
 
-/// In each cell, row by row, the place of the member that is painted there last; -1 if none is.
+/// For each cell, row by row, the index of the member that is painted there last; -1 if none is.
 using tile_fronts = std::array<std::int32_t, 64>;
 
-/// Finds these of all members of a tile. Shape: `of` has as many elements as there are members.
+/// Finds the fronts of a tile, and the sight of each member.
+/// Shape:   `of` has as many elements as there are members.
 /// Expects: members by rising numbers.
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of);
 
