@@ -16,7 +16,7 @@ struct l3d_normal_polynomial {
     static constexpr std::size_t order = 6;
     std::array<vector, order * order> points{};
 
-    /// The halves along u, or along v, as l3d_bezier_patch has them.
+    /// The halves along u (split_u) or along v (split_v), the lower one first.
     std::pair<l3d_normal_polynomial, l3d_normal_polynomial> split_u() const {
         return split(1, order);
     }
@@ -56,8 +56,8 @@ public:
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
-    /// Multiplies each vector by the upper left three by three of a matrix. If the matrix holds the
-    /// cofactors of an affine map, these are the normals of a patch that was moved by that map.
+    /// The net whose vectors are multiplied by the upper left three by three of a matrix. With the
+    /// cofactors of an affine map, it holds the normals of the patch that this map moves.
     /// Expects: a matrix that can be inverted.
     l3d_normal_net turned(const l3d_matrix<double>& by) const;
 
