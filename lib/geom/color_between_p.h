@@ -8,7 +8,8 @@
 namespace l3d_detail {
 
 /// Interpolates between two encoded colours, channel by channel: a share of 0 gives the first, 1
-/// the second. Expects: a share of 0 to 1.
+/// the second.
+/// Expects: a share of 0 to 1.
 constexpr std::uint32_t color_between(std::uint32_t a, std::uint32_t b, double share) {
     std::uint32_t result = 0;
     for (int shift = 16; shift >= 0; shift -= 8) {

@@ -39,8 +39,8 @@ template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) no
     return below + Wide{rest + (below & 1) > (Wide{1} << (bits - 1))};
 }
 
-/// Divides and rounds to nearest, ties to even. Expects: a divisor that is not 0 and has at most
-/// half of Wide's bits.
+/// Divides and rounds to nearest, ties to even.
+/// Expects: a divisor that is not 0 and has at most half of Wide's bits.
 template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divisor) noexcept {
     const Wide toward_zero = dividend / divisor;
     const Wide rest = dividend % divisor;
@@ -68,8 +68,8 @@ constexpr Storage narrowed(Wide value) noexcept {
     return static_cast<Storage>(value);
 }
 
-/// Reduces a double modulo 2^64. Expects: a whole number outside of int64, or infinity or NaN, for
-/// which the result is 0.
+/// Reduces a double modulo 2^64.
+/// Expects: a whole number outside of int64, or infinity or NaN, for which the result is 0.
 constexpr std::uint64_t wrapped(double value) noexcept {
     constexpr double modulus = 18446744073709551616.0;   // 2^64
     constexpr double all_multiples = 9007199254740992.0; // 2^53: from here on ulp(value) >= 2^64
@@ -119,8 +119,8 @@ public:
     /// The nearest number that has this format. Errors: out of range as Overflow says.
     explicit constexpr l3d_fixed(double value) noexcept : raw_(raw_of(value)) {}
 
-    /// A number of another format: exact if it fits, else rounded. Errors: out of range as Overflow
-    /// says.
+    /// A number of another format: exact if it fits, else rounded.
+    /// Errors: out of range as Overflow says.
     template <class S, int F, l3d_overflow O>
     explicit constexpr l3d_fixed(l3d_fixed<S, F, O> other) noexcept {
         const l3d_detail::int128 raw = other.raw();
@@ -192,8 +192,9 @@ public:
         return of_wide(l3d_detail::divided_to_nearest(wide{a.raw_} * one, wide{b.raw_}));
     }
 
-    /// The number times 2^count. Errors: out of range as Overflow says. Expects: 0 <= count < bits
-    /// of Storage.
+    /// The number times 2^count.
+    /// Errors: out of range as Overflow says.
+    /// Expects: 0 <= count < bits of Storage.
     friend constexpr l3d_fixed operator<<(l3d_fixed a, int count) noexcept {
         if constexpr (Overflow == l3d_overflow::wrap)
             return of_bits(static_cast<wide>(a.raw_) * (wide{1} << count));

@@ -43,12 +43,14 @@ struct L3D_PUBLIC l3d_bspline_direction {
     std::string complaint() const;
 
     /// Clamped, uniform knots for `points` control points: the curve begins at the first and ends
-    /// at the last. The parameter runs from 0 to 1. Expects: points > degree >= 1.
+    /// at the last. The parameter runs from 0 to 1.
+    /// Expects: points > degree >= 1.
     static l3d_bspline_direction clamped(int degree, std::size_t points);
 
     /// Periodic, uniform knots for a closed curve, which is as smooth where it closes as elsewhere.
     /// Its last `degree` control points must repeat its first ones; `points` counts both. The
-    /// parameter runs from 0 to 1. Expects: points >= 2 degree + 1, degree >= 1.
+    /// parameter runs from 0 to 1.
+    /// Expects: points >= 2 degree + 1, degree >= 1.
     static l3d_bspline_direction periodic(int degree, std::size_t points);
 };
 
@@ -99,7 +101,8 @@ public:
                       std::vector<double> weights = {});
 
     /// A patch as a surface: one span along u and v, each parameter from 0 to 1. pieces() gives the
-    /// same patch, bit for bit. Errors: as the constructor.
+    /// same patch, bit for bit.
+    /// Errors: as the constructor.
     static l3d_nurbs_surface of_patch(const l3d_patch_points& patch);
 
     /// Why these make no surface, naming the value at fault; "" if they do.
@@ -222,8 +225,8 @@ private:
 ///        makes a surface whose outside is away from the axis.
 L3D_PUBLIC l3d_nurbs_surface l3d_revolved(const l3d_nurbs_curve& curve);
 
-/// The exact surface that a curve sweeps as it moves straight along the vector `by`. Shape: u runs
-/// along the curve, v along the vector.
+/// The exact surface that a curve sweeps as it moves straight along the vector `by`.
+/// Shape: u runs along the curve, v along the vector.
 /// Errors: throws l3d_error(bad_input) where a moved control point is beyond 1e12.
 L3D_PUBLIC l3d_nurbs_surface l3d_extruded(const l3d_nurbs_curve& curve,
                                           const l3d_vector<double, 3>& by);

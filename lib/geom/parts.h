@@ -31,8 +31,8 @@ public:
     /// No parts.
     l3d_parts() = default;
 
-    /// The parts of `count` things. Expects: runs in the order of their first things, none beyond
-    /// `count`.
+    /// The parts of `count` things.
+    /// Expects: runs in the order of their first things, none beyond `count`.
     l3d_parts(std::span<const l3d_part_run> runs, std::size_t count);
 
     /// The names of the parts, each once, in the order of their first things.
@@ -50,8 +50,8 @@ public:
     /// The number of things of a part. Expects: an index of names().
     std::size_t size_of(std::size_t part) const;
 
-    /// For each thing, whether it belongs to one of these parts. Expects: indices of names(), and
-    /// the count of the constructor.
+    /// For each thing, whether it belongs to one of these parts.
+    /// Expects: indices of names(), and the count of the constructor.
     std::vector<bool> things_of(std::span<const std::size_t> parts, std::size_t count) const;
 
     /// The same parts as runs over the things.

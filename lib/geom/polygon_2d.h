@@ -87,8 +87,9 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transform_stage = 0;
     }
 
-    /// Applies the matrix, unless `stage` was the last stage done. Expects: a stage that is not 0;
-    /// transformations that follow each other have different stages.
+    /// Applies the matrix, unless `stage` was the last stage done.
+    /// Expects: a stage that is not 0; transformations that follow each other have different
+    ///          stages.
     void transform(const l3d_matrix<T>& matrix, int stage) {
         if (transform_stage == stage)
             return;

@@ -95,7 +95,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
 
     /// Twice the area of a face, times its unit normal. Any corner may be concave. Places are taken
     /// relative to the first corner, since far from the origin the products would cancel.
-    /// Expects: three corners or more. Source: Newell's sum over the sides.
+    /// Expects: three corners or more.
+    /// Source: Newell's sum over the sides.
     vector area_vector(std::span<const std::uint32_t> face) const;
 
     /// Makes two triangles of each face of four corners two of whose sides cross, as in a bow tie.

@@ -81,8 +81,8 @@ template <class T> constexpr T l3d_from_double(double value) noexcept {
     return l3d_real_traits<T>::from_double(value);
 }
 
-/// The midpoint (a + b) / 2, rounded; the same bits if a and b are exchanged. Expects: a + b is
-/// finite.
+/// The midpoint (a + b) / 2, rounded; the same bits if a and b are exchanged.
+/// Expects: a + b is finite.
 template <std::floating_point T> constexpr T l3d_midpoint(T a, T b) noexcept {
     return (a + b) / 2;
 }

@@ -71,7 +71,9 @@ private:
 };
 
 /// Largest distances in the picture between neighbouring control points, along u and along v. A
-/// distance is the larger one of those in x and in y. Expects: every w > 0. Units: pixels.
+/// distance is the larger one of those in x and in y.
+/// Expects: every w > 0.
+/// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
 /// Bounds of a piece's second derivatives as seen in the image, by the piece's own parameters. They
@@ -125,13 +127,14 @@ double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& vi
                            double w_low);
 
 /// The bound of a curve's second derivative in space, across the curve's own direction. A chord
-/// over a step 1/n lies within result / (8 n^2) of the curve. Its distance along the normal of any
-/// surface through the curve is no larger. Units: pixels at w_low; `focal` of them make a length of
-/// 1 at distance 1.
+/// over a step 1/n lies within result / (8 n^2) of the curve. The chord's distance along the normal
+/// of any surface through the curve is no larger.
+/// Units: pixels at w_low; `focal` of them make a length of 1 at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
 
-/// Bounds of the difference of w between a patch or curve and its interpolant. It is at most
-/// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv). Units: those of w.
+/// Bounds of the difference of w between a patch or curve and its interpolant, which is at most
+/// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv).
+/// Units: those of w.
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 

@@ -33,8 +33,9 @@ operator-(const l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>& v) noexce
 
 namespace l3d_detail {
 
-/// The square root, rounded down to a whole number. Cost: some 7 divisions. Source: Newton's
-/// iteration, from above.
+/// The square root, rounded down to a whole number.
+/// Cost: some 7 divisions.
+/// Source: Newton's iteration, from above.
 template <class Unsigned> constexpr Unsigned integer_root(Unsigned value) noexcept {
     if (value == 0)
         return 0;

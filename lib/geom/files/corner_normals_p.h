@@ -32,7 +32,8 @@ public:
     std::size_t count() const { return normals_.size(); }
 
     /// Gives the last corner of the mesh the normal of this number. False, and the corner gets
-    /// none, if the normal has no direction. Expects: normal < count().
+    /// none, if the normal has no direction.
+    /// Expects: normal < count().
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
     /// Puts the last face of the mesh into smoothing groups, each a bit of the lower 32. A single

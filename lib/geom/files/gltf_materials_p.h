@@ -21,7 +21,8 @@ namespace l3d_detail {
 /// The extension of glTF with the older kind of materials.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
-/// Encodes a level of linear light as pictures do. Units: both from 0 to 1.
+/// Encodes a level of linear light as pictures do.
+/// Units: both from 0 to 1.
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);
 
@@ -53,7 +54,8 @@ public:
     void read();
 
     /// The number of the set of picture places (TEXCOORD_0 and so on) that a material's picture
-    /// uses. Expects: read() was called.
+    /// uses.
+    /// Expects: read() was called.
     std::uint64_t set_of_places(std::size_t material) const { return sets_[material]; }
 
 private:

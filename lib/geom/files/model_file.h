@@ -69,17 +69,19 @@ struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
-    std::vector<std::uint32_t> patch_materials{};    ///< optional, indices into mesh.materials
+    /// Optional, one per patch: the index of its material in mesh.materials.
+    std::vector<std::uint32_t> patch_materials{};
     std::vector<l3d_material_file> material_files{}; ///< files with looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
     /// The rectangle of x and y that programs in two dimensions show: `w` of .obj.
     std::optional<l3d_model_window> window{};
-    /// The part of the picture that the window fills: `s` of .obj. Units: shares of the picture,
-    /// from the left and from below.
+    /// The part of the picture that the window fills: `s` of .obj.
+    /// Units: shares of the picture, from the left and from below.
     std::optional<l3d_model_window> viewport{};
     std::vector<l3d_model_camera> cameras{}; ///< cameras, which .asc has
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
-    std::vector<std::uint32_t> curve_materials{}; ///< optional, indices into mesh.materials
+    /// Optional, one per curve: the index of its material in mesh.materials.
+    std::vector<std::uint32_t> curve_materials{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
