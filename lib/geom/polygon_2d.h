@@ -183,7 +183,7 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 /// It knows indices, not vertices. The caller passes the vertices in each call. Another list, such
 /// as the next picture of a movement, gives the same polygon another form. There are two lists of
 /// indices: the definition, which stays, and the clipped one, which is drawn.
-/// Expects: corners in clockwise order on the screen, where y is down; anticlockwise polygons are
+/// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
 class L3D_PUBLIC l3d_polygon_2d {

@@ -115,8 +115,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Expects: face < faces().
     l3d_material look_of(std::size_t face) const;
 
-    /// Whether every index names something, every face has three corners or more, every coordinate
-    /// and place in a picture is finite and every optional array has its size.
+    /// Whether every index names something, every face has three corners or more, and every
+    /// optional array has its size. Coordinates and places in pictures must be finite.
     bool is_valid() const;
 
     /// Bytes of memory in use by the arrays, names left out.

@@ -11,8 +11,8 @@
 #include <optional>
 #include <span>
 
-/// A homogeneous image point (x, y, w): the pixel is (x / w, y / w), counted from the picture's
-/// centre; w > 0 is the distance along the view axis (times a constant).
+/// A homogeneous image point (x, y, w). The pixel is (x / w, y / w), counted from the picture's
+/// centre. w > 0 is the distance along the view axis (times a constant).
 using l3d_image_point = l3d_vector<double, 3>;
 using l3d_image_curve = l3d_bezier_curve<double, 3>;
 using l3d_image_patch = l3d_bezier_patch<double, 3>;
@@ -108,7 +108,7 @@ struct l3d_second_bounds {
     }
 };
 
-/// Bounds of mixed third and fourth derivatives as seen in the image, derived as those of
+/// Bounds of mixed third and fourth derivatives as seen in the image. They are derived like
 /// l3d_second_bounds: 18 and 36 times the largest differences of the control points.
 struct l3d_mixed_bounds {
     double uuv = 0, uvv = 0, uuvv = 0;

@@ -22,7 +22,7 @@ inline constexpr double l3d_least_distance = 1e-32;
 /// seen from outside, also with a narrow field of view.
 inline constexpr double l3d_farthest_eye = 1e15;
 
-/// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
+/// Least sine of the angle between `up` and the line of sight. Below, rounding alone would turn the
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
@@ -136,7 +136,7 @@ struct L3D_PUBLIC l3d_camera {
 };
 
 /// A function for the reach of a thing along a direction: the largest dot product of the direction
-/// with any of its points; minus infinity without points.
+/// with any of its points. Without points it is minus infinity.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
 /// The reach of the surfaces of a scene, not of their control points. It is too large by at most
@@ -148,20 +148,20 @@ L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 /// The part of a picture's width or height that a framed model fills. The rest is room to turn it.
 inline constexpr double l3d_framed_share = 0.85;
 
-/// The camera that shows all of a model in a picture of that size, seen along the same line of
-/// sight, with the same `up` and `fov`. It fills l3d_framed_share of the width or of the height,
-/// and no more of the other. The target is in the middle of the model's depth. `near_z` becomes
-/// smaller if the model is too small or near for it.
+/// The camera that shows all of a model in a picture of that size. It keeps the line of sight's
+/// direction, `up` and `fov`. The model fills l3d_framed_share of the width or of the height, and
+/// no more of the other. The target is in the middle of the model's depth. `near_z` becomes smaller
+/// if the model is too small or near for it.
 ///
 /// In a parallel projection, the eye's distance from the target sets the scale.
 /// Expects: a valid camera.
-/// Errors:  none: the camera stays as it is if there is nothing to show, and an eye that would be
+/// Errors:  none. The camera stays as it is if there is nothing to show. An eye that would be
 ///          farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// Whether a picture of that size shows all of a model well: at 60 % or more of its width or
-/// height, and not near one border with much room opposite. For a parallel projection the answer is
-/// always no.
+/// Whether a picture of that size shows all of a model well. It does if the model takes 60 % or
+/// more of its width or height, and is not near one border with much room opposite. For a parallel
+/// projection the answer is always no.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 

@@ -14,7 +14,7 @@ struct l3d_frame_lights {
     l3d_lighting lighting;    ///< the first light's colour, and further lights
 };
 
-/// The light of a lone lamp that goes with the eye: it shines over the right shoulder, as
+/// The light of a lone lamp that goes with the eye. It shines over the right shoulder, as
 /// l3d_usual_light does in the programs' first view of the teapot. Ambient light and the first
 /// light's colour are those of `lighting`.
 /// Expects: camera.is_valid().

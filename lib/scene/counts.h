@@ -51,7 +51,7 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// The length of the difference between interpolated normals and the exact unit normals at the
     /// same parameters. It is for vertices that have normals instead of levels; `shade` is then 0.
     double normal = 0;
-    /// Quads that `shade` does not cover, since their block may exceed the tolerance: its normals
+    /// Quads that `shade` does not cover, since their block may exceed the tolerance. Its normals
     /// turn faster than quads of six pixels can follow, or a normal vanishes. Slits beside such a
     /// block count as one quad.
     std::int64_t unproven_quads = 0;

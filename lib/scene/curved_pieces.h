@@ -41,7 +41,7 @@ public:
     /// Lambert's 229.5. Two levels more ask for an eighth of it.
     static double normal_target(int level);
     /// The most halvings of a piece for its normals alone. So a piece that nearly has a cusp does
-    /// not take all cells: it has at most 4096 at level 0, and twice as many at each further level.
+    /// not take all cells. It has at most 4096 at level 0, and twice as many at each further level.
     static constexpr int most_halvings_for_normals(int level) { return 12 + level; }
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr std::size_t most_cells = std::size_t{1} << 17;

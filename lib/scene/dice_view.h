@@ -15,7 +15,7 @@
 #include <limits>
 
 /// Whether a net is smaller than 24 pixels in both directions. Such nets are not divided into
-/// strips for the bound: a quarter of one is a few quads, and strips would cost more than they
+/// strips for the bound. A quarter of one is a few quads, and strips would cost more than they
 /// save.
 inline bool l3d_is_small(const l3d_image_box& hull) {
     return hull.width() < 24 && hull.height() < 24;
@@ -51,8 +51,8 @@ inline constexpr double l3d_widest_outline = 0.25;
 
 /// A parallel projection is drawn in perspective from a far eye: half of the scene's depth is at
 /// most this part of the eye's distance. Places in the picture are off by the same part of their
-/// distance from its middle, which errors of the transform count: 2^-9 pixels in a picture 4096
-/// wide.
+/// distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the transform include
+/// this.
 inline constexpr double l3d_parallel_part = 0x1p-20;
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -199,12 +199,12 @@ struct l3d_dice_view {
     /// that the exact w is over half of a chord's w where the chord is in front of the near plane.
     double drawn_w(double least) const { return std::max(least, near / 2); }
 
-    /// The largest difference of a chord's w from the exact w: an eighth in front of the near plane
-    /// (l3d_vertex_accuracy counts on it), else as drawn_w allows.
+    /// The largest difference of a chord's w from the exact w. In front of the near plane it is an
+    /// eighth (l3d_vertex_accuracy counts on it), else as drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
-    /// The largest depth of a net that is drawn as a point: an eighth of its distance, or in a
-    /// parallel projection an eighth of the scene's depth.
+    /// The largest depth of a net that is drawn as a point: an eighth of its distance. In a
+    /// parallel projection it is an eighth of the scene's depth.
     double depth_of_point(double least) const {
         return is_parallel() ? l3d_parallel_part * w_middle / 4 : depth_budget(least);
     }
@@ -240,8 +240,8 @@ struct l3d_dice_view {
 
 /// The farthest that a vertex may lie from the picture's centre, along x or y. Beyond, surfaces are
 /// clipped. It is the largest side of a picture, so borders are at half of it. 2^14 pixels are 2^22
-/// sub-pixels: exact in a float, and half the rasterizer's range, so that the picture's centre (at
-/// most 2^13 pixels from its corner) still fits.
+/// sub-pixels: exact in a float, and half the rasterizer's range. So the picture's centre, at most
+/// 2^13 pixels from its corner, still fits.
 inline constexpr double l3d_guard_band = l3d_largest_side;
 
 /// The most steps per strip; a piece or an edge with more is cut. The bound of halves is tighter,

@@ -90,9 +90,9 @@ public:
 
     /// A model of patches as files have them, brought to degree 3 by 3. It is a curved model if a
     /// patch is not bicubic, for its weights or its degrees.
-    /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, it has too
-    ///         few or too many points or weights, or a weight is not from 1e-100 to 1e12. Nothing
-    ///         also for coordinates that checked() refuses.
+    /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, or a weight
+    ///         is not from 1e-100 to 1e12. Nothing also for too few or too many points or weights,
+    ///         and for coordinates that checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
@@ -147,8 +147,8 @@ public:
     /// patch.
     double normal_error() const;
 
-    /// An address that copies of one model share at all levels, and that differs from that of any
-    /// other model that lives at the same time.
+    /// An address that copies of one model share at all levels. Any other model that lives at the
+    /// same time has another one.
     const void* source_identity() const;
 
     /// The least x, y and z of the pieces' control points: those of least(), unless the model is
@@ -221,7 +221,7 @@ public:
     const l3d_patch_reach& reach(std::size_t index) const;
 
     /// 1 if the model is proven to be a closed body whose normals point outwards, -1 if they point
-    /// inwards, 0 if it is not proven to be closed (l3d_orientation_of).
+    /// inwards. 0 if it is not proven to be closed (l3d_orientation_of).
     int orientation() const;
 
     /// The least x, y and z of all control points.

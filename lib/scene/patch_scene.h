@@ -46,7 +46,7 @@ struct L3D_PUBLIC l3d_parameter_range {
 ///     scene.lay(0, {.texture = l3d_read_texture("wood.png", notes)});
 ///
 /// Shape: a place of a picture is (0, 0) in its upper left corner and (1, 1) in the lower right
-///        one; beyond, l3d_texture_wrap says what is seen. Corners of a patch are those at
+///        one. Beyond, l3d_texture_wrap says what is seen. Corners of a patch are those at
 ///        parameters (u, v) of (0, 0), (1, 0), (0, 1) and (1, 1).
 struct L3D_PUBLIC l3d_laid_picture {
     /// The places of a patch's corners; between them, places are bilinear in u and v.
@@ -72,7 +72,7 @@ struct L3D_PUBLIC l3d_slanted_box {
 
 /// Boxes held so that a processor's lanes can each take one.
 ///
-/// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
+/// Shape: one array per coordinate, box i in element i. The arrays have room for a multiple of
 ///        `lanes`, with meaningless numbers behind the last box.
 /// Cost:  13 doubles a box. add allocates only when there are more than ever before.
 class L3D_PUBLIC l3d_box_lanes {

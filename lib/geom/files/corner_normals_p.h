@@ -16,10 +16,10 @@ namespace l3d_detail {
 /// A mesh has one normal for each vertex. So a vertex whose corners have several becomes several
 /// vertices at one place: the first keeps its index, and the others come behind the last.
 ///
-/// A corner has the normal that it names. Without one, the smoothing groups of its face decide: the
-/// normal is the mean, weighted by area, of the faces around the vertex that share a group with
-/// this face. A face in no group is flat. A face of which the file says nothing gets zero normals,
-/// so that creases are found by angles.
+/// A corner has the normal that it names. Without one, the smoothing groups of its face decide. The
+/// normal is then the mean, weighted by area, of those faces around the vertex that share a group
+/// with this face. A face in no group is flat. A face of which the file says nothing gets zero
+/// normals, so that creases are found by angles.
 /// Cost:    linear, except for a vertex at which faces of many groups meet: there, the product of
 ///          the numbers of faces and of groups.
 class corner_normals {

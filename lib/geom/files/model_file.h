@@ -162,8 +162,8 @@ L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, except for parts
-/// that are left out: colours of faces, looks of materials, pictures, cameras and notes.
+/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, but for what is
+/// left out. That is colours of faces, looks of materials, pictures, cameras and notes.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;

@@ -45,14 +45,14 @@ constexpr bool l3d_is_weight(double w) {
 /// Reads a .bpt text: the number of patches, then for each patch its two degrees and its points, u
 /// fastest.
 ///
-/// The word `rational` after the two degrees, in their line, says that each point has a fourth
-/// number: its weight, which its coordinates are not multiplied by.
+/// The word `rational` in the line of the two degrees says that each point has a fourth number, its
+/// weight. The coordinates are not multiplied by it.
 /// Numbers stand apart by white space of any kind and amount, whatever the locale. A # begins a
 /// comment, which ends with its line.
-/// Errors:  nothing, and `why` = "name:line: what is wrong". Wrong are a number that is missing,
-///          malformed, NaN, infinite or out of range, a degree outside 1 to 15, and a weight
-///          outside 1e-100 to 1e12. So are a count that is not positive or that the text cannot
-///          hold, and text after the last patch.
+/// Errors:  nothing, and `why` = "name:line: what is wrong". Numbers are wrong if they are missing,
+///          malformed, NaN, infinite or out of range. Degrees must be from 1 to 15, weights from
+///          1e-100 to 1e12. The count must be positive and no more than the text can hold. Nothing
+///          may follow the last patch.
 /// Cost:    memory in proportion to the text, whatever the counts in it promise.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>

@@ -135,9 +135,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// A product of two series of sizes in the corner: `all` has its value and derivatives there,
-/// `beyond` the part of them from coefficients beyond the order. That part is `all` less the part
-/// of the first coefficients.
+/// A product of two series of sizes, in the corner. `all` is its value and its derivatives there.
+/// `beyond` is the part of them from coefficients beyond the order: `all` less the part of the
+/// first coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -159,8 +159,8 @@ struct product_in_corner {
     }
 };
 
-/// Finds the bounds `most_`. With a the normal in the middle, p m = f + z a + x: f is exact, and z
-/// and x are the rest beyond the order, along a and across it. Divided by 1 + z, which changes no
+/// Finds the bounds `most_`. Let a be the normal in the middle, and p m = f + z a + x. f is exact;
+/// z and x are the rest beyond the order, along a and across it. Divided by 1 + z, which changes no
 /// direction, it is f + (x - z (f - a)) / (1 + z). So in a plane there is nothing beyond the order,
 /// and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {

@@ -26,7 +26,7 @@ template <class T> struct l3d_bend_numbers {
 /// The level of a cosine of 1, in levels of 255: the grey is round(25.5 + max(0, 229.5 cosine)).
 inline constexpr float l3d_level_of_cosine = 229.5F;
 
-/// The factor in the error of quadratic interpolation at both ends and the middle of a step h: the
+/// The factor in the error of quadratic interpolation at both ends and the middle of a step h. The
 /// error is at most this times h^3 and the third derivative. The factor is the largest value of
 /// |s (s - 1/2) (s - 1)| / 6.
 inline constexpr double l3d_of_thirds = 0.0080187537387448;
