@@ -26,7 +26,7 @@ struct L3D_PUBLIC l3d_material {
     static constexpr int most_sharpness = 1000; ///< the largest sharpness, as in .mtl files
 
     /// The index of the picture in l3d_polygon_mesh::pictures that is laid on the surface, or
-    /// no_picture. The picture's light is multiplied by that of `color`. Patches have none.
+    /// no_picture. The picture's light is multiplied by that of `color`. Patches have no picture.
     int picture = no_picture;
 
     static constexpr int no_picture = -1; ///< the value of `picture` without a picture

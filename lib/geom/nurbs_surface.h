@@ -25,7 +25,7 @@ struct L3D_PUBLIC l3d_bspline_direction {
     int degree = 0; ///< degree of the polynomials between knots; 3 for cubic ones
     /// Parameters where the polynomials meet; a knot of multiplicity m is listed m times.
     std::vector<double> knots;
-    /// The range of the parameter that is part of the surface.
+    /// The range of the parameter that is used.
     double from = 0, to = 0;
 
     friend bool operator==(const l3d_bspline_direction&, const l3d_bspline_direction&) = default;
@@ -261,7 +261,7 @@ L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cylinder_surfaces();
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cone_surfaces();
 /// A torus around the y axis: radius 1 to the middle of the tube, whose radius is 0.4.
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_torus_surfaces();
-/// A disc of radius 1 about the origin, its front towards the y axis.
+/// A disc of radius 1 about the origin, whose front faces along the y axis.
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_disc_surfaces();
 
 /// The names of the five exact shapes above: cone, cylinder, disc, sphere, torus.

@@ -21,7 +21,7 @@ struct l3d_patch_jet : l3d_patch_place {
 /// Normal and curvature of a patch at a place where its normal is known.
 struct l3d_patch_bend {
     using vector = l3d_vector<double, 3>;
-    vector normal;             ///< unit, of dS/du x dS/dv
+    vector normal;             ///< the unit vector along dS/du x dS/dv
     vector normal_u, normal_v; ///< derivatives of the normal by u and by v
     double gaussian = 0;       ///< Gaussian curvature
     double mean = 0;           ///< mean curvature, positive where it bends towards the normal

@@ -244,7 +244,7 @@ template <class T> double l3d_determinant(const l3d_matrix<T>& m) noexcept {
 /// The matrix that undoes m.
 ///
 /// Errors:  nothing if m is singular, or so near to it that rounding decides.
-/// Cost:    in double for every T, then rounded.
+/// Cost:    computed in double for every T, then rounded.
 template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>& m) noexcept {
     const l3d_detail::elimination done(m);
     if (!done.regular())

@@ -76,8 +76,9 @@ struct l3d_dice_view {
     double error_xy = 0; ///< error of x and y of a transformed control point
     double error_w = 0;
 
-    /// Bound of the terms that the points' coordinates are sums of, the eye's included: errors are
-    /// in proportion to it. 0: unknown, and of_share() cannot reduce errors.
+    /// Bound of the sum of the magnitudes of all terms from which a point's coordinates are added
+    /// up, the eye's included. Errors are in proportion to it. 0: unknown, and of_share() cannot
+    /// reduce errors.
     double terms = 0;
     double eye_terms = 0;   ///< the eye's part of terms
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: it is near itself
@@ -210,7 +211,7 @@ struct l3d_dice_view {
     }
 
     /// The box of the drawn points of a net whose exact points are in `hull`. Vertices of nets that
-    /// are not small may lie beside it.
+    /// are not small may lie beside the hull.
     l3d_image_box drawn_box(const l3d_image_box& hull) const {
         return l3d_is_small(hull) ? hull : hull.grown(most_moved());
     }

@@ -15,8 +15,8 @@ inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.
 struct l3d_level_view {
     const l3d_camera& camera;
     l3d_size size;
-    double places_px; ///< bound of places, in pixels
-    double normals;   ///< distance of unit normals
+    double places_px; ///< largest error of places, in pixels
+    double normals;   ///< largest distance of unit normals
 };
 
 /// Bounds of the errors of curved models in a picture.

@@ -67,7 +67,7 @@ struct L3D_PUBLIC l3d_laid_picture {
 struct L3D_PUBLIC l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
     std::array<l3d_vector<double, 3>, 3> axes{}; ///< from the middle to three sides that meet
-    double reach = 0; ///< bound of the terms that coordinates inside are sums of; 0: unknown
+    double reach = 0; ///< l3d_patch_instance::reach() of points inside; 0: unknown
 };
 
 /// Boxes held so that a processor's lanes can each take one.
@@ -158,7 +158,7 @@ public:
 
     /// Lays a picture on the whole instance; its light is multiplied by that of the material.
     void lay(const l3d_laid_picture& picture) { picture_ = picture; }
-    /// The picture that lies on it.
+    /// The picture that lies on the instance.
     const l3d_laid_picture& picture() const { return picture_; }
 
     /// The share of the light from behind that the instance holds back: 1 if nothing is seen
@@ -186,11 +186,12 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of the terms that world coordinates are sums of, for points of the model with
+    /// Bound of the sum of the magnitudes of all terms from which a point's world coordinates are
+    /// added up. Rounding errors are in proportion to it. It is for points of the model with
     /// coordinates of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
-    /// That bound for all points of the model.
+    /// The bound reach(most) for all points of the model.
     double reach() const;
 
     /// The sums of the magnitudes in the placement's first three columns, the factors of a model's
@@ -346,8 +347,8 @@ public:
     /// The largest x, y and z of everything; the origin if there is nothing.
     const vector& most() const { return extent().most; }
 
-    /// Bound of the terms that world coordinates are sums of. Roundings are in proportion to it,
-    /// however small the coordinates become.
+    /// The largest l3d_patch_instance::reach() of the instances. Rounding errors are in proportion
+    /// to it, however small the coordinates become.
     double reach() const { return extent().reach; }
 
     /// The instances' boxes, in their order.

@@ -36,8 +36,8 @@ struct l3d_placed_patch {
 ///
 /// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
 /// costs nothing of its own. The other instances are opened in turn, nearest first, and the boxes
-/// of their patches are looked at. A box proves less than a control net, so some patches pass that
-/// nets would prove unseen.
+/// of their patches are looked at. A box proves less than a control net. So some patches are handed
+/// out that their nets would prove unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
 /// Cost:  measured by tests/bench/scaling_bench.cpp; no allocation once the largest frame has been
 ///        seen.

@@ -107,8 +107,7 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
-/// Reads a model as l3d_read_model does, with the files that it names: buffers and pictures of
-/// glTF.
+/// Reads a model as l3d_read_model does, and the files that it names: buffers and pictures of glTF.
 /// Errors:  as l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,
@@ -139,7 +138,8 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
     l3d_material look; ///< its colour, highlights and opacity
-    /// The picture laid on it, as the file names it; none if it has no name.
+    /// The picture laid on surfaces of this material, as the file names it; none if the picture's
+    /// name is empty.
     l3d_mesh_picture picture{};
 
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;

@@ -37,11 +37,11 @@ inline constexpr double l3d_of_thirds = 0.0080187537387448;
 /// Units: levels. NUMERICS, section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
-/// Bounds of how a patch, and each of its 4 x 4 blocks, bends and how its normals turn. They hold
-/// over all of it, its edges included.
+/// Bounds of how a patch, and each of its 4 x 4 blocks, bends and how its normals turn, edges
+/// included.
 ///
-/// They include all rounding (docs/NUMERICS.md, section 11). They are infinite, but for uuvv, where
-/// the normal vanishes or is not proven to exist.
+/// The bounds include all rounding (docs/NUMERICS.md, section 11). Where the normal vanishes or is
+/// not proven to exist, they are infinite, except for uuvv.
 /// Shape: block 4 * row + column, columns along u, as in l3d_facing_cones. Each number of the
 ///        blocks begins with a line of the cache.
 /// Cost:  1344 bytes.

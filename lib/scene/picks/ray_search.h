@@ -21,7 +21,7 @@ struct l3d_ray_hit {
     double u = 0, v = 0;   ///< from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
-    bool is_proven = false; ///< by Krawczyk's operator
+    bool is_proven = false; ///< the hit is proven by Krawczyk's operator
     /// For an unproven hit: the extent along which ray and surface cannot be told apart.
     double width = 0, depth_width = 0;
 };
