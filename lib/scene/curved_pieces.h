@@ -49,11 +49,10 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<l3d_parameter_range>
-            ranges;                        ///< the part of its piece that each patch stands for
-        std::vector<std::uint32_t> pieces; ///< the index of each patch's piece
-        double error = 0;                  ///< bound of errors of places, in the pieces' unit
-        double normal_error = 0;           ///< bound of errors of unit normals; may be infinite
+        std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
+        std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
+        double error = 0;                        ///< bound of errors of places, in the pieces' unit
+        double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Makes the cells of a level. Expects: 0 <= places, normals <= most_level.
     cells at_level(int places, int normals) const;
