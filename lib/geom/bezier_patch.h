@@ -11,7 +11,8 @@
 #include <cstddef>
 #include <utility>
 
-/// a + t (b - a), component by component. Exact at t = 0; monotone in t for each component.
+/// Interpolates linearly between two points: a + t (b - a) in each component. Exact at t = 0;
+/// monotone in t for each component.
 template <class T, int N>
 l3d_vector<T, N> l3d_lerp(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b, T t) {
     l3d_vector<T, N> result;
@@ -29,8 +30,8 @@ l3d_vector<T, N> l3d_midpoint_of(const l3d_vector<T, N>& a, const l3d_vector<T, 
     return result;
 }
 
-/// Turns the four control values of a cubic Bezier polynomial into its coefficients:
-/// a + t (b + t (c + t d)).
+/// Turns the four control values of a cubic Bezier polynomial into its power coefficients: the
+/// polynomial is then a + t (b + t (c + t d)).
 template <class T> constexpr void l3d_to_powers(T& a, T& b, T& c, T& d) {
     const T first = b - a, second = c - b, third = d - c;
     const T bend = second - first;
@@ -57,7 +58,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
         return p[0];
     }
 
-    /// Control points of the derivative, a quadratic: 3 (b1 - b0), 3 (b2 - b1), 3 (b3 - b2).
+    /// The control points of the derivative, which is quadratic:
+    /// 3 (b1 - b0), 3 (b2 - b1), 3 (b3 - b2).
     std::array<point, 3> derivative() const {
         std::array<point, 3> result;
         for (std::size_t i = 0; i < 3; ++i)
@@ -108,10 +110,10 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
     /// A control point, to be changed. Expects: as index.
     point& at(int row, int column) { return points[index(row, column)]; }
 
-    /// Control points of one row (v index fixed) as a curve in u.
+    /// The control points of one row, as a curve in u.
     curve row(int r) const { return {{at(r, 0), at(r, 1), at(r, 2), at(r, 3)}}; }
 
-    /// Control points of one column (u index fixed) as a curve in v.
+    /// The control points of one column, as a curve in v.
     curve column(int c) const { return {{at(0, c), at(1, c), at(2, c), at(3, c)}}; }
 
     /// The curve v -> S(u, v) for a fixed u.
@@ -168,7 +170,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return halves;
     }
 
-    /// Componentwise bounds of the control points, hence (convex hull) of the whole patch.
+    /// The least and the largest coordinates of the control points. They bound the whole patch,
+    /// which lies in the convex hull of these points.
     std::pair<point, point> bounds() const {
         std::pair<point, point> box{points[0], points[0]};
         for (const point& p : points)
@@ -187,7 +190,7 @@ private:
     }
 };
 
-/// The affine point of a homogeneous one. Expects: the last component is not zero.
+/// Divides a homogeneous point by its weight, the last component. Expects: the weight is not zero.
 template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T, N>& h) {
     l3d_vector<T, N - 1> result;
     for (int i = 0; i < N - 1; ++i)
@@ -195,8 +198,8 @@ template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T,
     return result;
 }
 
-/// First derivatives of the affine surface of a rational patch: (S w)' = S' w + S w', so
-/// S' = ((S w)' - S w') / w.
+/// The derivatives by u and by v of the surface S in space that a rational patch stands for. With
+/// the weight w, (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
 /// Expects: the weight at (u, v) is not zero.
 template <class T, int N>
 std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>
@@ -213,7 +216,7 @@ l3d_rational_derivatives(const l3d_bezier_patch<T, N>& patch, T u, T v) {
     return result;
 }
 
-/// A patch with the same control points in another scalar.
+/// A patch with the same control points in another number type.
 template <class To, class From, int N>
 l3d_bezier_patch<To, N> l3d_converted(const l3d_bezier_patch<From, N>& patch) {
     l3d_bezier_patch<To, N> result;

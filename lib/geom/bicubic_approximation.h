@@ -18,10 +18,10 @@ struct l3d_rational_piece {
 
     int degree_u = 1, degree_v = 1;
     std::vector<point> points;
-    /// How far rounding may have moved a coordinate, and a weight, of any point.
+    /// Bounds of rounding in any point: `noise` in a coordinate, `weight_noise` in the weight.
     double noise = 0, weight_noise = 0;
 
-    /// Expects: degrees from 1 to 15, as many points as they say, weights that l3d_is_weight
+    /// Expects: degrees from 1 to 15, as many points as these ask for, weights that l3d_is_weight
     ///          accepts.
     explicit l3d_rational_piece(const l3d_patch_points& patch);
 
@@ -29,21 +29,24 @@ struct l3d_rational_piece {
         return points[static_cast<std::size_t>(row * (degree_u + 1) + column)];
     }
 
-    /// The halves along u, or along v. Each boundary is a function of the same boundary of the
-    /// whole; halves of a boundary that runs the other way are the same, bit for bit.
+    /// Cuts the piece in half along u, or along v. A boundary of a half depends on the same
+    /// boundary of the whole alone. So pieces that share a boundary have halves that share theirs,
+    /// bit for bit, also if one piece runs along it the other way.
     std::pair<l3d_rational_piece, l3d_rational_piece> halves(bool along_u) const;
 };
 
-/// The bicubic patch that has a rational piece's corners, first derivatives and mixed derivatives
-/// there, and how far it is from the piece (docs/NUMERICS.md, section 25).
+/// A bicubic patch in the place of a rational piece, with bounds of its error (docs/NUMERICS.md,
+/// section 25). At the corners it has the piece's points, first derivatives and mixed derivatives.
 ///
-/// A boundary of the patch is a function of that boundary of the piece, bit for bit, whichever way
-/// it is run through.
+/// A boundary of the patch depends on the same boundary of the piece alone. It is the same bit for
+/// bit whichever way the piece runs along it.
 struct l3d_bicubic_approximation {
     l3d_bezier_patch<double, 3> patch{};
-    /// Bound of the distance between points of the same parameters. Units: those of the points.
+    /// Bound of the distance between points of the patch and of the piece at the same parameters.
+    /// Units: those of the points.
     double error = 0;
-    /// Bound of the distance between unit normals of the same parameters; infinite without one.
+    /// Bound of the distance between unit normals at the same parameters; infinite if there is
+    /// none.
     double normal_error = 0;
 
     explicit l3d_bicubic_approximation(const l3d_rational_piece& piece);

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-/// Fraction bits with which 32-bit integers hold the forward differences of cubics. Control values
-/// are at most `largest` in magnitude, and these bits leave them below 2^29.
+/// The number of fraction bits with which 32-bit integers hold the forward differences of cubics.
+/// Control values are at most `largest` in magnitude, and these bits leave them below 2^29.
 ///
 /// Each difference in use is a sum of values with binomial weights. The first is a sum of two
 /// values, so it is below 2^30. The second is below 2^31. The third is only used after three steps.
-/// Then it is 6 / 27 of a third difference of control values, at most 6 / 27 8 2^29 < 2^30.
+/// Then it is 6 / 27 of a third difference of control values, at most 6 / 27 * 8 * 2^29 < 2^30.
 /// Additions wrap around, so numbers beyond the range do no harm elsewhere.
 /// Expects: largest >= 0, finite.
 inline int l3d_block_fraction_bits(double largest) {
@@ -22,8 +22,9 @@ inline int l3d_block_fraction_bits(double largest) {
     return std::clamp(value_bits - exponent, -200, 200);
 }
 
-/// Round-off after at most n steps, each of the four registers being rounded once to f bits:
-/// 2^-(f + 1) S(n), S(n) = 1 + n + C(n, 2) + C(n, 3); additions are exact.
+/// Bound of the round-off of a walk of at most n steps. The value and its three differences are
+/// rounded once, to f bits, and additions are exact. So the bound is 2^-(f + 1) S(n), with
+/// S(n) = 1 + n + C(n, 2) + C(n, 3).
 inline double l3d_block_walk_error(int fraction_bits, int n) {
     const double steps = n;
     const double pairs = steps * (steps - 1) / 2, triples = pairs * (steps - 2) / 3;

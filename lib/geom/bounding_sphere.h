@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <span>
 
-/// A ball. Two things cannot meet unless their balls do.
+/// A ball around a thing's vertices. Two things cannot meet unless their balls do.
 ///
 /// Units: those of the vertices.
 struct L3D_PUBLIC l3d_bounding_sphere {
@@ -19,7 +19,7 @@ struct L3D_PUBLIC l3d_bounding_sphere {
     vector centre{0.0}; ///< the middle of the vertices' bounding box
     double radius = 0;  ///< to the farthest vertex
 
-    /// The ball of some vertices; a point at the origin for none.
+    /// The ball around some vertices; a point at the origin if there are none.
     /// Cost: linear. The radius is at most 1.74 times that of the smallest ball.
     static l3d_bounding_sphere of(std::span<const vector> vertices) {
         l3d_bounding_sphere ball;
@@ -37,8 +37,8 @@ struct L3D_PUBLIC l3d_bounding_sphere {
         return ball;
     }
 
-    /// The ball of the same things after this placement.
-    /// Expects: a product of shifts, rotations and, before them, a scaling of the axes.
+    /// The ball around the same vertices after they are placed.
+    /// Expects: a placement that scales along the axes first, and then only rotates and shifts.
     l3d_bounding_sphere placed(const l3d_matrix<double>& placement) const {
         const auto moved = placement * l3d_vector<double, 4>(centre, 1.0);
         double scale = 0;

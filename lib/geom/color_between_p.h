@@ -7,8 +7,9 @@
 
 namespace l3d_detail {
 
-/// A colour on the way from one encoded colour to another, channel by channel; 0 is the first and 1
-/// the second. Expects: a share of 0 to 1.
+/// Interpolates between two encoded colours, channel by channel: a share of 0 gives the first, 1
+/// the second.
+/// Expects: a share of 0 to 1.
 constexpr std::uint32_t color_between(std::uint32_t a, std::uint32_t b, double share) {
     std::uint32_t result = 0;
     for (int shift = 16; shift >= 0; shift -= 8) {

@@ -23,14 +23,15 @@ namespace l3d_detail {
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;
 
-/// Twice as wide as Storage, or more: holds any product of two, and any dividend.
+/// An integer at least twice as wide as Storage. It holds the product of any two stored integers,
+/// and the dividend of any quotient.
 template <class Storage>
 using wide = std::conditional_t<(sizeof(Storage) < 8), std::int64_t, int128>;
 
 template <class Storage>
 using wide_unsigned = std::conditional_t<(sizeof(Storage) < 8), std::uint64_t, uint128>;
 
-/// value / 2^bits to nearest, ties to even. Expects: 0 < bits < width of Wide.
+/// Divides by 2^bits and rounds to nearest, ties to even. Expects: 0 < bits < width of Wide.
 template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) noexcept {
     const Wide below = value >> bits;
     const Wide rest = value - below * (Wide{1} << bits);
@@ -38,7 +39,8 @@ template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) no
     return below + Wide{rest + (below & 1) > (Wide{1} << (bits - 1))};
 }
 
-/// dividend / divisor to nearest, ties to even. Expects: divisor not 0, at most half as wide.
+/// Divides and rounds to nearest, ties to even.
+/// Expects: a divisor that is not 0 and has at most half of Wide's bits.
 template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divisor) noexcept {
     const Wide toward_zero = dividend / divisor;
     const Wide rest = dividend % divisor;
@@ -49,14 +51,14 @@ template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divi
     return (dividend < 0) == (divisor < 0) ? toward_zero + 1 : toward_zero - 1;
 }
 
-/// Handles a value beyond one end, as saturate and trap do.
+/// The end of the range that a value lies beyond. With trap, it stops the program instead.
 template <class Storage, l3d_overflow Overflow> constexpr Storage beyond(bool negative) noexcept {
     if constexpr (Overflow == l3d_overflow::trap)
         __builtin_trap();
     return negative ? std::numeric_limits<Storage>::min() : std::numeric_limits<Storage>::max();
 }
 
-/// A wide value brought back into Storage by the policy.
+/// Brings a wide value into Storage. A value out of range is treated as Overflow says.
 template <class Storage, l3d_overflow Overflow, class Wide>
 constexpr Storage narrowed(Wide value) noexcept {
     if constexpr (Overflow != l3d_overflow::wrap)
@@ -66,7 +68,8 @@ constexpr Storage narrowed(Wide value) noexcept {
     return static_cast<Storage>(value);
 }
 
-/// An integral-valued or infinite double outside int64, modulo 2^64.
+/// Reduces a double modulo 2^64.
+/// Expects: a whole number outside of int64, or infinity or NaN, for which the result is 0.
 constexpr std::uint64_t wrapped(double value) noexcept {
     constexpr double modulus = 18446744073709551616.0;   // 2^64
     constexpr double all_multiples = 9007199254740992.0; // 2^53: from here on ulp(value) >= 2^64
@@ -83,14 +86,14 @@ constexpr std::uint64_t wrapped(double value) noexcept {
 ///
 /// All rounding is to nearest, ties to even, so that -(a * b) == (-a) * b.
 /// Units:   raw() counts steps of 2^-FractionBits, which is epsilon().
-/// Expects: 0 < FractionBits < bits of Storage. A default-constructed value is uninitialised, as
-///          an int is.
-/// Errors:  a result out of range, min() / -1 and -min() among them, follows Overflow.
-///          x / 0 is 0 with wrap; max() for x > 0, min() for x < 0 and 0 for x = 0 with saturate;
-///          a trap with trap. NaN converts to 0, with trap to a trap. Infinity is out of range;
-///          modulo 2^bits it is 0.
-/// Cost:    + and - are one integer operation with wrap; * one wide product and four more;
-///          / one wide division.
+/// Expects: 0 < FractionBits < bits of Storage. A default-constructed value is uninitialised, as an
+///          int is.
+/// Errors:  Overflow decides on a result out of range, such as min() / -1 or -min(). x / 0 is 0
+///          with wrap, and stops the program with trap. With saturate it is max() for x > 0, min()
+///          for x < 0 and 0 for x = 0. NaN converts to 0, but stops the program with trap. Infinity
+///          is out of range; wrap makes it 0.
+/// Cost:    with wrap, + and - are one integer operation. * takes a wide product and four more
+///          operations, / a wide division.
 template <class Storage, int FractionBits, l3d_overflow Overflow = l3d_overflow::wrap>
 class L3D_PUBLIC l3d_fixed {
     static_assert(std::signed_integral<Storage> && sizeof(Storage) <= 8);
@@ -116,7 +119,8 @@ public:
     /// The nearest number that has this format. Errors: out of range as Overflow says.
     explicit constexpr l3d_fixed(double value) noexcept : raw_(raw_of(value)) {}
 
-    /// From another format: exact if it fits, else rounded and brought in range by Overflow.
+    /// A number of another format: exact if it fits, else rounded.
+    /// Errors: out of range as Overflow says.
     template <class S, int F, l3d_overflow O>
     explicit constexpr l3d_fixed(l3d_fixed<S, F, O> other) noexcept {
         const l3d_detail::int128 raw = other.raw();
@@ -146,18 +150,18 @@ public:
     /// The step between neighbours, and the least positive value.
     static constexpr l3d_fixed epsilon() noexcept { return from_raw(1); }
 
-    /// Exact if raw() fits 53 bits, else rounded.
+    /// The number as a double: exact if raw() fits 53 bits, else rounded.
     explicit constexpr operator double() const noexcept {
         return static_cast<double>(raw_) / static_cast<double>(one);
     }
-    /// The next whole number at or below.
+    /// The largest whole number that is not above this number.
     constexpr std::int64_t floor_to_int() const noexcept { return raw_ >> FractionBits; }
     /// The nearest whole number; the even one of two equally near.
     constexpr std::int64_t round_to_int() const noexcept {
         return static_cast<std::int64_t>(l3d_detail::shifted_to_nearest(wide{raw_}, FractionBits));
     }
 
-    /// By value.
+    /// Compares the values.
     // The check takes the zero that the compiler compares with for a null pointer.
     // NOLINTNEXTLINE(modernize-use-nullptr)
     friend constexpr auto operator<=>(l3d_fixed, l3d_fixed) = default;
@@ -174,31 +178,33 @@ public:
             return of_bits(static_cast<bits>(a.raw_) - static_cast<bits>(b.raw_));
         return of_wide(wide{a.raw_} - b.raw_);
     }
-    /// The number with the other sign; that of min() is out of range.
+    /// The number with the opposite sign. Errors: that of min() is out of range.
     constexpr l3d_fixed operator-() const noexcept { return from_raw(0) - *this; }
 
-    /// The product, to nearest.
+    /// The product, rounded to nearest.
     friend constexpr l3d_fixed operator*(l3d_fixed a, l3d_fixed b) noexcept {
         return of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_} * b.raw_, FractionBits));
     }
-    /// The quotient, to nearest; by zero, as the class's Errors say.
+    /// The quotient, rounded to nearest. Errors: division by zero as the class says.
     friend constexpr l3d_fixed operator/(l3d_fixed a, l3d_fixed b) noexcept {
         if (b.raw_ == 0)
             return divided_by_zero(a.raw_);
         return of_wide(l3d_detail::divided_to_nearest(wide{a.raw_} * one, wide{b.raw_}));
     }
 
-    /// Times 2^count, by the policy. Expects: 0 <= count < bits of Storage.
+    /// The number times 2^count.
+    /// Errors: out of range as Overflow says.
+    /// Expects: 0 <= count < bits of Storage.
     friend constexpr l3d_fixed operator<<(l3d_fixed a, int count) noexcept {
         if constexpr (Overflow == l3d_overflow::wrap)
             return of_bits(static_cast<wide>(a.raw_) * (wide{1} << count));
         return of_wide(a.raw_ * (wide{1} << count));
     }
-    /// Times 2^-count, rounded. Expects: 0 <= count < bits of Storage.
+    /// The number times 2^-count, rounded to nearest. Expects: 0 <= count < bits of Storage.
     friend constexpr l3d_fixed operator>>(l3d_fixed a, int count) noexcept {
         return count == 0 ? a : of_wide(l3d_detail::shifted_to_nearest(wide{a.raw_}, count));
     }
-    /// Half of it, to nearest.
+    /// Half of the number, rounded to nearest.
     constexpr l3d_fixed halved() const noexcept { return *this >> 1; }
 
     /// Adds, as + does.
@@ -209,9 +215,9 @@ public:
     constexpr l3d_fixed& operator*=(l3d_fixed b) noexcept { return *this = *this * b; }
     /// Divides, as / does.
     constexpr l3d_fixed& operator/=(l3d_fixed b) noexcept { return *this = *this / b; }
-    /// Doubles it `count` times, as << does.
+    /// Doubles the number `count` times, as << does.
     constexpr l3d_fixed& operator<<=(int count) noexcept { return *this = *this << count; }
-    /// Halves it, rounded once, as >> does.
+    /// Halves the number `count` times, and rounds once, as >> does.
     constexpr l3d_fixed& operator>>=(int count) noexcept { return *this = *this >> count; }
 
 private:
@@ -251,20 +257,22 @@ private:
 
 /// Whether T is an l3d_fixed.
 template <class T> inline constexpr bool l3d_is_fixed = false;
-/// Every l3d_fixed is one.
+/// True for every l3d_fixed.
 template <class S, int F, l3d_overflow O>
 inline constexpr bool l3d_is_fixed<l3d_fixed<S, F, O>> = true;
 
-/// (a + b) / 2 rounded once: the same for (b, a), and never out of range.
+/// The midpoint (a + b) / 2, rounded once. It has the same bits if a and b are exchanged, and is
+/// never out of range.
 template <class S, int F, l3d_overflow O>
 constexpr l3d_fixed<S, F, O> l3d_midpoint(l3d_fixed<S, F, O> a, l3d_fixed<S, F, O> b) noexcept {
     const auto sum = l3d_detail::wide<S>{a.raw()} + b.raw();
     return l3d_fixed<S, F, O>::from_raw(static_cast<S>(l3d_detail::shifted_to_nearest(sum, 1)));
 }
 
-/// A sum of products that is rounded, and brought in range, once: when it is read.
+/// A sum of products that is rounded once, when it is read. Only the sum that is read must be in
+/// range.
 ///
-/// Expects: Fixed is an l3d_fixed; fewer than 2^31 products. Partial sums out of range do no harm.
+/// Expects: Fixed is an l3d_fixed; fewer than 2^31 products.
 template <class Fixed> class L3D_PUBLIC l3d_fixed_sum {
     using wide = l3d_detail::wide<typename Fixed::storage>;
 
@@ -282,7 +290,7 @@ public:
             turns_ += product < 0 ? 1 : -1;
     }
 
-    /// The sum in Fixed's format, to nearest.
+    /// The sum in Fixed's format, rounded to nearest. Errors: out of range as Overflow says.
     constexpr Fixed rounded() const noexcept {
         using storage = typename Fixed::storage;
         // Wrap needs no turns_: its bits, from fraction_bits up, are all in low_.

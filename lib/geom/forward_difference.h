@@ -15,22 +15,23 @@
 
 /// A polynomial of one variable as its value and its forward differences at a step h.
 ///
-/// Shape:   d[k] is the k-th forward difference at the current parameter; d[0] the value.
-/// Units:   those of the control values; the step is 1 / steps of the parameter.
+/// Shape:   d[0] is the value at the current parameter, d[k] the k-th forward difference there.
+/// Units:   those of the control values. The parameter runs from 0 to 1, so h is 1 / steps.
 /// Cost:    `Degree` additions a step, no multiplication.
-/// Source:  Newton's forward differences. step, halve and double are the operators E, L and its
-///          inverse of Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and
-///          Surfaces, SIGGRAPH 1987. They are derived again here from f(t + h), f(t + h/2), f(t +
-///          2h).
+/// Source:  Newton's forward differences. step, halve and double_step are the operators E, L and
+///          the inverse of L in Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering
+///          Curves and Surfaces, SIGGRAPH 1987. They are derived again here from f(t + h),
+///          f(t + h/2), f(t + 2h).
 template <class T, int Degree> struct l3d_forward_difference {
     static_assert(Degree == 3, "halve and double are written for cubics");
     std::array<T, Degree + 1> d; ///< the value, then differences of the first order on
 
-    /// The polynomial with Bernstein coefficients b, at t = 0, to be walked in `steps` steps.
+    /// Prepares a walk in `steps` steps from t = 0, for a polynomial with Bernstein coefficients b.
     ///
-    /// With c1, c2, c3 the power coefficients divided by n, n^2, n^3:
-    ///   f(h) - f(0) = c1 + c2 + c3;  second difference 2 c2 + 6 c3;  third 6 c3.
-    /// Expects: steps >= 1. In double throughout, one rounding to T per register.
+    /// Let c1, c2, c3 be the power coefficients divided by n, n^2, n^3, where n is the number of
+    /// steps. The first difference is f(h) - f(0) = c1 + c2 + c3, the second 2 c2 + 6 c3, and the
+    /// third 6 c3. They are computed in double, and each is rounded to T once.
+    /// Expects: steps >= 1.
     static l3d_forward_difference build(const std::array<double, 4>& b, int steps) {
         assert(steps >= 1);
         const double n = steps;
@@ -46,7 +47,7 @@ template <class T, int Degree> struct l3d_forward_difference {
                  l3d_from_double<T>(d2 + d3), l3d_from_double<T>(d3)}};
     }
 
-    /// Where the walk is.
+    /// The value at the current parameter.
     T value() const { return d[0]; }
 
     /// Goes on by one step.
@@ -56,10 +57,11 @@ template <class T, int Degree> struct l3d_forward_difference {
         d[2] = d[2] + d[3];
     }
 
-    /// Halves the step. With the binomial operator E^(1/2) = (1 + D)^(1/2):
+    /// Halves the step. The difference operator D' of the new step follows from that of the old
+    /// one: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
     ///   D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
-    /// Expects: every register in range. (Steps are linear modulo 2^bits: for them only the values
-    /// that are used must fit.)
+    /// Expects: every difference is in range. (Mere steps are linear modulo 2^bits: they need in
+    ///          range only the values that are used.)
     void halve() {
         const T half_third = halved(d[3]);
         d[2] = halved(halved(d[2] - half_third));
@@ -67,7 +69,8 @@ template <class T, int Degree> struct l3d_forward_difference {
         d[1] = halved(d[1] - d[2]);
     }
 
-    /// Doubles the step, the inverse of halve: D' = 2 D + D^2, squared and cubed.
+    /// Doubles the step, and so undoes halve(). The new first difference is D' = 2 D + D^2. Its
+    /// square and cube give the other two differences; powers above D^3 vanish.
     void double_step() {
         d[1] = d[1] + d[1] + d[2];
         d[3] = twice(twice(twice(d[3])));
@@ -79,14 +82,14 @@ private:
     static T twice(T value) { return value + value; }
 };
 
-/// A bound on the error of a cubic after at most n forward difference steps, in the control
-/// values' units.
+/// A bound on the error of a cubic after at most n forward difference steps, in the control values'
+/// units.
 ///
-/// With |b| <= p, first, second and third differences of b at most b1, b2, b3, the registers are at
-/// most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3, D1 = 3 b1 / n + 2 D2. A register's initial error e_k
-/// reaches the value C(n, k) fold. Floating point adds u |register| at each of the n, C(n, 2), C(n,
-/// 3) additions that follow. Fixed point additions are exact, and every initial error is half an
-/// ulp.
+/// The control values are at most p in magnitude; their first, second and third differences are at
+/// most b1, b2, b3. Then the forward differences are at most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3
+/// and D1 = 3 b1 / n + 2 D2. An initial error of the k-th difference reaches the value C(n, k)
+/// fold. Floating point adds u |difference| at each of the n, C(n, 2), C(n, 3) additions that
+/// follow. Fixed point additions are exact, and every initial error is half an ulp.
 /// Source: running error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963).
 template <class T>
 double l3d_forward_difference_error(int n, double p, double b1, double b2, double b3) {
@@ -115,15 +118,16 @@ struct l3d_step_counts {
     std::int64_t doublings = 0; ///< doublings of the step
 };
 
-/// Walks a curve to its end. Before a step that would move a coordinate by more than a pixel, the
-/// step is halved. After one that leaves less than half a pixel to the next, it is doubled.
+/// Walks a curve to its end. A step that would move a coordinate by more than a pixel is halved
+/// first. The step is doubled where the next one would move every coordinate by at most half a
+/// pixel.
 ///
-/// A step is doubled only where steps of twice the length fall on the curve's end. The walk is
-/// exact if T is fixed point with g + 3 finest fraction bits, and control values are on a 2^-g
-/// grid.
-/// Shape:   one polynomial for each coordinate, at its beginning, with a step of 2^-first. Calls
-///          visit(at, level, curve) there and after each step. The parameter is at / 2^finest, and
-///          the step was 2^-level.
+/// It is doubled only where steps of twice the length still fall on the curve's end. The walk is
+/// exact if T is fixed point with g + 3 finest fraction bits, and control values are multiples of
+/// 2^-g.
+/// Shape:   one polynomial for each coordinate, at its beginning, with a step of 2^-first. The
+///          function calls visit(at, level, curve) there and after each step. The parameter is
+///          at / 2^finest, and the last step was 2^-level.
 /// Units:   `pixel` in those of the coordinates.
 /// Expects: 0 <= first <= finest <= 30; all differences in range. Steps of 2^-finest may be longer
 ///          than a pixel.
@@ -163,17 +167,17 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
     return counts;
 }
 
-/// A cubic Bezier polynomial with whole control values. Halving it and stepping along it multiply
-/// its values by 8 for each doubling of the steps. So every difference is a whole number, and
-/// nothing is ever rounded.
+/// A cubic Bezier polynomial with whole control values, for walks that round nothing. Each doubling
+/// of the number of steps, by halving the cubic or along it, multiplies its values by 8. So every
+/// difference is a whole number.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.
-/// Expects: control values of at most 2^24 in magnitude at level 0, and at most most_level.
+/// Expects: control values of at most 2^24 in magnitude at level 0, and levels up to most_level.
 /// Source:  Klassen: Exact Integer Hybrid Subdivision and Forward Differencing of Cubics, ACM
 ///          Transactions on Graphics 13 (1994). Which steps are halvings is the caller's choice.
 class L3D_PUBLIC l3d_integer_cubic {
 public:
-    /// Values have 24 + 3 * 12 = 60 bits then, and differences no more.
+    /// The largest level. Values have 24 + 3 * 12 = 60 bits there, and differences no more.
     static constexpr int most_level = 12;
 
     /// A cubic by its control values, at level 0.
@@ -182,7 +186,7 @@ public:
     /// The number of times that values were multiplied by 8.
     int level() const { return level_; }
 
-    /// Both halves, a level higher.
+    /// Both halves of the cubic, each at the next level.
     std::pair<l3d_integer_cubic, l3d_integer_cubic> split() const {
         assert(level_ < most_level);
         const auto& [a, b, c, d] = control_;
@@ -193,8 +197,9 @@ public:
                 l3d_integer_cubic({middle, right, last, 8 * d}, level_ + 1)};
     }
 
-    /// Calls visit(value) for 2^doublings + 1 values along the cubic, both ends included. Each is
-    /// three additions away from the one before, at the level level() + doublings.
+    /// Calls visit(value) for 2^doublings + 1 values along the cubic, both ends included. The
+    /// values are those of the level level() + doublings. Each takes three additions from the one
+    /// before.
     template <class Visitor> void walk(int doublings, const Visitor& visit) const {
         assert(doublings >= 0 && level_ + doublings <= most_level);
         const auto& [a, b, c, d] = control_;
@@ -214,8 +219,8 @@ public:
         }
     }
 
-    /// Visits the same values by halving first: the cubic is halved `halvings` times, and each
-    /// piece is walked. The ends where pieces meet are visited once.
+    /// Visits the values that walk(halvings + doublings) visits, but halves the cubic `halvings`
+    /// times first and walks each piece. The ends where pieces meet are visited once.
     template <class Visitor>
     void walk_halved(int halvings, int doublings, const Visitor& visit) const {
         bool is_first = true;

@@ -19,17 +19,17 @@ struct L3D_PUBLIC l3d_material {
     /// The sharpness of highlights: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 
-    /// From 0, invisible, to 1, opaque. An instance is transparent as a whole:
-    /// l3d_patch_scene::add_by_opacity() makes an instance for each opacity of materials.
+    /// The opacity, from 0 for invisible to 1 for opaque. Since an instance is transparent as a
+    /// whole, l3d_patch_scene::add_by_opacity() makes one instance for each opacity.
     float opacity = 1;
 
-    static constexpr int most_sharpness = 1000; ///< that of .mtl files
+    static constexpr int most_sharpness = 1000; ///< the largest sharpness, as in .mtl files
 
-    /// Which of its mesh's pictures is laid on it, in the product of both colours' light; or none.
-    /// Patches have none.
+    /// The index of the picture in l3d_polygon_mesh::pictures that is laid on the surface, or
+    /// no_picture. The picture's light is multiplied by that of `color`. Patches have no picture.
     int picture = no_picture;
 
-    static constexpr int no_picture = -1; ///< the place of no picture
+    static constexpr int no_picture = -1; ///< the value of `picture` without a picture
 
     /// Whether it looks like a surface without a material.
     bool is_plain() const {

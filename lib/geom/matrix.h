@@ -42,10 +42,11 @@ public:
     l3d_vector<T, 4> row(int i) const noexcept {
         return {columns_[0][i], columns_[1][i], columns_[2][i], columns_[3][i]};
     }
-    /// The four numbers of a column: the image of axis i, or of the origin. Expects: 0 <= i < 4.
+    /// The four numbers of a column: the image of axis i, or for i = 3 that of the origin.
+    /// Expects: 0 <= i < 4.
     l3d_vector<T, 4> column(int i) const noexcept { return columns_[i]; }
 
-    /// Takes a column of coordinates through the map.
+    /// Applies the map to a column of coordinates.
     friend l3d_vector<T, 4> operator*(const l3d_matrix& m, const l3d_vector<T, 4>& v) noexcept {
         if constexpr (l3d_is_fixed<T>) {
             l3d_vector<T, 4> result;
@@ -105,8 +106,8 @@ template <class T> l3d_matrix<T> l3d_translation(double x, double y, double z) n
     return result;
 }
 
-/// The map that turns about an axis through the origin, counterclockwise for one at whom the axis
-/// points.
+/// The map that turns about an axis through the origin, counterclockwise as seen by someone at whom
+/// the axis points.
 ///
 /// Units:   degrees; the axis may have any length but zero.
 /// Source:  Rodrigues' formula: R = c I + s [a]x + (1 - c) a a^T for a unit axis a.

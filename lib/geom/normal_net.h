@@ -16,7 +16,7 @@ struct l3d_normal_polynomial {
     static constexpr std::size_t order = 6;
     std::array<vector, order * order> points{};
 
-    /// The halves along u, or along v, as l3d_bezier_patch has them.
+    /// The halves along u (split_u) or along v (split_v), the lower one first.
     std::pair<l3d_normal_polynomial, l3d_normal_polynomial> split_u() const {
         return split(1, order);
     }
@@ -31,10 +31,10 @@ private:
 
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
-/// Where an edge of the patch is collapsed the cross product vanishes along it although the
-/// tangent plane exists. The net then holds the cross product divided by the vanishing factor
-/// (u, 1 - u, v or 1 - v, as often as needed): the same direction inside, the limit on the edge.
-/// A patch whose normal vanishes everywhere, as far as rounding can tell, has the net 0.
+/// Where an edge of the patch is collapsed, the cross product vanishes along it although the
+/// tangent plane exists. The net then holds the cross product divided by the vanishing factor, as
+/// often as needed: by u, 1 - u, v or 1 - v. It has the same direction inside, and the limit on the
+/// edge. A patch whose normal vanishes everywhere, as far as rounding can tell, has the net 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).
@@ -56,8 +56,8 @@ public:
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
-    /// Multiplies each vector by the upper left three by three of a matrix. If the matrix holds the
-    /// cofactors of an affine map, these are the normals of a patch that was moved by that map.
+    /// The net whose vectors are multiplied by the upper left three by three of a matrix. With the
+    /// cofactors of an affine map, it holds the normals of the patch that this map moves.
     /// Expects: a matrix that can be inverted.
     l3d_normal_net turned(const l3d_matrix<double>& by) const;
 

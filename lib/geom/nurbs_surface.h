@@ -16,15 +16,16 @@
 #include <string_view>
 #include <vector>
 
-/// The knots of a B-spline surface along u or v, and the part of the surface that is wanted.
+/// The knots of a B-spline along a curve, or along u or v of a surface, and the range of the
+/// parameter that is used.
 ///
-/// Shape: the number of control points along it is points(); knots do not decrease, and
+/// Shape: the number of control points along this direction is points(). Knots do not decrease, and
 ///        knots[degree] <= from < to <= knots[points()].
 struct L3D_PUBLIC l3d_bspline_direction {
     int degree = 0; ///< degree of the polynomials between knots; 3 for cubic ones
-    /// Parameters where the polynomials meet; one of multiplicity m stands m times.
+    /// Parameters where the polynomials meet; a knot of multiplicity m is listed m times.
     std::vector<double> knots;
-    /// The range of the parameter that is part of the surface.
+    /// The range of the parameter that is used.
     double from = 0, to = 0;
 
     friend bool operator==(const l3d_bspline_direction&, const l3d_bspline_direction&) = default;
@@ -35,28 +36,31 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// Spans between different knots within [from, to]: the Bezier segments along this direction.
     std::size_t segments() const;
 
-    /// Why this is no direction of a surface or curve, "" if it is one: degrees are from 1 to
+    /// Why this is no direction of a surface or curve; "" if it is one. Degrees are from 1 to
     /// l3d_bpt_largest_degree. Knots are finite, of magnitude at most 1e12, and do not decrease. No
-    /// knot between the ends is there more often than the degree says, or the surface would be
-    /// torn. [from, to] lies within the knots that have enough control points.
+    /// knot between the ends is listed more than `degree` times, since the surface would be torn
+    /// there. [from, to] lies within the knots that have enough control points.
     std::string complaint() const;
 
-    /// Clamped, uniform knots for so many control points: the curve begins at the first and ends at
-    /// the last. The parameter runs from 0 to 1. Expects: points > degree >= 1.
+    /// Clamped, uniform knots for `points` control points: the curve begins at the first and ends
+    /// at the last. The parameter runs from 0 to 1.
+    /// Expects: points > degree >= 1.
     static l3d_bspline_direction clamped(int degree, std::size_t points);
 
-    /// Periodic, uniform knots: a curve that closes, as smooth where it closes as elsewhere, if its
-    /// last `degree` control points are its first ones again. `points` counts these twice. The
-    /// parameter runs from 0 to 1. Expects: points >= 2 degree + 1, degree >= 1.
+    /// Periodic, uniform knots for a closed curve, which is as smooth where it closes as elsewhere.
+    /// Its last `degree` control points must repeat its first ones; `points` counts both. The
+    /// parameter runs from 0 to 1.
+    /// Expects: points >= 2 degree + 1, degree >= 1.
     static l3d_bspline_direction periodic(int degree, std::size_t points);
 };
 
-/// The surface as Bezier patches, along u first, then v; the same points in space, up to rounding.
+/// Divides a B-spline surface into Bezier patches, in order along u first, then v. They have the
+/// same points in space, up to rounding.
 ///
-/// Control points that are Bezier points already, by the multiplicity of their knots, stay as they
+/// Control points that are already Bezier points, by the multiplicity of their knots, stay as they
 /// are bit for bit. Neighbouring patches have the same points, bit for bit, on their boundary.
 /// Shape:   points: u.points() * v.points(), u fastest; weights: as many, or none if all are 1.
-///          Segments of both directions: one or more.
+///          Both directions have at least one segment.
 /// Expects: positive weights, degrees from 1 to l3d_bpt_largest_degree, directions as
 ///          l3d_bspline_direction expects.
 /// Cost:    the square of a degree per control point and patch.
@@ -97,7 +101,8 @@ public:
                       std::vector<double> weights = {});
 
     /// A patch as a surface: one span along u and v, each parameter from 0 to 1. pieces() gives the
-    /// same patch, bit for bit. Errors: as the constructor.
+    /// same patch, bit for bit.
+    /// Errors: as the constructor.
     static l3d_nurbs_surface of_patch(const l3d_patch_points& patch);
 
     /// Why these make no surface, naming the value at fault; "" if they do.
@@ -111,14 +116,14 @@ public:
     const l3d_bspline_direction& v() const { return v_; }
     /// The control points, u fastest.
     const std::vector<vector>& points() const { return points_; }
-    /// Their weights, as many; none if all are 1.
+    /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
-    /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
-    /// none.
+    /// Moves a control point and sets its weight. Other points keep their weights, or get 1 if
+    /// there were none.
     ///
     /// Expects: an index of points(), finite coordinates of magnitude at most 1e12, and a weight
-    ///          above 0 and at most 1e12.
+    ///          from 1e-100 to 1e12.
     void set_point(std::size_t index, const vector& place, double weight);
 
     /// The place at (u, v). Expects: u().from <= u <= u().to, and v alike.
@@ -127,14 +132,14 @@ public:
     /// Expects: as evaluate.
     l3d_surface_derivatives derivatives(double u, double v) const;
 
-    /// The same surface with a knot along u once more.
-    /// Errors: throws l3d_error(bad_input) if it is outside of the range, or there as often as the
-    ///         degree says.
+    /// The same surface with one more knot u along u.
+    /// Errors: throws l3d_error(bad_input) if the knot is outside of the range, or is listed
+    ///         `degree` times already.
     l3d_nurbs_surface with_knot_u(double u) const;
-    /// The same surface with a knot along v once more. Errors: as with_knot_u.
+    /// The same surface with one more knot v along v. Errors: as with_knot_u.
     l3d_nurbs_surface with_knot_v(double v) const;
 
-    /// The surface as Bezier patches (l3d_bezier_patches): what models are made of.
+    /// The surface as Bezier patches, the pieces that models are made of (l3d_bezier_patches).
     std::vector<l3d_patch_points> pieces() const;
 
 private:
@@ -153,7 +158,7 @@ struct L3D_PUBLIC l3d_curve_jet {
     using vector = l3d_vector<double, 3>;
     vector place{0.0, 0.0, 0.0}, ///< the point of the curve
         first{0.0, 0.0, 0.0},    ///< its derivative
-        second{0.0, 0.0, 0.0};   ///< the derivative of that
+        second{0.0, 0.0, 0.0};   ///< its second derivative
 };
 
 /// A non-uniform rational B-spline curve of degree 1 to 15: clamped, unclamped or periodic.
@@ -171,7 +176,7 @@ public:
     l3d_nurbs_curve(l3d_bspline_direction along, std::vector<vector> points,
                     std::vector<double> weights = {});
 
-    /// Straight lines from point to point. Errors: as the constructor: for fewer than two.
+    /// Straight lines from point to point. Errors: as the constructor, for fewer than two points.
     static l3d_nurbs_curve polyline(std::vector<vector> points);
 
     /// A circle about the origin, exact: from the x axis towards the y axis, once around.
@@ -187,7 +192,7 @@ public:
     const l3d_bspline_direction& along() const { return along_; }
     /// The control points, along().points() of them.
     const std::vector<vector>& points() const { return points_; }
-    /// Their weights, as many; none if all are 1.
+    /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
     /// The weight of a control point. Expects: index < points().size().
@@ -199,9 +204,9 @@ public:
     /// Expects: as evaluate.
     l3d_curve_jet derivatives(double t) const;
 
-    /// The same curve with the knot t once more.
-    /// Errors: throws l3d_error(bad_input) if t is outside of the range, or there as often as the
-    ///         degree says.
+    /// The same curve with one more knot t.
+    /// Errors: throws l3d_error(bad_input) if t is outside of the range, or is listed `degree`
+    ///         times already.
     l3d_nurbs_curve with_knot(double t) const;
 
     friend bool operator==(const l3d_nurbs_curve&, const l3d_nurbs_curve&) = default;
@@ -214,34 +219,35 @@ private:
     std::vector<double> weights_;
 };
 
-/// The surface of a curve that turns once around the y axis, exact.
+/// The exact surface that a curve sweeps as it turns once around the y axis.
 ///
 /// Shape: u runs around the axis, v along the curve. A curve beside the axis that runs upwards
 ///        makes a surface whose outside is away from the axis.
 L3D_PUBLIC l3d_nurbs_surface l3d_revolved(const l3d_nurbs_curve& curve);
 
-/// The surface of a curve that moves straight `by` a vector, exact. Shape: u runs along the curve,
-/// v along the vector. Errors: throws l3d_error(bad_input) where the sum is beyond 1e12.
+/// The exact surface that a curve sweeps as it moves straight along the vector `by`.
+/// Shape: u runs along the curve, v along the vector.
+/// Errors: throws l3d_error(bad_input) where a moved control point is beyond 1e12.
 L3D_PUBLIC l3d_nurbs_surface l3d_extruded(const l3d_nurbs_curve& curve,
                                           const l3d_vector<double, 3>& by);
 
-/// The surface of all lines between points of two curves of the same parameter, exact.
+/// The exact surface of all lines that join points of two curves at the same parameter.
 ///
 /// Shape:  u runs along the curves, v from the first to the second.
 /// Errors: throws l3d_error(bad_input) for curves of different degrees or ranges of the parameter.
 L3D_PUBLIC l3d_nurbs_surface l3d_ruled(l3d_nurbs_curve first, l3d_nurbs_curve second);
 
-/// A pipe along a curve, and how well it is one.
+/// A surface that stands for a pipe along a curve, and its measured error.
 struct L3D_PUBLIC l3d_pipe {
     l3d_nurbs_surface surface; ///< u runs around the curve, v along it
-    /// The farthest that the surface is from the pipe's radius around the curve, in the plane
-    /// across it, at 8 places of each span: measured, not proven.
+    /// The largest distance of the surface's points from the exact circles that they stand for. It
+    /// is measured at 9 places along each span and 8 around, not proven.
     double measured = 0;
 };
 
-/// The surface at a distance from a curve: all circles around it, each in the plane across the
-/// curve. A pipe is no NURBS surface. This one has exact circles, whose centres and axes are cubic
-/// along the curve.
+/// Makes a pipe along a curve: circles around it, each in the plane across the curve. An exact pipe
+/// is no NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
+/// are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.
 /// Errors:  throws l3d_error(bad_input) if 1024 spans do not keep the tolerance.
@@ -255,12 +261,12 @@ L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cylinder_surfaces();
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_cone_surfaces();
 /// A torus around the y axis: radius 1 to the middle of the tube, whose radius is 0.4.
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_torus_surfaces();
-/// A disc of radius 1 about the origin, its front towards the y axis.
+/// A disc of radius 1 about the origin, whose front faces along the y axis.
 L3D_PUBLIC std::vector<l3d_nurbs_surface> l3d_disc_surfaces();
 
-/// The names of these five: cone, cylinder, disc, sphere, torus.
+/// The names of the five exact shapes above: cone, cylinder, disc, sphere, torus.
 L3D_PUBLIC std::vector<std::string_view> l3d_exact_shape_names();
-/// The one of this name; nothing if there is none.
+/// The exact shape of this name; nothing if there is none.
 L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>> l3d_exact_shape(std::string_view name);
 
 #endif

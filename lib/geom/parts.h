@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-/// A run of faces or patches with a name: from the first one to the next run's.
+/// A named run of faces or patches. It ends where the next run begins.
 struct L3D_PUBLIC l3d_part_run {
-    std::string name;        ///< the file's name; empty: these belong to no part
+    std::string name;        ///< the part's name; empty if these belong to no part
     std::uint32_t first = 0; ///< index of its first face or patch
     /// Whether names and first indices are the same.
     friend bool operator==(const l3d_part_run&, const l3d_part_run&) = default;
@@ -31,11 +31,11 @@ public:
     /// No parts.
     l3d_parts() = default;
 
-    /// The parts of `count` things. Expects: runs in the order of their first things, none beyond
-    /// `count`.
+    /// The parts of `count` things.
+    /// Expects: runs in the order of their first things, none beyond `count`.
     l3d_parts(std::span<const l3d_part_run> runs, std::size_t count);
 
-    /// The name of each part, each once, in the order of their first things.
+    /// The names of the parts, each once, in the order of their first things.
     std::span<const std::string> names() const { return names_; }
 
     /// The index of a part in names(); nothing if there is none of this name.
@@ -50,17 +50,17 @@ public:
     /// The number of things of a part. Expects: an index of names().
     std::size_t size_of(std::size_t part) const;
 
-    /// Whether each of `count` things belongs to one of these parts. Expects: indices of names(),
-    /// the count of the constructor.
+    /// For each thing, whether it belongs to one of these parts.
+    /// Expects: indices of names(), and the count of the constructor.
     std::vector<bool> things_of(std::span<const std::size_t> parts, std::size_t count) const;
 
     /// The same parts as runs over the things.
     std::vector<l3d_part_run> runs() const;
 
-    /// The message for a name that is no part, with a list of all parts; "" if it is one.
+    /// The message for a name that no part has, with a list of all parts; "" if a part has it.
     std::string complaint(std::string_view name) const;
 
-    /// Stands for no part.
+    /// The index that stands for no part.
     static constexpr std::size_t none = ~std::uint32_t{0};
 
 private:

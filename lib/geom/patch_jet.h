@@ -13,7 +13,7 @@ struct l3d_patch_place {
     vector point, along_u, along_v;
 };
 
-/// The same, and the second derivatives.
+/// A point of a patch, with its first and second derivatives.
 struct l3d_patch_jet : l3d_patch_place {
     vector along_uu, along_uv, along_vv;
 };
@@ -21,8 +21,8 @@ struct l3d_patch_jet : l3d_patch_place {
 /// Normal and curvature of a patch at a place where its normal is known.
 struct l3d_patch_bend {
     using vector = l3d_vector<double, 3>;
-    vector normal;             ///< unit, of dS/du x dS/dv
-    vector normal_u, normal_v; ///< its derivatives
+    vector normal;             ///< the unit vector along dS/du x dS/dv
+    vector normal_u, normal_v; ///< derivatives of the normal by u and by v
     double gaussian = 0;       ///< Gaussian curvature
     double mean = 0;           ///< mean curvature, positive where it bends towards the normal
 };
@@ -30,12 +30,12 @@ struct l3d_patch_bend {
 /// A patch's point and first derivatives. Expects: u and v from 0 to 1. Cost: some 50 ns.
 l3d_patch_place l3d_place_of(const l3d_bezier_patch<double, 3>& patch, double u, double v);
 
-/// A patch's derivatives up to the second order, rounded to double. The slow twin, which bounds its
-/// errors by intervals, is l3d_surface_jet.
+/// A patch's point and derivatives up to the second order, rounded to double. l3d_surface_jet is
+/// slower, and bounds the errors by intervals.
 l3d_patch_jet l3d_jet_of(const l3d_bezier_patch<double, 3>& patch, double u, double v);
 
-/// Normal and curvature from derivatives. Nothing where dS/du and dS/dv are parallel to within
-/// rounding, or zero.
+/// Normal and curvature of a patch from its derivatives. Nothing where dS/du and dS/dv are zero, or
+/// parallel to within rounding.
 /// Source: do Carmo, "Differential Geometry of Curves and Surfaces".
 std::optional<l3d_patch_bend> l3d_bend_of(const l3d_patch_jet& jet);
 

@@ -18,13 +18,13 @@ struct l3d_patch_part {
     int depth = 0;                         ///< cuts that made it
 };
 
-/// The same with its normals.
+/// A part of a patch, with the polynomial of its normals.
 struct l3d_exact_part : l3d_patch_part {
     l3d_normal_polynomial normals;
 };
 
-/// Both halves of a piece, cut across u or across v. Members beyond net, range of parameters, depth
-/// and normals are copies. The lower half comes first.
+/// Cuts a piece in half along u or along v, and returns its halves, the lower one first. Members
+/// other than net, range of parameters, depth and normals are copied.
 template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool along_u) {
     std::array<Piece, 2> result{p, p};
     auto& [low, high] = result;

@@ -21,7 +21,8 @@ template <class T> struct L3D_PUBLIC l3d_plane_crossing {
     bool from_front; ///< the first point is in front
 };
 
-/// The points p with normal . p + d = 0; points with a positive sum are in front.
+/// A plane with a front and a back: the points p with normal . p + d = 0. Points with a positive
+/// sum are in front.
 ///
 /// Units:   the normal is a unit vector, d the distance from the plane to the origin along it.
 template <class T> struct L3D_PUBLIC l3d_plane {
@@ -39,8 +40,8 @@ template <class T> struct L3D_PUBLIC l3d_plane {
 
     /// The plane through three points which, seen from the front, run clockwise in left-handed axes
     /// and counterclockwise in right-handed ones.
-    /// Errors:  nothing if they lie on a line. That is so if the sine of the angle at p0 is below
-    ///          2^-10, where float's 2^-24 would turn the normal by more than 2^-14.
+    /// Errors:  nothing if the points lie on a line: the sine of the angle at p0 is below 2^-10.
+    ///          Below that, a float's rounding of 2^-24 would turn the normal by more than 2^-14.
     static std::optional<l3d_plane> through(const l3d_point<T>& p0, const l3d_point<T>& p1,
                                             const l3d_point<T>& p2) noexcept {
         // Lengths are taken out first, so that neither large nor small triangles lose bits.
@@ -58,8 +59,8 @@ template <class T> struct L3D_PUBLIC l3d_plane {
         return l3d_dot(normal, p.from_origin) + d;
     }
 
-    /// The crossing of the line through two points.
-    /// Errors:  nothing if it is parallel: if T sees both points equally far away.
+    /// The place where the line through two points crosses the plane.
+    /// Errors:  nothing if the line is parallel: both points have the same distance in T.
     std::optional<l3d_plane_crossing<T>> crossing(const l3d_point<T>& p0,
                                                   const l3d_point<T>& p1) const noexcept {
         const T side0 = side_of_point(p0);
@@ -78,9 +79,9 @@ template <class T> using l3d_position = l3d_vector<T, 2>;
 /// The distance of p to the right of the line from a to b: negative to the left, 0 on the line.
 /// Right is inside of a polygon whose corners run clockwise on the screen.
 ///
-/// Units:   pixels times the length of the way.
-/// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. In floating point
-///          it is computed in double, and exact where the differences and products are.
+/// Units:   pixels times the distance from a to b.
+/// Expects: coordinates less than 2^29 in fixed point, where the sign is exact. Floating point is
+///          computed in double, and the sign is exact where the differences and products are.
 template <class T>
 double l3d_side_2d(const l3d_position<T>& p, const l3d_position<T>& a,
                    const l3d_position<T>& b) noexcept {
@@ -98,7 +99,8 @@ double l3d_side_2d(const l3d_position<T>& p, const l3d_position<T>& a,
     }
 }
 
-/// The position t of the way from p to q, each coordinate between theirs.
+/// The position at the share t of the way from p to q. Each coordinate stays between those of p and
+/// q.
 /// Expects: 0 <= t <= 1.
 template <class T>
 l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
@@ -116,7 +118,7 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
 
 /// The place where the way from p to q crosses the line through a and b, and its share of the way.
 template <class T> struct L3D_PUBLIC l3d_crossing_2d {
-    l3d_position<T> at; ///< the place on both lines
+    l3d_position<T> at; ///< the place of the crossing
     double t;           ///< 0 at p, 1 at q
 };
 
@@ -139,13 +141,12 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
 /// Keeps the part of a convex polygon that is in front of a plane.
 ///
 /// A corner within `thickness` of the plane counts as on it: it is kept, and no edge is cut there.
-/// So a plane through corners cuts between them, and leaves no slivers.
+/// So a plane that passes through corners leaves no slivers.
 /// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
 ///          the vertex where the edge between two vertices crosses the plane; the one in front
-///          comes first. The two polygons of an edge get the same cut, without a crack, if `cut`
-///          depends on these two vertices alone. `kept` gets the corners, in order, and loses its
-///          contents.
-/// Expects: a corner at least.
+///          comes first. If `cut` depends on these two vertices alone, the two polygons of an edge
+///          get the same cut, without a crack. `kept` is emptied, and gets the corners in order.
+/// Expects: at least one corner.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.
 /// Source:  one step of Sutherland and Hodgman's Reentrant Polygon Clipping (1974).

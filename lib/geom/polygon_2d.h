@@ -17,10 +17,11 @@
 #include <utility>
 #include <vector>
 
-/// A fixed part, whose size is given once, and a varying part behind it.
+/// A list with a fixed part, whose size is given once, and a varying part behind it.
 ///
-/// Clipping makes vertices that last for a frame. Drawing finds them by an index like any other.
-/// Several polygons may share a list: the varying part is emptied once per frame, not per polygon.
+/// Clipping adds vertices that last for a frame to the varying part. Drawing finds them by an index
+/// like any other. Several polygons may share a list: the varying part is emptied once per frame,
+/// not per polygon.
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
 /// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
 /// Cost:    no allocation once the largest frame has been seen.
@@ -72,8 +73,8 @@ private:
 
 /// A vertex that many polygons share, and that is moved from its definition in every frame.
 ///
-/// Every frame starts from `original`, so no rounding adds up from frame to frame. The stage is
-/// counted, so a vertex is moved once however many polygons ask for it.
+/// Every frame starts from `original`, so no rounding adds up from frame to frame. Transformations
+/// are numbered stages, so each moves a vertex once, however many polygons ask for it.
 template <class T> struct L3D_PUBLIC l3d_coordinate {
     /// Uninitialised, as a point is.
     l3d_coordinate() = default;
@@ -86,8 +87,9 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transform_stage = 0;
     }
 
-    /// Applies the matrix, unless `stage` was the last stage done. Expects: a stage that is not 0;
-    /// transformations that follow each other have different stages.
+    /// Applies the matrix, unless `stage` was the last stage done.
+    /// Expects: a stage that is not 0; transformations that follow each other have different
+    ///          stages.
     void transform(const l3d_matrix<T>& matrix, int stage) {
         if (transform_stage == stage)
             return;
@@ -97,7 +99,7 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
 
     l3d_point<T> original;    ///< its definition, before any transformation
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
-    /// For programs that need places between the two again, in camera space for example.
+    /// Room for programs that need places between the two again, such as those in camera space.
     std::array<l3d_point<T>, 2> transformed_intermediates;
     int transform_stage = 0; ///< the last stage done; 0 for none
 };
@@ -113,7 +115,7 @@ template <class T> using l3d_vertex_list = l3d_two_part_list<l3d_coordinate<T>>;
 template <class T> class L3D_PUBLIC l3d_vertex_interpolator {
 public:
     /// Begins at `from`; the varying parts are left out.
-    /// Expects: both lists with as many fixed vertices; steps >= 1.
+    /// Expects: both lists have equally many fixed vertices; steps >= 1.
     void start(const l3d_vertex_list<T>& from, const l3d_vertex_list<T>& to, int steps) {
         assert(from.fixed_size() == to.fixed_size() && steps >= 1);
         from_.clear();
@@ -142,7 +144,7 @@ public:
         return position_ < steps_;
     }
 
-    /// The moving vertices, original and transformed alike.
+    /// The moving vertices; `original` and `transformed` are the same place.
     l3d_vertex_list<T>& list() { return list_; }
 
 private:
@@ -179,9 +181,9 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 /// A convex polygon: geometry alone, without looks.
 ///
 /// It knows indices, not vertices. The caller passes the vertices in each call. Another list, such
-/// as the next picture of a movement, gives the same polygon another form. Two index lists: the
-/// definition, which stays, and the clipped one, which is drawn.
-/// Expects: corners in clockwise order on the screen, where y is down; anticlockwise polygons are
+/// as the next picture of a movement, gives the same polygon another form. There are two lists of
+/// indices: the definition, which stays, and the clipped one, which is drawn.
+/// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
 class L3D_PUBLIC l3d_polygon_2d {
@@ -198,15 +200,16 @@ public:
     /// Makes the clipped polygon the whole one again.
     void init_clip_ivertices() { clip_ivertices_ = ivertices_; }
 
-    /// Cuts off what is outside a convex window; false, and no corners, if nothing is left.
+    /// Cuts off the parts outside of a convex window; false, and no corners, if nothing is left.
     ///
-    /// A polygon that only touches the window from outside is outside. Corners keep their order; a
-    /// corner inside or on the edge keeps its index, others are replaced by new vertices in the
+    /// A polygon that only touches the window from outside is outside. Corners keep their order. A
+    /// corner inside or on the edge keeps its index; others are replaced by new vertices in the
     /// varying part. Two polygons with the same two vertices at a cut edge get the same new corner.
     /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
-    ///          order on the screen; l3d_window_corners.
+    ///          order on the screen. l3d_window_corners makes a rectangle.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d expects them.
-    /// Cost:    corners * edges sides; at most two new vertices for each edge of the window.
+    /// Cost:    corners * edges calls of l3d_side_2d; at most two new vertices for each edge of the
+    ///          window.
     template <class Vertex, std::ranges::contiguous_range Window>
     bool clip_to_polygon_2d(l3d_two_part_list<Vertex>& vertices, const Window& window) {
         for (std::size_t i = 0; i < window.size() && !clip_ivertices_.empty(); ++i)

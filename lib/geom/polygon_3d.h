@@ -14,7 +14,7 @@
 
 /// A convex, planar polygon: a list of indices into a list of vertices that it shares with others.
 ///
-/// Shape:   faces are as of l3d_polygon_mesh: the front is where (p1 - p0) x (p2 - p0) points to.
+/// Shape:   as a face of l3d_polygon_mesh: the front is where (p1 - p0) x (p2 - p0) points to.
 /// Expects: three corners or more, each naming a vertex.
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
@@ -42,11 +42,11 @@ template <class T> struct L3D_PUBLIC l3d_polygon_3d {
 };
 
 /// Largest distance at which a vertex counts as on a plane.
-/// Units: world units; the book's value.
+/// Units: world units; the value is that of Lin's book (docs/BOOK.md).
 inline constexpr double l3d_plane_thickness = 0.001;
 
-/// The vertex at distance 0 from a plane, between a vertex in front and one behind; `front_side`
-/// and `behind_side` are their distances.
+/// The place where the edge from `front` to `behind` crosses a plane. `front_side` and
+/// `behind_side` are the signed distances of its ends from the plane.
 template <class T>
 l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, T front_side,
                          T behind_side) noexcept {
@@ -67,9 +67,9 @@ bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T
     return l3d_clip_to_plane(corners, l3d_from_double<T>(l3d_plane_thickness), side, cut, kept);
 }
 
-/// Keeps the part at z >= near_z, exactly: new vertices have this z to the last bit, so that no
-/// quotient by z is larger than at near_z. Errors: false, and `kept` is empty, if nothing is in
-/// front.
+/// Keeps the part of a convex polygon at z >= near_z. New vertices have this z to the last bit, so
+/// that no quotient by z is larger than at near_z.
+/// Errors:  false, and `kept` is empty, if nothing is in front.
 template <class T>
 bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,
                      std::vector<l3d_point<T>>& vertices, std::vector<std::uint32_t>& kept) {

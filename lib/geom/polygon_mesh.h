@@ -20,17 +20,18 @@
 
 /// A picture that a material names, to be laid on faces.
 struct L3D_PUBLIC l3d_mesh_picture {
-    std::string name;       ///< the file's path; of a picture in the model's file, its place there
-    std::string bytes{};    ///< contents of a picture that lies in the model's file
-    bool repeats_u = true;  ///< beyond 0 to 1 in u it comes again; else its border goes on
+    std::string name;       ///< the file's path, or the picture's place in the model's file
+    std::string bytes{};    ///< contents, if the picture lies in the model's file
+    bool repeats_u = true;  ///< whether it repeats beyond 0 to 1 in u; else its border goes on
     bool repeats_v = true;  ///< the same in v
-    bool mirrors_u = false; ///< where it comes again in u, each other time it is turned over
+    bool mirrors_u = false; ///< whether every second repetition in u is mirrored
     bool mirrors_v = false; ///< the same in v
 
     friend bool operator==(const l3d_mesh_picture&, const l3d_mesh_picture&) = default;
 };
 
-/// Vertices, and faces that name them by index, with colours, materials and parts.
+/// A mesh of polygons: vertices, and faces that name them by index, with colours, materials and
+/// parts.
 ///
 /// The arrays are flat, since a million vectors of three indices would cost more for their headers
 /// and allocations than for their contents.
@@ -38,9 +39,9 @@ struct L3D_PUBLIC l3d_mesh_picture {
 ///          So its corners, seen from outside, run counterclockwise in right-handed axes and
 ///          clockwise in left-handed ones. l3d_turn_left_handed goes from one to the other. Arrays
 ///          said to be optional are empty or have the stated size.
-/// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more each with a colour and a material; a
-///          vertex 24. A closed mesh of triangles has half as many vertices as faces: 28 bytes per
-///          face.
+/// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more for a colour and 4 for a material; a
+///          vertex takes 24. A closed mesh of triangles has half as many vertices as faces: 28
+///          bytes per face.
 struct L3D_PUBLIC l3d_polygon_mesh {
     /// A place, or the direction of a normal.
     using vector = l3d_vector<double, 3>;
@@ -53,16 +54,17 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
     std::vector<std::uint32_t> face_ends; ///< per face, the end of its corners in `corners`
 
-    /// Optional, one per vertex, of any length; zero: to be computed from the faces around.
+    /// Optional, one per vertex, of any length. A zero normal is computed from the faces around.
     std::vector<vector> vertex_normals;
     /// Optional, one per vertex, 0x00RRGGBB: their light is blended over faces.
     std::vector<l3d_color> vertex_colors;
-    /// Optional, one per corner: what is seen there of the picture of the face's material.
+    /// Optional, one per corner: the place that is seen there in the picture of the face's
+    /// material.
     std::vector<picture_place> picture_places;
     std::vector<l3d_mesh_picture> pictures;    ///< pictures that l3d_material::picture names
     std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
-    std::vector<std::string> materials;        ///< names
+    std::vector<std::string> materials;        ///< names of the materials
     std::vector<l3d_material> looks;           ///< optional, one per name: the look of the material
     std::vector<l3d_part_run> parts;           ///< optional, in the order of their first faces
 
@@ -87,32 +89,34 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Errors: as index_of.
     void end_face() { face_ends.push_back(index_of(corners.size())); }
 
-    /// A number of corners or vertices as the arrays hold it, in 32 bits.
+    /// Checks that a number of corners or vertices fits the 32 bits in which the arrays hold it.
     /// Errors: std::length_error if it is larger.
     static std::uint32_t index_of(std::size_t number);
 
-    /// Twice the area of a face, times its normal. Any corner may be concave. Counted from the
-    /// first corner: far from the origin the products would cancel. Expects: three corners or more.
+    /// Twice the area of a face, times its unit normal. Any corner may be concave. Places are taken
+    /// relative to the first corner, since far from the origin the products would cancel.
+    /// Expects: three corners or more.
     /// Source: Newell's sum over the sides.
     vector area_vector(std::span<const std::uint32_t> face) const;
 
     /// Makes two triangles of each face of four corners two of whose sides cross, as in a bow tie.
-    /// They meet in a new vertex, and both face the same way as the first.
+    /// The triangles meet in a new vertex at the crossing, and face the same way.
     /// Errors: as index_of.
     void uncross_faces();
 
-    /// Adds the vertices and faces of another mesh. If just one mesh has normals of vertices, the
-    /// other's are zero. Faces keep their colours and materials; faces without any, beside others,
-    /// get white and a material without a name. Parts keep their faces. Errors: as index_of, and
-    /// nothing is changed.
+    /// Adds the vertices and faces of another mesh. If only one mesh has vertex normals, those of
+    /// the other are zero. Faces keep their colours, materials and parts. Where only some faces
+    /// have a colour or material, others get white or a material without a name.
+    /// Errors: as index_of, and nothing is changed.
     void append(const l3d_polygon_mesh& more);
 
-    /// The look of a face: its material, if that has a look, in the product of its colours.
+    /// The look of a face: that of its material, or a plain one. Its colour is multiplied by the
+    /// face's colour, if there is one.
     /// Expects: face < faces().
     l3d_material look_of(std::size_t face) const;
 
-    /// Whether every index names something, every face has three corners or more, every coordinate
-    /// and place in a picture is finite and every optional array has its size.
+    /// Whether every index names something, every face has three corners or more, and every
+    /// optional array has its size. Coordinates and places in pictures must be finite.
     bool is_valid() const;
 
     /// Bytes of memory in use by the arrays, names left out.
@@ -131,14 +135,14 @@ enum class L3D_PUBLIC l3d_cut_end {
     capped, ///< a face closes each loop of cut edges
 };
 
-/// The half of a mesh in front of a plane, as a mesh of its own.
+/// Returns the part of a mesh in front of a plane, as a new mesh.
 ///
-/// Neighbours share the vertices of the edges that are cut, vertices that no face uses are left
-/// out, and faces keep colour, material and named part, but no look and no picture. A cap takes
-/// colour and material from the first face that was cut in its loop. The other half is that in
-/// front of plane.flipped(). Shape:   vertices keep their order, and new ones follow. Faces keep
-/// their order, too. Caps come
-///          last, and so belong to the last named part.
+/// Faces that meet at a cut edge share its new vertex. Vertices that no face uses are left out.
+/// Faces keep their colour, material and named part; looks and pictures are dropped. A cap takes
+/// colour and material from one of the cut faces around it. Call it with plane.flipped() for the
+/// other half.
+/// Shape:   vertices and faces keep their order; new vertices follow. Caps come last, in the last
+///          run of parts.
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop
 ///          inside another.
 /// Cost:    memory for one entry per cut edge.
@@ -152,9 +156,9 @@ enum class L3D_PUBLIC l3d_model_up {
     z, ///< as in 3D Studio's and Videoscape's
 };
 
-/// Turns right-handed axes into left-handed ones with y up, so that the model is no mirror image: y
-/// and z change places, or z is negated if y is up already. The corners of each face are reversed,
-/// so that its outside stays the outside.
+/// Turns a mesh from right-handed axes into left-handed ones with y up, so that it is no mirror
+/// image. y and z change places; if y is up already, z is negated instead. The corners of each face
+/// are reversed, so that its outside stays the outside.
 L3D_PUBLIC void l3d_turn_left_handed(l3d_polygon_mesh& mesh, l3d_model_up up = l3d_model_up::z);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.

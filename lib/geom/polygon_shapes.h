@@ -13,7 +13,7 @@
 L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2,
                                            double minor = 0.8);
 
-/// A sphere about the origin, poles on the z axis: 2 around (rows - 1) triangles.
+/// A sphere about the origin, poles on the z axis, of 2 * around * (rows - 1) triangles.
 /// Expects: around >= 3, rows >= 2; radius > 0.
 L3D_PUBLIC l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
 
@@ -28,10 +28,11 @@ L3D_PUBLIC l3d_polygon_mesh l3d_cylinder_mesh(int around, double radius = 1, dou
 /// Expects: around >= 3; radius, height > 0.
 L3D_PUBLIC l3d_polygon_mesh l3d_cone_mesh(int around, double radius = 1, double height = 2);
 
-/// The book's pyramid: three edges of length 10 from the origin along the axes, four faces.
+/// The pyramid of Lin's book (docs/BOOK.md): three edges of length 10 from the origin along the
+/// axes, four faces.
 L3D_PUBLIC l3d_polygon_mesh l3d_pyramid_mesh();
 
-/// The height field z = height(x, y) over [-1, 1] squared: 2 cells^2 triangles.
+/// The height field z = height(x, y) over [-1, 1] squared, of 2 * cells^2 triangles.
 /// Expects: cells >= 1.
 template <class Height> l3d_polygon_mesh l3d_grid_mesh(int cells, Height height) {
     l3d_polygon_mesh mesh;

@@ -17,9 +17,9 @@ struct l3d_sort_item {
 
 /// Sorts by rising key; items of equal keys keep their order.
 ///
-/// Least significant digit first, three digits of 11 bits: 2^11 counters of 4 bytes each, 24 KB in
-/// all, stay in the first level cache of 32 KB. All digits are counted in one pass; a digit in
-/// which all keys agree costs no pass of its own.
+/// The least significant of three digits of 11 bits comes first. Their counters, 2^11 of 4 bytes
+/// for each, take 24 KB in all and stay in the first level cache of 32 KB. All digits are counted
+/// in one pass; a digit in which all keys agree costs no pass of its own.
 /// Cost:    linear: one pass to count, at most three to move. `other` is room for intermediate
 ///          results and keeps its memory; its contents mean nothing afterwards.
 inline void l3d_radix_sort(std::vector<l3d_sort_item>& items, std::vector<l3d_sort_item>& other) {

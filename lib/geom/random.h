@@ -9,12 +9,12 @@
 #include <cassert>
 #include <cstdint>
 
-/// A sequence of numbers from a seed. The distributions of the C++ library would differ between
-/// implementations, and with them every picture made from a seed.
+/// A sequence of random numbers from a seed, the same with every implementation of C++. The
+/// distributions of the C++ library would differ, and with them every picture made from a seed.
 ///
-/// Cost:    a product, an addition, a few shifts; 16 bytes. The period is 2^64.
-/// Source:  O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms
-///          for Random Number Generation (2014), the member XSH-RR 64/32.
+/// Cost:    a product, an addition, a few shifts; 8 bytes. The period is 2^64.
+/// Source:  O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for
+///          Random Number Generation (2014), the member XSH-RR 64/32.
 class L3D_PUBLIC l3d_random {
 public:
     /// The sequence that belongs to the seed, from its beginning.

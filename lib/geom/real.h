@@ -18,11 +18,11 @@
 // of them: so objects for another number type do not link. The pointers have names of their own,
 // else the linker would keep one and drop the reference of the others.
 #if defined(L3D_REAL_FLOAT)
-/// The number type of this build. A program is compiled with the library's.
+/// The number type of this build. A program must be compiled with the same type as the library.
 using l3d_real = float;
-/// Defined in libraries built for float alone.
+/// A symbol that only libraries built for float define.
 L3D_PUBLIC extern const char l3d_built_with_float_real;
-/// Makes programs for float refer to it, so that they link with no other library.
+/// Makes every program for float refer to that symbol, so that it links with no other library.
 [[gnu::used]] inline constexpr const char* l3d_needs_float_real = &l3d_built_with_float_real;
 #elif defined(L3D_REAL_DOUBLE)
 using l3d_real = double;
@@ -39,14 +39,15 @@ L3D_PUBLIC const char* l3d_real_name();
 
 /// The properties of a number type that algorithms need: conversions, and bounds of its rounding.
 ///
-/// Units: an operation on x errs by at most unit_roundoff * |result| + half_ulp, in range.
+/// Units: an operation whose result is in range errs by at most unit_roundoff * |result| +
+///        half_ulp.
 template <class T> struct l3d_real_traits;
 
-/// Floating point numbers: rounding is in proportion to the result.
+/// The properties of floating point numbers, whose rounding is in proportion to the result.
 template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double unit_roundoff =
         sizeof(T) == 4 ? 0x1p-24 : 0x1p-53; ///< largest relative error of an operation
-    static constexpr double half_ulp = 0;   ///< largest absolute error beside that
+    static constexpr double half_ulp = 0;   ///< largest absolute error besides
 
     /// The nearest number of this type.
     static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }
@@ -54,7 +55,7 @@ template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double to_double(T value) noexcept { return value; }
 };
 
-/// Fixed point numbers: rounding is the same everywhere.
+/// The properties of fixed point numbers, whose rounding is the same everywhere.
 template <class Storage, int FractionBits, l3d_overflow Overflow>
 struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     /// The number type itself.
@@ -66,21 +67,22 @@ struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
 
     /// The nearest number of this type.
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }
-    /// The number, to 53 bits.
+    /// The number, rounded to 53 bits.
     static constexpr double to_double(fixed value) noexcept { return static_cast<double>(value); }
 };
 
-/// A number of any type as a double, as l3d_real_traits does it.
+/// Converts a number of any type to double, by l3d_real_traits.
 template <class T> constexpr double l3d_to_double(T value) noexcept {
     return l3d_real_traits<T>::to_double(value);
 }
 
-/// A double as a number of any type, as l3d_real_traits does it.
+/// Converts a double to a number of any type, by l3d_real_traits.
 template <class T> constexpr T l3d_from_double(double value) noexcept {
     return l3d_real_traits<T>::from_double(value);
 }
 
-/// (a + b) / 2, the same for (b, a). Expects: a + b finite.
+/// The midpoint (a + b) / 2, rounded; the same bits if a and b are exchanged.
+/// Expects: a + b is finite.
 template <std::floating_point T> constexpr T l3d_midpoint(T a, T b) noexcept {
     return (a + b) / 2;
 }

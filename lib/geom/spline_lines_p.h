@@ -15,7 +15,8 @@ namespace l3d_detail {
 using weighted = l3d_vector<double, 4>;
 using spline_line = std::vector<weighted>;
 
-/// The span of different knots that holds t; of two, the later one, unless t is the end.
+/// The index of the span between different knots that holds t. At a knot it is the later span, at
+/// the end of the range the last one.
 /// Expects: knots[degree] <= t <= knots[points()].
 inline std::size_t span_of(const l3d_bspline_direction& d, double t) {
     auto span = static_cast<std::size_t>(d.degree);
@@ -25,9 +26,9 @@ inline std::size_t span_of(const l3d_bspline_direction& d, double t) {
     return span;
 }
 
-/// A derivative of the spline at t, of any order. `at` gives its control points by their index.
-/// Source: de Boor, A Practical Guide to Splines, chapter X: the derivative's control points are
-///         m (p_j - p_(j-1)) / (t_(j+m) - t_j), and its degree is m - 1.
+/// The derivative of a spline at t, of any order. `at` gives its control points by their index.
+/// Source: de Boor, A Practical Guide to Splines, chapter X: the derivative's control points are m
+///         (p_j - p_(j-1)) / (t_(j+m) - t_j), and its degree is m - 1.
 template <class At>
 weighted spline_derivative(const l3d_bspline_direction& d, double t, int order, const At& at) {
     const std::size_t span = span_of(d, t);
@@ -53,8 +54,8 @@ weighted spline_derivative(const l3d_bspline_direction& d, double t, int order, 
     return p.back();
 }
 
-/// The control points once the knot t is there once more.
-/// Expects: knots[degree] <= t < knots[points()], and t less often than the degree.
+/// The control points of a spline after the knot t is inserted once.
+/// Expects: knots[degree] <= t < knots[points()], where t is listed less than `degree` times.
 /// Source:  Boehm, Inserting new knots into B-spline curves, CAD 12, 1980.
 template <class At> spline_line with_knot(const l3d_bspline_direction& d, double t, const At& at) {
     const auto n = static_cast<std::size_t>(d.degree);
@@ -73,7 +74,7 @@ template <class At> spline_line with_knot(const l3d_bspline_direction& d, double
     return result;
 }
 
-/// The direction once the knot t is there once more. Expects: as with_knot.
+/// The knots after the knot t is inserted once. Expects: t as for the control points.
 inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
     const auto place = static_cast<std::ptrdiff_t>(span_of(d, t) + 1);
     d.knots.insert(d.knots.begin() + place, t);
@@ -83,7 +84,8 @@ inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
 /// Why the knot t cannot be inserted; "" if it can.
 std::string knot_complaint(const l3d_bspline_direction& d, double t);
 
-/// Why these are no control points; "" if they are. `weights` may be empty.
+/// Why these cannot be `wanted` control points and their weights; "" if they can. `weights` may be
+/// empty.
 std::string points_complaint(const std::vector<l3d_vector<double, 3>>& points,
                              const std::vector<double>& weights, std::size_t wanted);
 

@@ -11,8 +11,8 @@
 #include <optional>
 #include <span>
 
-/// A homogeneous image point (x, y, w): the pixel is (x / w, y / w), counted from the picture's
-/// centre; w > 0 is the distance along the view axis (times a constant).
+/// A homogeneous image point (x, y, w). The pixel is (x / w, y / w), counted from the picture's
+/// centre. w > 0 is the distance along the view axis (times a constant).
 using l3d_image_point = l3d_vector<double, 3>;
 using l3d_image_curve = l3d_bezier_curve<double, 3>;
 using l3d_image_patch = l3d_bezier_patch<double, 3>;
@@ -51,8 +51,8 @@ l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
 
-/// A net that finds its depth range and its box at the first question, once.
-/// Expects: its points stay as they were then.
+/// A control net that keeps its depth range and its box once they are asked for.
+/// Expects: its points do not change afterwards.
 class l3d_image_net : public l3d_image_patch {
 public:
     l3d_image_net() = default;
@@ -70,18 +70,21 @@ private:
     mutable std::optional<l3d_image_box> box_;
 };
 
-/// Largest distances, in |x| or |y|, of neighbouring control points' places in the picture, along u
-/// and along v. Expects: every w > 0. Units: pixels.
+/// Largest distances in the picture between neighbouring control points, along u and along v. A
+/// distance is the larger one of those in x and in y.
+/// Expects: every w > 0.
+/// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
-/// Bounds of second derivatives as seen in the image, for steps of the piece's own parameters.
+/// Bounds of a piece's second derivatives as seen in the image, by the piece's own parameters. They
+/// bound the error of drawing it in straight steps.
 ///
-/// The interpolant L of homogeneous points is drawn instead of the surface, and its image X0 lies
+/// Instead of the surface, the interpolant L of homogeneous points is drawn, whose image X0 lies
 /// inside `visible`. With S = (x, y, w) the exact point of the same parameters,
 ///     S / w - X0 = (x - X0 w) / w = ((x - Lx) - X0 (w - Lw)) / w,
-/// and linear interpolation over a step h leaves |f - Lf| <= h^2 / 8 max |f''|. f'' of a cubic
-/// is 6 times a convex combination of second differences of control points (9 times for the
-/// mixed derivative), so
+/// and linear interpolation over a step h leaves |f - Lf| <= h^2 / 8 max |f''|. For a cubic, f'' is
+/// 6 times a convex combination of second differences of control points (9 times for the mixed
+/// derivative), so
 ///     uu = 6 max ( |D2 (x, y) - C D2 w| + r |D2 w| ) / w_low
 /// with C, r the centre and half diagonal of `visible`, in which X0 lies.
 /// Units:  pixels.
@@ -105,40 +108,44 @@ struct l3d_second_bounds {
     }
 };
 
-/// Bounds of mixed third and fourth derivatives in the image, likewise: 18 and 36 times the largest
-/// differences of the control points.
+/// Bounds of mixed third and fourth derivatives as seen in the image. They are derived like
+/// l3d_second_bounds: 18 and 36 times the largest differences of the control points.
 struct l3d_mixed_bounds {
     double uuv = 0, uvv = 0, uuvv = 0;
 };
 l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                      double w_low);
 
+/// The bounds of a patch's second derivatives.
 /// Expects: w_low > 0, a lower bound of w wherever something is drawn; `visible` not empty.
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low);
 
-/// The same for a curve: its chord over a step 1/n errs by at most result / (8 n^2).
+/// The bound of a curve's second derivative as seen in the image: a chord over a step 1/n errs by
+/// at most result / (8 n^2).
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);
 
-/// The same for a chord's distance from its curve in space, across the curve's own direction. The
-/// distance along the normal of any surface through the curve is no larger. Units: pixels at w_low;
-/// `focal` of them make a length of 1 at distance 1.
+/// The bound of a curve's second derivative in space, across the curve's own direction. A chord
+/// over a step 1/n lies within result / (8 n^2) of the curve. The chord's distance along the normal
+/// of any surface through the curve is no larger.
+/// Units: pixels at w_low; `focal` of them make a length of 1 at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
 
-/// The change of w between a patch (curve) and its interpolant, per squared step: at most
-/// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv). Units: those of w.
+/// Bounds of the difference of w between a patch or curve and its interpolant, which is at most
+/// (result.uu / nu^2 + result.vv / nv^2) / 8 + result.uv / (4 nu nv).
+/// Units: those of w.
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 
-/// The move of balanced vertices off a curve f that is drawn in n >= 2 chords of h = 1 / n.
-/// Vertices between its ends are moved by h^2 f'' times this, to the outer side, so that chords err
-/// to both sides.
+/// The factor that moves balanced vertices off a curve f, which is drawn in n >= 2 chords. Vertices
+/// between its ends are moved by this times h^2 f'', h = 1 / n, to the outer side. So chords err to
+/// both sides.
 ///
-/// With y the share of h^2 f'' by which a chord's two ends are moved, it errs at s of its length by
-///     h^2 f'' ( s (1 - s) / 2 - y ),   between h^2 f'' / 8 - y and -y
-/// where both ends are moved, and at most h^2 f'' (1/2 - y)^2 / 2 where one end is not, as at the
-/// curve's ends. (1/2 - y)^2 / 2 = y has the root (3 - sqrt 8) / 2: then neither is larger than y.
+/// Let y be the factor. Where both ends of a chord are moved, it errs at s of its length by
+///     h^2 f'' ( s (1 - s) / 2 - y ),   from -y to 1/8 - y times h^2 f''.
+/// Where one end is not moved, as at the curve's ends, it errs by at most (1/2 - y)^2 / 2 times
+/// h^2 f''. (1/2 - y)^2 / 2 = y has the root (3 - sqrt 8) / 2: then neither error is larger than y.
 /// Where f'' changes along the chord, |f - Lf| is at most the sum of two weights times |f''| at
 /// both ends, and that sum is no larger.
 inline constexpr double l3d_balance = 0.0857864376269049512;
@@ -158,8 +165,8 @@ inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.
 l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n);
 
-/// Image error of a vertex whose homogeneous coordinates err by e_xy (each of x, y) and e_w: in
-/// each image coordinate X at most (e_xy + |X| e_w) / (w - e_w), sqrt(2) times that in all.
+/// Bound of the image error of a vertex whose x and y err by e_xy each, and w by e_w. Each image
+/// coordinate X errs by at most (e_xy + |X| e_w) / (w - e_w), so the vertex by sqrt(2) times that.
 /// Units:   reach: pixels, at least the largest |X|, as l3d_image_box::reach gives it.
 /// Expects: e_w < w_least.
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);

@@ -12,8 +12,8 @@
 /// Source: Newell 1975, in Crow, The Origins of the Teapot, IEEE CG&A 7, 1987.
 std::string_view l3d_teapot_bpt();
 
-/// Its parts, in the order of its patches: body, handle, spout and lid. The rim belongs to the
-/// body.
+/// The teapot's parts, in the order of its patches: body, handle, spout and lid. The rim belongs to
+/// the body.
 std::vector<l3d_part_run> l3d_teapot_parts();
 
 #endif

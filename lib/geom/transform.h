@@ -21,8 +21,8 @@
 /// A place, held as its displacement from the origin.
 ///
 /// The difference of two points is a vector, and a point moved by a vector is a point. Operations
-/// without a meaning (the sum of two points, a vector minus a point) do not compile. The fourth
-/// coordinate of the book, 1 for points and 0 for vectors, is the type itself.
+/// without a meaning (the sum of two points, a vector minus a point) do not compile. So the type
+/// takes the place of the fourth homogeneous coordinate, 1 for points and 0 for vectors.
 template <class T> struct L3D_PUBLIC l3d_point {
     /// A difference of two points.
     using vector = l3d_vector<T, 3>;
@@ -108,7 +108,7 @@ template <class T> l3d_matrix<T> l3d_scaling(double x, double y, double z) noexc
 
 namespace l3d_detail {
 
-/// Turns the plane of the axes `from` and `to`, the first towards the second.
+/// The map that turns the plane of the axes `from` and `to`, the first towards the second.
 template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexcept {
     const l3d_turn turn = l3d_turn_by(degrees);
     l3d_matrix<T> m = l3d_identity<T>();
@@ -120,18 +120,18 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// Turns about the x axis, y towards z. Let a thumb point along the axis: of the left hand if the
-/// axes are left-handed, else of the right hand. The turn is in the direction in which its fingers
-/// bend.
+/// The map that turns about the x axis, y towards z. Let a thumb point along the axis: of the left
+/// hand if the axes are left-handed, else of the right hand. The map turns the way that hand's
+/// fingers bend.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);
 }
-/// Turns about the y axis, z towards x, as l3d_rotation_x says. Units: degrees.
+/// The map that turns about the y axis, z towards x, as l3d_rotation_x says. Units: degrees.
 template <class T> l3d_matrix<T> l3d_rotation_y(double degrees) noexcept {
     return l3d_detail::turning<T>(2, 0, degrees);
 }
-/// Turns about the z axis, x towards y, as l3d_rotation_x says. Units: degrees.
+/// The map that turns about the z axis, x towards y, as l3d_rotation_x says. Units: degrees.
 template <class T> l3d_matrix<T> l3d_rotation_z(double degrees) noexcept {
     return l3d_detail::turning<T>(0, 1, degrees);
 }
@@ -143,8 +143,8 @@ l3d_matrix<T> l3d_about(const l3d_point<double>& centre, const l3d_matrix<T>& m)
            l3d_translation<T>(-centre[0], -centre[1], -centre[2]);
 }
 
-/// The matrix whose columns are three axes and an origin: it leads from their coordinates to the
-/// ones in which all four are given.
+/// The matrix whose columns are three axes and an origin. It takes coordinates along these axes to
+/// the system in which axes and origin are given.
 template <class T>
 l3d_matrix<T> l3d_from_axes(const l3d_vector<T, 3>& x, const l3d_vector<T, 3>& y,
                             const l3d_vector<T, 3>& z, const l3d_point<T>& origin) noexcept {
@@ -169,8 +169,8 @@ template <class T> l3d_matrix<T> l3d_transposed(const l3d_matrix<T>& m) noexcept
 
 namespace l3d_detail {
 
-/// Gauss and Jordan's elimination with the rows brought to a largest entry of 1 first, and pivots
-/// sought down the column. The rest is the inverse; the determinant is found on the way.
+/// Inverts a matrix and finds its determinant, by Gauss-Jordan elimination. Each row is first
+/// scaled to a largest entry of 1, and pivots are sought down the column.
 class elimination {
 public:
     template <class T> explicit elimination(const l3d_matrix<T>& m) {
@@ -235,8 +235,8 @@ private:
 
 } // namespace l3d_detail
 
-/// The factor by which volumes grow, negative if they are mirrored; 0 for a matrix that
-/// l3d_inverted calls singular.
+/// The determinant: the factor by which an affine map multiplies volumes, negative if it mirrors. 0
+/// for a matrix that l3d_inverted calls singular.
 template <class T> double l3d_determinant(const l3d_matrix<T>& m) noexcept {
     return l3d_detail::elimination(m).determinant();
 }
@@ -244,7 +244,7 @@ template <class T> double l3d_determinant(const l3d_matrix<T>& m) noexcept {
 /// The matrix that undoes m.
 ///
 /// Errors:  nothing if m is singular, or so near to it that rounding decides.
-/// Cost:    in double for every T, then rounded.
+/// Cost:    computed in double for every T, then rounded.
 template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>& m) noexcept {
     const l3d_detail::elimination done(m);
     if (!done.regular())
@@ -256,9 +256,9 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
     return result;
 }
 
-/// m with axes of length 1 at right angles: the first keeps its direction, the second its side of
-/// the first. This undoes the rounding of long products of turns. Column 3, the origin, and row 3
-/// stay.
+/// Makes the axes of m, its first three columns, unit vectors at right angles. This undoes the
+/// rounding of long products of turns. The first axis keeps its direction, and the second its side
+/// of the first. Column 3, the origin, and row 3 stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.
@@ -291,8 +291,8 @@ std::optional<l3d_matrix<T>> l3d_orthonormalized(const l3d_matrix<T>& m) noexcep
     return result;
 }
 
-/// From coordinates of the system `from` to those of the system `to`, each given by the matrix
-/// that leads from it to the world.
+/// The matrix that takes coordinates of the system `from` to those of the system `to`. Each system
+/// is given by the matrix that leads from it to the world.
 /// Errors:  nothing if `to` is singular.
 template <class T>
 std::optional<l3d_matrix<T>> l3d_coordinate_change(const l3d_matrix<T>& from,
@@ -303,29 +303,29 @@ std::optional<l3d_matrix<T>> l3d_coordinate_change(const l3d_matrix<T>& from,
     return *back * from;
 }
 
-/// m applied to a point, without division. Expects: the last row of m is 0 0 0 1.
+/// Applies m to a point, without a division by w. Expects: the last row of m is 0 0 0 1.
 template <class T>
 l3d_point<T> l3d_transformed(const l3d_matrix<T>& m, const l3d_point<T>& p) noexcept {
     const auto moved = m * l3d_vector<T, 4>(p[0], p[1], p[2], l3d_from_double<T>(1));
     return {moved[0], moved[1], moved[2]};
 }
 
-/// m applied to a displacement, which no translation changes.
+/// Applies m to a displacement, which no translation changes.
 template <class T>
 l3d_vector<T, 3> l3d_transformed(const l3d_matrix<T>& m, const l3d_vector<T, 3>& v) noexcept {
     const auto moved = m * l3d_vector<T, 4>(v[0], v[1], v[2], l3d_from_double<T>(0));
     return {moved[0], moved[1], moved[2]};
 }
 
-/// The point that homogeneous coordinates stand for. Errors: nothing if w is 0: a direction.
+/// The point that homogeneous coordinates stand for. Errors: nothing for a direction, whose w is 0.
 template <class T> std::optional<l3d_point<T>> l3d_homogenized(const l3d_vector<T, 4>& p) noexcept {
     if (p[3] == l3d_from_double<T>(0))
         return std::nullopt;
     return l3d_point<T>(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-/// The unit normal of a plane after m, by the inverse transpose of m: it stays perpendicular,
-/// however unequally m scales.
+/// The unit normal of a plane that m has moved. It is found by the inverse transpose of m, which
+/// keeps it perpendicular however unequally m scales.
 /// Errors:  nothing if m is singular.
 template <class T>
 std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,

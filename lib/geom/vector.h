@@ -14,14 +14,14 @@
 #include <cstdint>
 #include <type_traits>
 
-/// N components of type T, a vector of GLM: v[i] or v.x, v.y, v.z, v.w; +, -, * and / by a number,
-/// ==, all of glm:: that takes vectors, and the functions below.
+/// A vector of N components of type T, which is GLM's own type: v[i] or v.x, v.y, v.z, v.w; +, -, *
+/// and / by a number, ==. All functions of glm:: that take vectors take it, and so do those below.
 ///
-/// Shape:   2 <= N <= 4. Nothing but the numbers, one after another. Uninitialised, as a number is;
-///          l3d_vector<T, N>{} is all zero.
+/// Shape:   2 <= N <= 4. It holds nothing but the numbers, one after another. It is uninitialised,
+///          as a number is; l3d_vector<T, N>{} is all zero.
 ///
-/// Fixed point has GLM's layout and operators. GLM's functions would round each product by itself,
-/// so only those below are for it.
+/// Fixed point has GLM's layout and operators, but only the functions below. GLM's functions would
+/// round each product by itself.
 template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 
 /// The opposite vector. GLM's own operator needs numbers that an int converts to implicitly.
@@ -33,7 +33,9 @@ operator-(const l3d_vector<l3d_fixed<Storage, Fraction, Overflow>, 4>& v) noexce
 
 namespace l3d_detail {
 
-/// floor(sqrt(value)). Cost: some 7 divisions. Source: Newton's iteration, from above.
+/// The square root, rounded down to a whole number.
+/// Cost: some 7 divisions.
+/// Source: Newton's iteration, from above.
 template <class Unsigned> constexpr Unsigned integer_root(Unsigned value) noexcept {
     if (value == 0)
         return 0;
@@ -49,7 +51,7 @@ template <class Unsigned> constexpr Unsigned integer_root(Unsigned value) noexce
     }
 }
 
-/// The Euclidean length of raw numbers, to nearest. Expects: N <= 4, each square fits Wide.
+/// The Euclidean length of raw numbers, rounded to nearest. Expects: N <= 4, each square fits Wide.
 template <class Wide, int N> constexpr Wide raw_length(const Wide (&raw)[N]) noexcept {
     using wide_unsigned = std::conditional_t<sizeof(Wide) == 8, std::uint64_t, uint128>;
     wide_unsigned squares = 0;
@@ -102,7 +104,7 @@ l3d_vector<T, 3> l3d_cross(const l3d_vector<T, 3>& a, const l3d_vector<T, 3>& b)
     }
 }
 
-/// The Euclidean length. Fixed point rounds the root, nothing before it.
+/// The Euclidean length. Fixed point rounds only the root.
 template <class T, int N> T l3d_length(const l3d_vector<T, N>& v) noexcept {
     if constexpr (l3d_is_fixed<T>) {
         using storage = typename T::storage;
@@ -144,7 +146,7 @@ template <class T, int N> l3d_vector<T, N> normalized_fixed(const l3d_vector<T, 
 
 } // namespace l3d_detail
 
-/// v divided by its length; a vector of length zero is returned as it is.
+/// The unit vector along v; a vector of length zero is returned as it is.
 ///
 /// Expects: in floating point, that the squares of the components neither overflow nor vanish.
 ///          Fixed point has no such limit, and short vectors lose no accuracy.

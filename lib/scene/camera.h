@@ -18,11 +18,11 @@ class l3d_patch_scene;
 /// 1 / distance in a float, which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
-/// The largest x, y and z of an eye. The largest models reach to 1e12 there, and are seen from
-/// outside, also with a narrow field of view.
+/// The largest magnitude of an eye's coordinates. The largest models reach to 1e12, and are still
+/// seen from outside, also with a narrow field of view.
 inline constexpr double l3d_farthest_eye = 1e15;
 
-/// Least sine of the angle between `up` and the line of sight: below, rounding alone would turn the
+/// Least sine of the angle between `up` and the line of sight. Below, rounding alone would turn the
 /// picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
@@ -40,7 +40,7 @@ struct L3D_PUBLIC l3d_upright {
     /// Expects: a direction of any length but zero, finite.
     explicit l3d_upright(const vector& upwards);
 
-    /// The sum of so many steps along each.
+    /// The vector with these lengths along right, up and front.
     vector at(double rightwards, double upwards, double forwards) const {
         return right * rightwards + up * upwards + front * forwards;
     }
@@ -49,11 +49,11 @@ struct L3D_PUBLIC l3d_upright {
 /// The kind of projection.
 enum class L3D_PUBLIC l3d_projection {
     perspective, ///< things twice as far are half as large
-    parallel, ///< sizes as perspective has them at the camera's target; nothing is behind the eye
+    parallel,    ///< sizes are those of perspective at the target; nothing is behind the eye
 };
 
-/// A camera in a right-handed world with y up, looking along target - eye. Unless a
-/// program places it, it looks at the origin from one unit in front.
+/// A camera in a right-handed world with y up, looking along target - eye. Unless a program places
+/// it, it looks at the origin from one unit in front.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
 /// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near_z < far_z.
@@ -84,10 +84,10 @@ struct L3D_PUBLIC l3d_camera {
     /// Sine of the angle between `up` and the line of sight.
     double up_sine() const;
 
-    /// Why this camera defines no picture, naming the value at fault; "" if it does. It asks for
-    /// finite numbers, the eye within l3d_farthest_eye, the target within 1e12, the two not in one
-    /// place, up_sine() at least l3d_least_up_sine, 0 < fov < 180, l3d_least_distance <= near_z
-    /// < far_z.
+    /// Why this camera defines no picture, naming the value at fault; "" if it does. A valid camera
+    /// has finite numbers, the eye within l3d_farthest_eye, the target within 1e12 and not at the
+    /// eye, and up_sine() at least l3d_least_up_sine. It has 0 < fov < 180 and
+    /// l3d_least_distance <= near_z < far_z.
     std::string complaint() const;
 
     /// Whether complaint() is empty.
@@ -99,7 +99,7 @@ struct L3D_PUBLIC l3d_camera {
     /// Pixels per world unit at distance 1 in perspective.
     double focal_length(l3d_size size) const;
 
-    /// Pixels per world unit at the target. In a parallel projection it is so everywhere.
+    /// Pixels per world unit at the target. In a parallel projection they are the same everywhere.
     double scale_at_target(l3d_size size) const;
 
     /// World (x, y, z, 1) to homogeneous image (x, y, 0, w). The pixel is the picture's centre plus
@@ -107,17 +107,20 @@ struct L3D_PUBLIC l3d_camera {
     /// projection.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
-    /// Turns eye and up about the target. Units: degrees, about the up axis and the right axis.
+    /// Turns the eye about the target: first around `up`, then around the axis to the right. A turn
+    /// that would end nearly along `up` is left out.
+    /// Units: degrees.
     void orbit(double around_up, double around_right);
 
-    /// Moves the eye towards the target: distance times `factor`. Expects: factor > 0.
+    /// Multiplies the eye's distance from the target by `factor`. Expects: factor > 0.
     void approach(double factor) { approach(factor, target); }
 
-    /// Moves eye and target towards a place: both distances times `factor`. The place stays where
-    /// it is in the picture. Expects: factor > 0.
+    /// Multiplies the distances of eye and target from a place by `factor`. The place stays where
+    /// it is in the picture.
+    /// Expects: factor > 0.
     void approach(double factor, const vector& place);
 
-    /// Moves eye and target alike. Units: world.
+    /// Moves eye and target by the same vector. Units: world.
     void move(const vector& by) {
         eye += by;
         target += by;
@@ -127,12 +130,13 @@ struct L3D_PUBLIC l3d_camera {
     double depth_of(const vector& place) const;
 
     /// The place that is seen at the position (x, y) of a picture at this distance along the view
-    /// axis. Units: pixels from the picture's left upper corner, where a pixel's middle is at 1/2.
+    /// axis.
+    /// Units: pixels from the picture's left upper corner, where a pixel's middle is at 1/2.
     vector place_at(double x, double y, double depth, l3d_size size) const;
 };
 
-/// The reach of a thing along a direction: the largest dot product of the direction with any of its
-/// points; minus infinity without points.
+/// A function for the reach of a thing along a direction: the largest dot product of the direction
+/// with any of its points. Without points it is minus infinity.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
 /// The reach of the surfaces of a scene, not of their control points. It is too large by at most
@@ -144,19 +148,20 @@ L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 /// The part of a picture's width or height that a framed model fills. The rest is room to turn it.
 inline constexpr double l3d_framed_share = 0.85;
 
-/// The camera that shows all of a model in a picture of that size, seen along the same line of
-/// sight, with the same `up` and `fov`. It fills l3d_framed_share of the width or of the height,
-/// and no more of the other. The target is in the middle of the model's depth. `near_z` becomes
-/// smaller if the model is too small or near for it.
+/// The camera that shows all of a model in a picture of that size. It keeps the line of sight's
+/// direction, `up` and `fov`. The model fills l3d_framed_share of the width or of the height, and
+/// no more of the other. The target is in the middle of the model's depth. `near_z` becomes smaller
+/// if the model is too small or near for it.
 ///
-/// In a parallel projection, the distance of the target decides on sizes.
+/// In a parallel projection, the eye's distance from the target sets the scale.
 /// Expects: a valid camera.
-/// Errors:  none: the camera stays as it is if there is nothing to show, and an eye
-///          that would be farther than l3d_farthest_eye from the origin stays within.
+/// Errors:  none. The camera stays as it is if there is nothing to show. An eye that would be
+///          farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// Whether a picture of that size shows all of a model well: at 60 % or more of its width or
-/// height, and not near one border with much room opposite. A parallel projection is never said to.
+/// Whether a picture of that size shows all of a model well. It does if the model takes 60 % or
+/// more of its width or height, and is not near one border with much room opposite. For a parallel
+/// projection the answer is always no.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
@@ -177,7 +182,7 @@ inline constexpr const char* l3d_too_small =
 /// The answer of pipelines for a model whose faces or patches are all points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 
-/// The camera itself if it l3d_shows_well, else l3d_framed. Expects, Errors: as these.
+/// The camera itself if l3d_shows_well, else that of l3d_framed. Expects, Errors: as these two.
 L3D_PUBLIC l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach);
 

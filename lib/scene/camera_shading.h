@@ -10,11 +10,11 @@ struct l3d_dice_view;
 
 /// The lights of one frame.
 struct l3d_frame_lights {
-    l3d_camera::vector light; ///< towards the first one, world space, any length but 0
-    l3d_lighting lighting;    ///< its colour, and the further ones
+    l3d_camera::vector light; ///< towards the first light, world space, any length but 0
+    l3d_lighting lighting;    ///< the first light's colour, and further lights
 };
 
-/// The light of a lone lamp that goes with the eye: it shines over the right shoulder, as
+/// The light of a lone lamp that goes with the eye. It shines over the right shoulder, as
 /// l3d_usual_light does in the programs' first view of the teapot. Ambient light and the first
 /// light's colour are those of `lighting`.
 /// Expects: camera.is_valid().
@@ -27,9 +27,10 @@ l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lig
 l3d_shading l3d_camera_shading(const l3d_camera& camera, l3d_size size, l3d_shade mode,
                                const l3d_camera::vector& light, const l3d_lighting& lighting = {});
 
-/// Has dicing light the vertices: with levels if `with_levels` and the mode is lambert, else with
-/// normals turned to the eye. Expects: no levels if l3d_shading::is_lit. Returns the rest of the
-/// shading, for the rasterizer.
+/// Prepares a view for dicing that lights the vertices, and returns the rest of the shading for the
+/// rasterizer. Vertices get levels if `with_levels` and the mode is lambert, else normals turned to
+/// the eye.
+/// Expects: `with_levels` is false if l3d_shading::is_lit.
 l3d_shading l3d_lit_while_diced(l3d_dice_view& view, const l3d_shading& shading, bool with_levels);
 
 #endif

@@ -9,14 +9,14 @@
 #include <span>
 
 /// Whether normals point out of a closed body. 1 if the patches are proven to be all of the surface
-/// of a body and their normals dS/du x dS/dv point out of it. -1 if they point into it, 0 if that
-/// cannot be proven.
+/// of a body and their normals dS/du x dS/dv point out of it. -1 if the normals point into it, 0 if
+/// the proof fails.
 ///
 /// The proof has two parts. Every edge that is not collapsed into a point is an edge of exactly one
 /// other patch, with the same control points in the opposite direction. So the surface has no
-/// boundary. Every block of it turns the same side to one point, the middle of its box. So a ray
-/// from there crosses the surface always in the same direction, hence once: the body is
-/// star-shaped, and does not cut itself.
+/// boundary. Every block of the surface turns the same side to one point, the middle of the body's
+/// box. So a ray from there crosses the surface always in the same direction, hence once: the body
+/// is star-shaped, and does not cut itself.
 /// Shape:   as many cones as patches.
 int l3d_orientation_of(std::span<const l3d_bezier_patch<double, 3>> patches,
                        std::span<const l3d_facing_cones> cones);

@@ -27,49 +27,50 @@ struct L3D_PUBLIC l3d_seen_counts {
     }
 };
 
-/// A patch of a scene, and its bound.
+/// A patch of a scene, and the bound of its error.
 struct L3D_PUBLIC l3d_coarse_patch {
     double bound_px = 0; ///< the largest error of its places, in pixels
     /// The index of the instance in the scene, and of the patch in its model.
     std::int64_t instance = 0, patch = 0;
 
-    /// Orders by bound; among equals the first in the scene is the greatest.
+    /// Orders by bound; among equal bounds, the first patch in the scene is the greatest.
     friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
         return std::tie(a.bound_px, b.instance, b.patch) <
                std::tie(b.bound_px, a.instance, a.patch);
     }
 };
 
-/// The proven bounds of a diced piece beside those of its points' places. Infinite where nothing is
-/// proven.
+/// Proven error bounds of a diced piece, apart from that of its points' places in the picture. A
+/// bound is infinite where nothing is proven.
 struct L3D_PUBLIC l3d_surface_certificate {
-    /// The distance of chords, along the exact normal at the same parameters. Units: pixels at that
-    /// depth.
+    /// The distance of chords from the exact surface, along its normal at the same parameters.
+    /// Units: pixels at that depth.
     double depth = 0;
-    /// The distance of the level from the exact one at the same parameters. Units: levels of 255.
+    /// The error of levels against the exact ones at the same parameters. Units: levels of 255.
     double shade = 0;
-    /// The error of interpolated normals against the exact unit normals at the same parameters, as
-    /// a length. It is for vertices with normals instead of levels; then `shade` is 0.
+    /// The length of the difference between interpolated normals and the exact unit normals at the
+    /// same parameters. It is for vertices that have normals instead of levels; `shade` is then 0.
     double normal = 0;
-    /// Quads that `shade` does not cover, since their block may exceed the tolerance: its normals
-    /// turn faster than quads of six pixels can follow, or one vanishes. Slits beside such a block
-    /// count as one quad.
+    /// Quads that `shade` does not cover, since their block may exceed the tolerance. Its normals
+    /// turn faster than quads of six pixels can follow, or a normal vanishes. Slits beside such a
+    /// block count as one quad.
     std::int64_t unproven_quads = 0;
-    /// Bit 4 * row + column, or bit 0, is set for a block that is seen and may have places without
-    /// a normal.
+    /// The blocks that are seen and may have places without a normal: bit 4 * row + column, or bit
+    /// 0 if the piece is one block.
     unsigned without_normals = 0;
-    /// The error of depth in those blocks, without the corners' distance from a plane
-    /// (l3d_most_off_plane).
+    /// The error of depth in the blocks of `without_normals`, without the distance of corners from
+    /// a plane (l3d_most_off_plane).
     double depth_without_normals = 0;
 
-    /// Adds the errors of vertices, and of corners of blocks without normals.
+    /// Adds to `depth` the error of vertices and, in blocks without normals, the distance of
+    /// corners from a plane.
     void add_to_depth(double vertices, double off_plane) {
         depth = std::max(depth, depth_without_normals + off_plane) + vertices;
     }
 };
 
-/// The counts of a frame's dicing, and of the patches that were left out, as control nets or the
-/// boxes around them prove. `clipped` counts grids.
+/// Counts of a frame's dicing, and of the patches that were left out because their control net or
+/// its box proves them unseen. `clipped` counts grids.
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0;      ///< patches left out: behind the near plane
     std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
@@ -83,24 +84,26 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
     std::int64_t failures = 0;    ///< pixels left out as an iteration did not converge
-    double near_z = 0;            ///< nearest w drawn, if it is not the view's near
+    double near_z = 0;            ///< the farthest near plane of a patch, in w; 0: the view's
     double bound_px = 0;          ///< certified image error of all that was drawn
     std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
     std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
-    l3d_coarse_patch coarsest;    ///< the worst of those
+    l3d_coarse_patch coarsest;    ///< the patch of the largest bound
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
-    /// same parameters. Units: pixels at that depth.
+    /// same parameters.
+    /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
-    /// Error of normals that are interpolated over quads and slits, against the exact unit normals
-    /// at the same parameters, if vertices have normals. Polygons' shapes add to this, and are not
-    /// included.
+    /// Largest error of interpolated normals, over quads and slits. They are compared with the
+    /// exact unit normals at the same parameters. Only vertices that have normals count.
+    /// l3d_surface_counts::normal_error has the error that polygons' shapes add.
     double normal_off = 0;
 
-    /// Error of greys against the exact surface at the same parameters. Units: levels.
+    /// Largest error of greys against the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    /// At most so many quads are outside the bound of shades. A frame counts none twice.
+    /// Upper bound of the number of quads that shade_bound does not cover. A frame counts none
+    /// twice.
     std::int64_t unproven_quads = 0;
 
     /// Adds the counts of other patches.
@@ -137,28 +140,28 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         unproven_quads += of.unproven_quads;
     }
 
-    /// Adds an edge polyline of so many points, and its certified error.
+    /// Adds an edge polyline of `points` points, and its certified error.
     void add_edge(std::size_t points, double bound) {
         samples += static_cast<std::int64_t>(points);
         bound_px = std::max(bound_px, bound);
     }
 };
 
-/// Patches, and parts of them, that are drawn although a rule could leave them out, to measure or
-/// judge a rule.
+/// Switches off rules that leave out patches or parts of them, to measure or judge a rule. A switch
+/// that is true has patches drawn although its rule could leave them out.
 struct L3D_PUBLIC l3d_culling_switches {
-    /// Those outside the picture.
+    /// Draws patches outside the picture.
     bool outside = false;
-    /// Those that cover no pixel's centre.
+    /// Draws patches that cover no pixel's centre.
     bool centreless = false;
-    /// Those behind what is drawn.
+    /// Draws patches that are hidden by earlier ones.
     bool hidden = false;
-    /// Those that show only their back.
+    /// Draws patches and blocks that show only their back.
     bool backs = false;
-    /// Those that could be drawn as a point each, without dicing.
+    /// Dices patches that could be drawn as a point each.
     bool dicing = false;
 
-    /// All of them, as if there were no rule.
+    /// All switches, as if there were no rule.
     static constexpr l3d_culling_switches all() { return {true, true, true, true, true}; }
 
     friend bool operator==(const l3d_culling_switches&, const l3d_culling_switches&) = default;

@@ -12,10 +12,10 @@
 #include <span>
 #include <vector>
 
-/// Rational Bezier patches, the pieces, that models draw as bicubic ones, the cells.
+/// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
 ///
-/// A piece is cut into 2^m by 2^n cells. Pieces with a common boundary have as many cells along it,
-/// and these have the same boundaries, bit for bit.
+/// A piece is cut into 2^m by 2^n cells. Pieces with a common boundary have equally many cells
+/// along it, and these cells have the same boundaries there, bit for bit.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -30,17 +30,18 @@ public:
     const vector& least() const { return least_; }
     const vector& most() const { return most_; }
 
-    /// Levels of places and of normals are from 0 to this. The finest of places asks for 2^-42 of
-    /// the diagonal of the box; rounding of doubles would leave little of a finer one.
+    /// Levels of places and of normals are from 0 to this. The finest level of places asks for
+    /// errors of 2^-42 of the box's diagonal; rounding of doubles would leave little of a finer
+    /// one.
     static constexpr int most_level = 16;
-    /// The bound of places at a level, which cells keep if there are no more than most_cells. Each
-    /// level's bound is a quarter of the one before, with twice the cells.
+    /// The bound of errors of places that a level asks for. Cells keep it if there are no more than
+    /// most_cells. Each level asks for a quarter of the bound before, which takes twice the cells.
     double place_target(int level) const;
-    /// The same for unit normals: 0.45 levels of Lambert's 229.5 at level 0, and two levels
-    /// have an eighth of it.
+    /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
+    /// Lambert's 229.5. Two levels more ask for an eighth of it.
     static double normal_target(int level);
-    /// Pieces are not cut more often than this for their normals alone. So one that nearly has a
-    /// cusp does not take all cells. Each level has twice as many; level 0 has 4096.
+    /// The most halvings of a piece for its normals alone. So a piece that nearly has a cusp does
+    /// not take all cells. It has at most 4096 at level 0, and twice as many at each further level.
     static constexpr int most_halvings_for_normals(int level) { return 12 + level; }
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr std::size_t most_cells = std::size_t{1} << 17;
@@ -48,23 +49,24 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<l3d_parameter_range> ranges; ///< the part of its piece that each patch is
-        std::vector<std::uint32_t> pieces;       ///< the piece of each patch, which is a cell of it
-        double error = 0;                        ///< how far places are off, in the pieces' unit
-        double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
+        std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
+        std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
+        double error = 0;                        ///< bound of errors of places, in the pieces' unit
+        double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
-    /// How often pieces are halved, and how far cells are off then.
+    /// The numbers of halvings of all pieces.
     struct cuts {
-        std::vector<int> of_lines; ///< along u and v of each piece; equal where lines are joined
-        double error = 0;          ///< how far places are off, in the pieces' unit
+        std::vector<int> of_lines; ///< of piece i along u at 2 i, along v at 2 i + 1
+        double error = 0;          ///< bound of errors of places, in the pieces' unit
     };
-    /// The cuts that a level needs, which begin with those of a coarser one. That saves finding
-    /// these again.
-    /// Expects: 0 <= places, normals <= most_level; `from` was made here.
+    /// Finds the cuts that a level needs. The search begins with the cuts of a coarser level.
+    /// Expects: 0 <= places, normals <= most_level; `from` is empty, or was made here.
     cuts cuts_at(int places, int normals, const cuts& from) const;
+    /// Makes the cells of these cuts.
     cells cut(const cuts& by) const;
 
-    /// The cells of a level that is found without coarser ones. Expects: as cuts_at.
+    /// Makes the cells of a level without coarser ones.
+    /// Expects: 0 <= places, normals <= most_level.
     cells at_level(int places, int normals) const { return cut(cuts_at(places, normals, {})); }
 
 private:

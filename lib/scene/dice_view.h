@@ -14,15 +14,15 @@
 #include <cstdint>
 #include <limits>
 
-/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
-/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
+/// Whether a net is smaller than 24 pixels in both directions. Such nets are not divided into
+/// strips for the bound. A quarter of one is a few quads, and strips would cost more than they
 /// save.
 inline bool l3d_is_small(const l3d_image_box& hull) {
     return hull.width() < 24 && hull.height() < 24;
 }
 
-/// Whether two points are plainly farther apart in the picture than so many pixels, along x (0) or
-/// y (1). Without a division, for questions that most patches answer alike.
+/// Whether two points are farther apart in the picture than `pixels`, along x (0) or y (1). It
+/// takes no division: a quick test that decides for most patches.
 /// Expects: both before the eye.
 inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, int along,
                           double pixels) {
@@ -30,26 +30,29 @@ inline bool l3d_far_apart(const l3d_image_point& a, const l3d_image_point& b, in
 }
 
 /// Default budget of a frame for patches that have to be cut or clipped. Two samples a pixel are
-/// more than any picture shows, and 2^16 take a millisecond or two. Quads grow with 1 / tolerance:
-/// the teapot has one for two pixels that it covers at 0.05 px, so finer tolerances get more. A
-/// pixel gets at most 2^20, lest the inverse of a tiny tolerance be infinite.
-/// Patches that need neither are always done, in at most 129 x 129 samples. Units: samples that are
-/// walked, see l3d_dice_budget; tolerance in pixels.
+/// more than any picture shows, and 2^16 take a millisecond or two. The number of quads grows with
+/// 1 / tolerance. At 0.05 px, the teapot has a quad for every two pixels that it covers, so finer
+/// tolerances get more samples. A pixel gets at most 2^20, lest the inverse of a tiny tolerance be
+/// infinite.
+/// Patches that are neither cut nor clipped are always done, in at most 129 x 129 samples.
+/// Units: samples that are walked, see l3d_dice_budget; tolerance in pixels.
 constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
     const double a_pixel = std::clamp(2 * (0.05 / tolerance), 2.0, 0x1p20);
     return (std::int64_t{1} << 16) +
            static_cast<std::int64_t>(a_pixel * static_cast<double>(size.width) * size.height);
 }
 
-/// Outlines of smooth edges keep this and the tolerance together, as 1 / (1 / a + 1 / b): an eighth
-/// of a pixel at the usual tolerance of a quarter. Measured outlines have a root mean square error
-/// of an eighth of this bound. Counting 64 samples errs by 0.73 / 64 of a pixel, which is nearly as
-/// much. Units: pixels.
+/// The widest error a of outlines of smooth edges. With the tolerance b, they keep the bound
+/// 1 / (1 / a + 1 / b): an eighth of a pixel at the usual tolerance of a quarter. Measured outlines
+/// have a root mean square error of an eighth of this bound. Counting 64 samples errs by 0.73 / 64
+/// of a pixel, which is nearly as much.
+/// Units: pixels.
 inline constexpr double l3d_widest_outline = 0.25;
 
-/// A parallel projection is drawn as one from an eye that is so far away: half of the scene's depth
-/// is this part of the distance. Places in the picture are off by as much of their distance from
-/// its middle, which errors of the transform count: 2^-9 pixels in a picture 4096 wide.
+/// A parallel projection is drawn in perspective from a far eye: half of the scene's depth is at
+/// most this part of the eye's distance. Places in the picture are off by the same part of their
+/// distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the transform include
+/// this.
 inline constexpr double l3d_parallel_part = 0x1p-20;
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -60,8 +63,8 @@ struct l3d_dice_view {
     double near = 0, far = std::numeric_limits<double>::infinity();
     double tolerance = 0.25;
 
-    /// Pixels that a length of 1 takes at a distance of 1: depth is kept within the tolerance, too.
-    /// 0: only places in the picture are.
+    /// Pixels that a length of 1 takes at a distance of 1. Then depth is kept within the tolerance,
+    /// too. 0: only places in the picture are.
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
@@ -70,24 +73,25 @@ struct l3d_dice_view {
     /// l3d_parallel_part of it, and depths are linear in w.
     double w_middle = 0;
 
-    double error_xy = 0; ///< error of a transformed control point
+    double error_xy = 0; ///< error of x and y of a transformed control point
     double error_w = 0;
 
-    /// Bound of the terms that the points' coordinates are summed up from, the eye's included:
-    /// errors are in proportion to it. 0: unknown, and errors cannot be reduced.
+    /// Bound of the sum of the magnitudes of all terms from which a point's coordinates are added
+    /// up, the eye's included. Errors are in proportion to it. 0: unknown, and of_share() cannot
+    /// reduce errors.
     double terms = 0;
     double eye_terms = 0;   ///< the eye's part of terms
-    double camera_near = 0; ///< near, before errors of w pushed it away; 0: that is near itself
+    double camera_near = 0; ///< near, before errors of w pushed it away; 0: it is near itself
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
     bool one_sided = false;        ///< the back of dS/du x dS/dv is not shown
 
-    /// Blocks of the patch that is diced in which it may fold over as seen from the eye: bit
-    /// 4 * row + column, columns along u.
+    /// Blocks in which the diced patch may fold over as seen from the eye: bit 4 * row + column,
+    /// columns along u.
     unsigned folds = 0;
 
-    /// The light of vertices: in mode `levels` they get levels, else unit normals, turned to the
-    /// eye if there is one.
+    /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
+    /// if the shading has one.
     l3d_shading shading{.ray = {0, 0, 0}};
 
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
@@ -115,15 +119,16 @@ struct l3d_dice_view {
         return depth_scale / static_cast<double>(depth);
     }
 
-    /// The error of a depth as a float, along the line of sight. It is made, scaled, interpolated
-    /// and rounded, some four times 2^-24 of it. Units: pixels at the place's own depth.
+    /// The error of a depth as a float, along the line of sight. Making, scaling, interpolating and
+    /// rounding it take some 2^-24 of it each.
+    /// Units: pixels at the place's own depth.
     double depth_rounding() const {
         constexpr double roundings = 4 * 0x1p-24;
         return focal * roundings *
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }
 
-    /// The factor by which budgets are smaller where outlines may be.
+    /// The factor by which budgets of errors are divided where outlines may be.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;
     }
@@ -132,7 +137,7 @@ struct l3d_dice_view {
         return most_samples > 0 ? most_samples : l3d_usual_samples(size, tolerance);
     }
 
-    /// The same picture, its near plane where the camera's is.
+    /// The same view, with its near plane where the camera's is.
     l3d_dice_view unlifted() const {
         l3d_dice_view result = *this;
         if (camera_near > 0)
@@ -140,18 +145,18 @@ struct l3d_dice_view {
         return result;
     }
 
-    /// The part of the view's errors that points have whose own terms add up to `reach`.
+    /// The share of the view's errors that points have whose own terms add up to `reach`.
     double share_of(double reach) const {
         return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
     }
 
-    /// The near plane of points that have this share of the errors. Nearer than 32 errors of w, w
-    /// and quotients by it are hardly known any more.
+    /// The near plane for points that have this share of the errors. Nearer than 32 errors of w, w
+    /// and quotients by it are hardly known.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }
 
-    /// The same picture, as points of this share of the errors need it.
+    /// The same view for points that have this share of the errors.
     l3d_dice_view of_share(double share) const {
         l3d_dice_view result = *this;
         result.take_share(*this, share);
@@ -167,8 +172,9 @@ struct l3d_dice_view {
     }
 
     /// The largest chord error where rounding of vertices already takes `vertex_error`. Where that
-    /// is most of the tolerance, a quarter is left, and the bound says that it is exceeded. The
-    /// budget is never less than a 16th of a sub-pixel, which moves hardly any vertex.
+    /// is most of the tolerance, a quarter of the tolerance is left, and the bound says that it is
+    /// exceeded. The budget is never less than a 16th of a sub-pixel, which moves hardly any
+    /// vertex.
     double chord_budget(double vertex_error) const {
         constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
@@ -183,8 +189,8 @@ struct l3d_dice_view {
     /// than a half.
     double walk_allowance() const { return tolerance / 8; }
 
-    /// The same where vertices err by `exact` already. It is at most an eighth of the rest, since
-    /// it makes quads grow, and leaves at least a quarter of the tolerance.
+    /// The walk allowance where vertices err by `exact` already. It is at most an eighth of the
+    /// rest, since it makes quads more numerous, and leaves at least a quarter of the tolerance.
     double walk_allowance(double exact) const {
         const double left = tolerance - exact;
         return std::max(0.0, std::min(left / 8, left - tolerance / 4));
@@ -194,18 +200,18 @@ struct l3d_dice_view {
     /// that the exact w is over half of a chord's w where the chord is in front of the near plane.
     double drawn_w(double least) const { return std::max(least, near / 2); }
 
-    /// The largest difference of a chord's w from the exact w: an eighth in front of the near plane
-    /// (l3d_vertex_accuracy counts on it), else as drawn_w allows.
+    /// The largest difference of a chord's w from the exact w. In front of the near plane it is an
+    /// eighth (l3d_vertex_accuracy counts on it), else as drawn_w allows.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
-    /// The largest depth of a net that is drawn as a point: an eighth of its distance, or in a
-    /// parallel projection of the scene's depth.
+    /// The largest depth of a net that is drawn as a point: an eighth of its distance. In a
+    /// parallel projection it is an eighth of the scene's depth.
     double depth_of_point(double least) const {
         return is_parallel() ? l3d_parallel_part * w_middle / 4 : depth_budget(least);
     }
 
     /// The box of the drawn points of a net whose exact points are in `hull`. Vertices of nets that
-    /// are not small may lie beside it.
+    /// are not small may lie beside the hull.
     l3d_image_box drawn_box(const l3d_image_box& hull) const {
         return l3d_is_small(hull) ? hull : hull.grown(most_moved());
     }
@@ -214,18 +220,18 @@ struct l3d_dice_view {
         return {-size.width / 2.0, -size.height / 2.0, size.width / 2.0, size.height / 2.0};
     }
 
-    /// A part of the picture.
+    /// The box of a part of the picture.
     l3d_image_box window(const l3d_pixel_box& part) const {
         const double x = -size.width / 2.0, y = -size.height / 2.0;
         return {x + part.left, y + part.top, x + part.right, y + part.bottom};
     }
 
-    /// The window, a pixel around it and the distance by which vertices are moved. A thing outside
-    /// of this touches no pixel centre, whatever the snapping to sub-pixels and wherever balanced
+    /// The window, grown by a pixel and by the distance that vertices may be moved. A thing outside
+    /// of it touches no pixel centre, whatever the snapping to sub-pixels and wherever balanced
     /// vertices lie.
     l3d_image_box margin() const { return margin(window()); }
 
-    /// The same for a part of the picture.
+    /// The margin around a part of the picture.
     l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + most_moved()); }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
@@ -233,14 +239,14 @@ struct l3d_dice_view {
     std::int32_t centre_y() const { return size.height * (l3d_subpixel_one / 2); }
 };
 
-/// Farthest a vertex may lie from the picture's centre. Beyond, surfaces are clipped.
-/// A largest picture's side, so its corners are at half of it. 2^14 pixels are 2^22 sub-pixels:
-/// exact in a float, and half the rasterizer's range, so that the picture's centre (at most 2^13
-/// pixels from its corner) still fits.
+/// The farthest that a vertex may lie from the picture's centre, along x or y. Beyond, surfaces are
+/// clipped. It is the largest side of a picture, so borders are at half of it. 2^14 pixels are 2^22
+/// sub-pixels: exact in a float, and half the rasterizer's range. So the picture's centre, at most
+/// 2^13 pixels from its corner, still fits.
 inline constexpr double l3d_guard_band = l3d_largest_side;
 
-/// Steps per strip above which a piece or an edge is cut. The bound of halves is tighter, and 32
-/// steps keep round-off of a strip small in every number type.
+/// The most steps per strip; a piece or an edge with more is cut. The bound of halves is tighter,
+/// and 32 steps keep round-off of a strip small in every number type.
 inline constexpr int l3d_most_steps_whole = 32;
 
 #endif

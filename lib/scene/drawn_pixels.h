@@ -12,11 +12,11 @@
 #include <limits>
 
 /// Adds the pixels that drawn patches in the boxes may cover, however vertices are snapped,
-/// balanced or in error. All of the picture if a box reaches the near plane.
+/// balanced or in error. Adds the whole picture if a box reaches the near plane.
 ///
 /// Once there are more than `enough` pixels, no more boxes are looked at.
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
-/// Cost:    l3d_detail::cull_boxes.
+/// Cost:    that of l3d_detail::cull_boxes.
 void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                       const l3d_dice_view& view, l3d_pixel_boxes& result,
                       std::int64_t enough = std::numeric_limits<std::int64_t>::max());

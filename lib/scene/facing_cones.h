@@ -11,11 +11,11 @@
 #include <cstdint>
 #include <span>
 
-/// A ball around the points of a patch and a cone around its normals dS/du x dS/dv, and the same
-/// for each of its 4 x 4 blocks.
+/// Finds the blocks of a patch that certainly show their back. It holds a ball around the points
+/// and a cone around the normals dS/du x dS/dv, of the patch and of its 4 x 4 blocks.
 ///
-/// Shape: block 4 * row + column, columns along u. Begins with a line of the cache, since most
-///        questions need the patch's own cone alone.
+/// Shape: block 4 * row + column, columns along u. The object begins with a line of the cache,
+///        since most questions need the patch's own cone alone.
 class alignas(64) l3d_facing_cones {
 public:
     using vector = l3d_vector<double, 3>;
@@ -24,8 +24,9 @@ public:
 
     l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// A bit for each block all of whose normals point away from a point: (S - from) . n > 0 for
-    /// every point S and every normal n of it. With `side` = -1, towards it.
+    /// A bit for each block all of whose normals point away from the point `from`: for
+    /// every point S and every normal n of the block, (S - from) . n > 0. With `side` = -1, the
+    /// normals point towards it.
     /// Expects: side is 1 or -1.
     /// Cost:    some 20 operations, and 25 with a root for each block unless all of the patch turns
     ///          one side to the point.

@@ -15,9 +15,9 @@ namespace l3d_detail {
 
 using depth_chord = std::array<depth_point, 2>;
 
-/// The chords of a curve as a camera sees it, in its order. They are cut off at the near and far
-/// plane, which a parallel projection has not, and outside of the picture where the line's width no
-/// longer reaches into it.
+/// Divides a curve into chords as a camera sees it, in its order. Chords are cut off at the near
+/// and far plane, which a parallel projection has not. They are also cut off outside of the
+/// picture, where the line's width does not reach into it.
 ///
 /// Every point of the curve in the picture is within `tolerance` pixels of its chord, and so is its
 /// depth in pixels at its distance. The exception is a curve of over 2^16 chords between two knots.

@@ -12,24 +12,24 @@
 /// The camera's matrix, scaled so that its results fit the registers of every number type.
 ///
 /// Homogeneous points may be scaled freely, here by a power of two, which is exact. It brings w to
-/// at most 2^8, |x| and |y| to at most 2^28. (32.32 has 31 integer bits; differences of third order
-/// may grow eightfold.)
+/// at most 2^8, |x| and |y| to at most 2^28. (The 32.32 format has 31 integer bits, and differences
+/// of third order may grow eightfold.)
 class l3d_image_transform {
 public:
     l3d_image_transform() = default;
     l3d_image_transform(const l3d_camera& camera, l3d_size size, const l3d_patch_scene& scene);
 
-    /// World (x, y, z, 1) to (x, y, -, w).
+    /// The matrix from world (x, y, z, 1) to (x, y, -, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
 
     /// The picture's data for dicing, in the units of the transformed points. Its errors hold for
-    /// all points of the scene; l3d_dice_view::of_share tells those of some. Its near plane is the
-    /// camera's, or farther where rounding leaves too little of w.
+    /// all points of the scene; l3d_dice_view::of_share gives those of some points. Its near plane
+    /// is the camera's, or farther where rounding leaves too little of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 
-    /// The distance between the camera's eye and that of w, which is farther away in a parallel
-    /// projection.
+    /// How much nearer the camera's eye is than the eye that w is counted from: 0, except in a
+    /// parallel projection.
     double nearer() const { return w_middle_ / depth_scale_ - to_target_; }
 
     /// Tells a rasterizer what depths stand for in a parallel projection.

@@ -19,7 +19,7 @@ public:
     /// Starts a frame. Expects: a valid camera; an inspection whose direction is not 0.
     void begin(const l3d_camera& camera, const l3d_dice_view& view, const l3d_shading& shading);
 
-    /// Adds a batch: patch i becomes the next net but i.
+    /// Adds the patches of a batch in their order, behind those of earlier batches.
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch);
 
     const l3d_inspected_patches& patches() const { return patches_; }
@@ -30,9 +30,8 @@ private:
     bool with_materials_ = false;
 };
 
-/// The number at the end of a curvature's scale that suits a scene: nine tenths of
-/// the area have less.
-/// It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
+/// The number at the end of a curvature's scale that suits a scene: nine tenths of the area have
+/// less curvature. It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `gaussian` or `mean`.
 /// Cost:    some 7 us a patch, but at most 30 ms.

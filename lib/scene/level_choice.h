@@ -6,20 +6,20 @@
 #include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
-/// Curved models get a part of both tolerances. Their errors of places fall with the fourth power
-/// of the number of patches along a side, and those of normals with the third, so that a larger
-/// part would save little.
+/// The parts of both tolerances that errors of curved models may take. Their errors of places fall
+/// with the fourth power of the number of patches along a side, and those of normals with the
+/// third. So larger parts would save little.
 inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.25;
 
-/// A picture, and how far its curved models may be off in it.
+/// A picture, and the largest errors that its curved models may have.
 struct l3d_level_view {
     const l3d_camera& camera;
     l3d_size size;
-    double places_px; ///< bound of places, in pixels
-    double normals;   ///< distance of unit normals
+    double places_px; ///< largest error of places, in pixels
+    double normals;   ///< largest distance of unit normals
 };
 
-/// Bounds of how far curved models are off in a picture.
+/// Bounds of the errors of curved models in a picture.
 struct l3d_curved_error {
     double places_px = 0; ///< error of places, and of depth along the drawn normal; in pixels
     double normals = 0;   ///< distance of unit normals

@@ -29,21 +29,21 @@ struct l3d_model_file;
 struct l3d_parameter_range;
 struct l3d_patch_points;
 
-/// The largest magnitudes of coordinates of a patch's control points, and of those of its edges.
+/// The largest magnitudes of a patch's coordinates, for the whole control net and for each edge.
 ///
-/// Shape: edges in the order of l3d_edge_polylines.
+/// Shape: edges in the order v = 0, v = 1, u = 0, u = 1.
 struct L3D_PUBLIC l3d_patch_reach {
     l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< for all 16 control points, for x, y and z
     std::array<l3d_vector<double, 3>, 4> edges{}; ///< for the four control points of each edge
 };
 
-/// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
-/// l3d_patch_scene places them elsewhere.
+/// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of
+/// the world, unless an l3d_patch_scene places the model elsewhere.
 ///
-/// A curved model is made of pieces that are no bicubic patches: rational ones, or of degrees above
-/// 3. Its patches stand for these, and are within surface_error() of them. A pipeline puts the
-/// model's next level in its place where a picture needs finer ones. Materials and parts are those
-/// of pieces. In any other model each patch is a piece.
+/// A curved model is made of pieces that are not all bicubic: some are rational, or of degrees
+/// above 3. Its patches stand for the pieces, and are within surface_error() of them. Where a
+/// picture needs finer patches, a pipeline draws a finer level of the model. Materials and parts
+/// are those of pieces. In any other model each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and
@@ -71,8 +71,8 @@ public:
     /// The teapot that l3d has at hand, data/teapot.bpt, with its parts.
     static l3d_patch_model teapot();
 
-    /// The patches and curves of a file in any format of l3d_read_model, in the colours that it has
-    /// for them. Its polygons and notes are left out.
+    /// Loads the patches and curves of a file in any format of l3d_read_model, with the colours
+    /// that the file gives them. Polygons and notes are left out.
     /// Errors: throws l3d_error(bad_input) with file, line and reason: also for a file without
     ///         patches, and for patches that from_patches refuses.
     static l3d_patch_model load(const std::string& file);
@@ -88,74 +88,80 @@ public:
     static std::optional<l3d_patch_model> from_bpt(std::string_view text, std::string_view name,
                                                    std::string& why);
 
-    /// Patches as files have them, brought to degree 3 by 3; a curved model if one is no bicubic
-    /// patch, for its weights or its degrees.
-    /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, its points
-    ///         or weights are not as many as these say, or a weight not from 1e-100 to 1e12.
-    ///         Nothing also for what checked() refuses.
+    /// A model of patches as files have them, brought to degree 3 by 3. It is a curved model if a
+    /// patch is not bicubic, for its weights or its degrees.
+    /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, or a weight
+    ///         is not from 1e-100 to 1e12. Nothing also for too few or too many points or weights,
+    ///         and for coordinates that checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
 
-    /// The patches and curves of a file that was read, in the colours that it has for them.
+    /// A model of the patches and curves of a file that was read, with the colours that the file
+    /// gives them.
     /// Errors: as from_patches.
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
 
-    /// The pieces of NURBS surfaces, in their order. They meet without a gap where they have the
-    /// same control points, weights and knots along a boundary.
+    /// A model of the pieces of NURBS surfaces, in their order. Surfaces meet without a gap where
+    /// they have the same control points, weights and knots along a boundary.
     /// Errors: throws l3d_error(bad_input) as from_patches.
     static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
-    /// The pieces that it is made of: as many as patches(), unless it is curved.
+    /// The number of pieces that the model is made of: that of patches(), unless it is curved.
     std::size_t pieces() const;
-    /// The piece that a patch stands for, or is. Expects: index < patches().size().
+    /// The index of the piece that a patch stands for. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
-    /// The part of that piece: all, unless the model is curved. Expects: as piece_of.
+    /// The part of its piece that a patch stands for: all of it, unless the model is curved.
+    /// Expects: as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
     /// Each piece as a NURBS surface of its own.
     std::vector<l3d_nurbs_surface> surfaces() const;
-    /// The pieces of these surfaces, as many as the model's own, in the colours and parts of these.
-    /// Errors: throws l3d_error(bad_input) as from_surfaces, or if there are fewer or more.
-    /// Cost:   as from_surfaces for patches that differ; what is known of others is copied.
+    /// A model of the pieces of these surfaces, with the materials, parts and lines of this model.
+    /// Errors: throws l3d_error(bad_input) as from_surfaces, or if there are fewer or more than
+    ///         pieces().
+    /// Cost:   as from_surfaces for patches that differ; bounds of equal patches are copied.
     l3d_patch_model reshaped(std::span<const l3d_nurbs_surface> surfaces) const;
 
     /// Whether its patches stand for pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
-    /// The same curved model with other patches. Levels of places and of normals are from the
-    /// coarsest, 0, which every model is made with, to most_level(). Two levels of places are
-    /// within a 16th, and two of normals within an eighth, as long as that takes no more than 2^17
-    /// patches. Any other model is as it is at all levels. Expects: 0 <= places, normals <=
-    /// most_level(). Cost:    some 20 us a patch when a level is first asked for. It is kept as
-    /// long as any copy
-    ///          of the model lives.
+    /// The same curved model with finer or coarser patches; any other model is the same at all
+    /// levels. Levels of places and of normals run from 0, the coarsest, with which models are
+    /// made, to most_level(). Two levels more divide the bound of places by 16, and that of normals
+    /// by 8. That holds as long as it takes no more than 2^17 patches.
+    /// Expects: 0 <= places, normals <= most_level().
+    /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
+    ///          any copy of the model lives.
     l3d_patch_model at_level(int places, int normals) const;
-    /// The finest level of both; 0 of a model that is not curved.
+    /// The finest level of places and of normals; 0 if the model is not curved.
     int most_level() const;
-    /// How far places are off at a level; 0 of a model that is not curved. The level is not made.
+    /// The bound of errors of places at a level; 0 if the model is not curved. The level's patches
+    /// are not made.
     /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
-    /// How far unit normals may be off at a level by its design; 0 of a model that is not curved.
+    /// The bound of errors of unit normals that a level is made for; 0 if the model is not curved.
     /// Expects: as at_level.
     double normal_target(int level) const;
 
     /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless
-    /// it is curved.
+    /// the model is curved.
     double surface_error() const;
-    /// Bound of the distance between unit normals at the same parameters; infinite where a normal
-    /// vanishes inside of a patch.
+    /// Bound of the distance between unit normals of the patches and of the pieces, at the same
+    /// parameters; 0 unless the model is curved. It is infinite where a normal vanishes inside of a
+    /// patch.
     double normal_error() const;
 
-    /// The same address for copies of one model, as identity(), also at other levels.
+    /// An address that copies of one model share at all levels. Any other model that lives at the
+    /// same time has another one.
     const void* source_identity() const;
 
-    /// The corner of the box of the pieces' control points with the smallest x, y and z: that of
-    /// least(), unless the model is curved.
+    /// The least x, y and z of the pieces' control points: those of least(), unless the model is
+    /// curved.
     const vector& pieces_least() const;
-    /// The corner of that box with the largest x, y and z.
+    /// The largest x, y and z of the pieces' control points.
     const vector& pieces_most() const;
 
-    /// The same patches of these materials: one for all of them, or one for each piece, in order.
+    /// The same patches with these materials: one for all of them, or one for each piece, in order.
     /// Expects: 1 or pieces() materials.
     /// Cost:    the patches and all that is known of them are shared.
     l3d_patch_model painted(std::span<const l3d_material> materials) const;
@@ -164,28 +170,28 @@ public:
         return painted(std::span(&material, 1));
     }
 
-    /// The same patches with these parts, in the place of those that they had.
+    /// The same patches with these parts in place of their own.
     /// Expects: runs as l3d_parts takes them.
     l3d_patch_model with_parts(std::span<const l3d_part_run> runs) const;
 
     /// The named parts of the pieces.
     const l3d_parts& parts() const;
 
-    /// The same patches, with another material for those of one part. Expects: an index of
-    /// parts().names().
+    /// The same patches, with another material for those of one part.
+    /// Expects: an index of parts().names().
     l3d_patch_model part_painted(std::size_t part, const l3d_material& material) const;
 
-    /// A model of some parts alone, in their colours; patches without a part and lines are left
-    /// out.
+    /// A model of the patches of some parts, with their materials. Patches without a part, and all
+    /// lines, are left out.
     /// Expects: indices of parts().names().
     /// Cost:    bounds of the patches are computed again: some microseconds for each.
     l3d_patch_model only(std::span<const std::size_t> parts) const;
 
-    /// A model without some parts. Expects, Cost: as only().
+    /// A model without the patches of some parts; all lines stay. Expects, Cost: as only().
     l3d_patch_model without(std::span<const std::size_t> parts) const;
 
-    /// The same patches with these lines in space, in the place of those that they had. Pipelines
-    /// draw them where they draw the patches.
+    /// The same patches with these lines in space in place of their own. Pipelines draw them where
+    /// they draw the patches.
     l3d_patch_model with_curves(std::vector<l3d_space_curve> curves) const;
 
     /// The lines in space that belong to the model, in its own coordinates.
@@ -194,43 +200,47 @@ public:
     /// The different opacities of the pieces' materials, in their order.
     std::vector<float> opacities() const;
     /// A model of the patches whose materials have an opacity from `least` to `most`. Lines are
-    /// opaque. Cost: as only().
+    /// opaque.
+    /// Cost: as only().
     l3d_patch_model of_opacity(float least, float most) const;
 
-    /// The different materials of the patches, each once; none if all are plain, that is white.
+    /// The different materials of the patches, each once; none if all are plain
+    /// (l3d_material::is_plain).
     std::span<const l3d_material> materials() const;
-    /// The place of a patch's material in materials(); 0 if there are none. Expects: index <
-    /// patches().size().
+    /// The index of a patch's material in materials(); 0 if there are none.
+    /// Expects: index < patches().size().
     std::uint32_t material_of(std::size_t index) const;
 
     /// All patches, in the order in which they were given.
     std::span<const patch> patches() const;
-    /// The exact normals of a patch, as a net of control vectors. Expects: index <
-    /// patches().size().
+    /// The exact normals of a patch, as a net of control vectors.
+    /// Expects: index < patches().size().
     const l3d_normal_net& normals(std::size_t index) const;
     /// The cones that hold the normals of a patch and of its parts. Expects: as normals.
     const l3d_facing_cones& facing(std::size_t index) const;
-    /// How strongly a patch bends, the input of its error bound. Expects: as normals.
+    /// Bounds of how strongly a patch bends, from which its error bound is computed.
+    /// Expects: as normals.
     const l3d_surface_bends& bends(std::size_t index) const;
-    /// The largest coordinates of a patch. Expects: as normals.
+    /// The largest magnitudes of a patch's coordinates. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
-    /// The direction of the normals of a proven closed body (l3d_orientation_of): 1 outwards, -1
-    /// inwards; 0 if it is not proven to be one.
+    /// 1 if the model is proven to be a closed body whose normals point outwards, -1 if they point
+    /// inwards. 0 if it is not proven to be closed (l3d_orientation_of).
     int orientation() const;
 
-    /// The corner of the box of all control points with the smallest x, y and z.
+    /// The least x, y and z of all control points.
     const vector& least() const;
-    /// The corner of that box with the largest x, y and z.
+    /// The largest x, y and z of all control points.
     const vector& most() const;
 
-    /// The boxes of the patches' control points, in their order; upright.
+    /// The upright boxes of the patches' control points, in the order of patches().
     const l3d_box_lanes& boxes() const;
 
-    /// The same address for copies of one model, however they are painted, and another for any
-    /// other model that lives at the same time, even one of equal patches.
+    /// An address that copies of one model share, however they are painted. Any other model that
+    /// lives at the same time has another one, even one of equal patches. A level of a curved model
+    /// with other patches counts as another model.
     const void* identity() const;
-    /// An address for its materials, likewise; null if all are plain.
+    /// An address that models with shared materials have in common; null if all are plain.
     const void* paint_identity() const;
 
 private:
@@ -258,7 +268,7 @@ private:
 
     std::shared_ptr<const paint> paint_;                         ///< null if all is plain
     std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
-    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< likewise
+    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none
 };
 
 #endif

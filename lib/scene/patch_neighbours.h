@@ -13,9 +13,10 @@
 
 /// The sides of a model's patches that end or break the surface, and the patches that touch.
 ///
-/// A side is inside the surface if l3d_side_pairs finds another. It is smooth if on both sides
-/// normals point the same way, to eight levels of grey. A side that is a point is smooth if its
-/// normals are. Cost: some 10 us a patch.
+/// A side is inside the surface if l3d_side_pairs pairs it with another. It is smooth if normals on
+/// both sides point the same way, to eight levels of grey. A side that is a point is smooth if all
+/// of its normals point the same way.
+/// Cost: some 10 us a patch.
 class l3d_patch_neighbours {
 public:
     explicit l3d_patch_neighbours(const l3d_patch_model& model);
@@ -23,7 +24,7 @@ public:
     /// Sides that are not smooth, bit by bit: v = 0, u = 1, v = 1, u = 0.
     unsigned outlines(std::size_t patch) const { return outlines_[patch]; }
 
-    /// Patches that have a corner in common with this one, in order.
+    /// Patches that have a corner in common with this one, itself included, in order.
     std::span<const std::uint32_t> touching(std::size_t patch) const { return touching_[patch]; }
 
 private:

@@ -46,15 +46,15 @@ struct L3D_PUBLIC l3d_parameter_range {
 ///     scene.lay(0, {.texture = l3d_read_texture("wood.png", notes)});
 ///
 /// Shape: a place of a picture is (0, 0) in its upper left corner and (1, 1) in the lower right
-///        one; beyond, l3d_texture_wrap says what is seen. Corners of a patch are those at
+///        one. Beyond, l3d_texture_wrap says what is seen. Corners of a patch are those at
 ///        parameters (u, v) of (0, 0), (1, 0), (0, 1) and (1, 1).
 struct L3D_PUBLIC l3d_laid_picture {
     /// The places of a patch's corners; between them, places are bilinear in u and v.
     using corners = std::array<std::array<double, 2>, 4>;
-    /// Those that lay the whole picture on a patch.
+    /// The corners that lay the whole picture on a patch.
     static constexpr corners whole{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
 
-    std::shared_ptr<const l3d_texture> texture; ///< none shows the colours of materials
+    std::shared_ptr<const l3d_texture> texture; ///< without one, the colours of materials are seen
     /// The corners of each piece of the model, in order. Without them, the whole picture lies on
     /// each piece.
     std::vector<corners> pieces{};
@@ -67,12 +67,12 @@ struct L3D_PUBLIC l3d_laid_picture {
 struct L3D_PUBLIC l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
     std::array<l3d_vector<double, 3>, 3> axes{}; ///< from the middle to three sides that meet
-    double reach = 0; ///< bound of the terms that coordinates inside are summed up from, if known
+    double reach = 0; ///< l3d_patch_instance::reach() of points inside; 0: unknown
 };
 
 /// Boxes held so that a processor's lanes can each take one.
 ///
-/// Shape: one array per coordinate, box i in element i; the arrays have room for a multiple of
+/// Shape: one array per coordinate, box i in element i. The arrays have room for a multiple of
 ///        `lanes`, with meaningless numbers behind the last box.
 /// Cost:  13 doubles a box. add allocates only when there are more than ever before.
 class L3D_PUBLIC l3d_box_lanes {
@@ -105,12 +105,12 @@ public:
     /// Coordinate i of the centres, from box `first` on.
     const double* centre(std::size_t i, std::size_t first) const { return &centre_[i][first]; }
 
-    /// Coordinate i of the k-th axes, likewise.
+    /// Coordinate i of the k-th axes, from box `first` on.
     const double* axis(std::size_t k, std::size_t i, std::size_t first) const {
         return &axes_[k][i][first];
     }
 
-    /// The bounds of their terms, likewise.
+    /// The bounds l3d_slanted_box::reach, from box `first` on.
     const double* reach(std::size_t first) const { return &reach_[first]; }
 
 private:
@@ -147,35 +147,35 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Puts another level of the same model in its place. Expects: a model that at_level() made of
-    /// model().
+    /// Puts another level of the same model in its place.
+    /// Expects: a model that at_level() made of model().
     void take_level(const l3d_patch_model& level) { model_ = level; }
 
-    /// Gives all of it one material; without one, the model's own are seen.
+    /// Gives the whole instance one material; without one, the model's own are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
     /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
 
-    /// Lays a picture on all of it; the picture's light is multiplied by that of the material.
+    /// Lays a picture on the whole instance; its light is multiplied by that of the material.
     void lay(const l3d_laid_picture& picture) { picture_ = picture; }
-    /// The picture that lies on it.
+    /// The picture that lies on the instance.
     const l3d_laid_picture& picture() const { return picture_; }
 
-    /// The part of the light behind the instance that it holds back: 1 if nothing is seen through
-    /// it.
+    /// The share of the light from behind that the instance holds back: 1 if nothing is seen
+    /// through it.
     double opacity() const { return opacity_; }
     /// Sets the opacity. Expects: 0 to 1.
     void set_opacity(double opacity) { opacity_ = opacity; }
 
-    /// From the model's space to the world.
+    /// The matrix from the model's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
 
     /// Whether the model's normals have other directions in the world: not if it was only moved,
     /// or scaled by one positive number.
     bool turns_normals() const { return turns_normals_; }
 
-    /// From the model's normals to the world's: the cofactors of the placement, since
-    /// (A a) x (A b) = cof(A) (a x b). Their common scale is such that the largest is 1.
+    /// The matrix that takes the model's normals to the world: the cofactors of the placement,
+    /// scaled so that the largest is 1. It does so since (A a) x (A b) = cof(A) (a x b).
     /// Shape:   the upper left three by three; the rest as in the identity.
     const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
 
@@ -186,17 +186,18 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of all terms in the sums of world coordinates, for points of the model with
+    /// Bound of the sum of the magnitudes of all terms from which a point's world coordinates are
+    /// added up. Rounding errors are in proportion to it. It is for points of the model with
     /// coordinates of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
-    /// The same for all points of the model.
+    /// The bound reach(most) for all points of the model.
     double reach() const;
 
     /// The sums of the magnitudes in the placement's first three columns, the factors of a model's
     /// coordinates.
     const l3d_vector<double, 3>& terms() const { return terms_; }
-    /// The sum of the magnitudes in the placement's last column, which is added.
+    /// The sum of the magnitudes in the placement's last column, the translation.
     double shift() const { return shift_; }
 
 private:
@@ -216,7 +217,8 @@ private:
 /// Patches of one instance meet without a gap where their control points do. Patches of two
 /// instances do so only if the placements are the same numbers.
 /// Lives: shares the models: a program may forget its own copies.
-/// Cost: 104 bytes an instance for the test whether it is seen, 330 more if it is.
+/// Cost: the test whether an instance is seen reads 104 bytes. An instance takes some 460 bytes
+///       more.
 class L3D_PUBLIC l3d_patch_scene {
 public:
     /// A place in the world.
@@ -231,18 +233,18 @@ public:
     /// is 0, 0, 0, 1), has finite numbers, can be inverted, and leaves coordinates at most 1e12.
     static std::string complaint(const l3d_patch_model& model, const l3d_matrix<double>& placement);
 
-    /// Adds an instance: this model, placed so.
+    /// Adds an instance of the model with this placement.
     /// Errors: throws l3d_error with the text of complaint(), and adds nothing.
     void add(const l3d_patch_model& model,
              const l3d_matrix<double>& placement = l3d_identity<double>());
 
-    /// As add, with one instance for each opacity that the model's materials have. If these are
-    /// more than the transparent instances that the scene may still get, opacities are rounded up.
+    /// Adds an instance for each opacity of the model's materials. If the scene has no room for so
+    /// many transparent instances (most_transparent), opacities are rounded up to fewer ones.
     /// Errors: as add.
     void add_by_opacity(const l3d_patch_model& model,
                         const l3d_matrix<double>& placement = l3d_identity<double>());
 
-    /// Moves an instance, or puts another model in its place.
+    /// Moves an instance.
     ///
     /// Expects: an index of instances().
     /// Errors:  as add; the instance stays where it is.
@@ -251,7 +253,8 @@ public:
     void place(std::size_t index, const l3d_matrix<double>& placement) {
         place(index, instances_[index].model(), placement);
     }
-    /// Puts a model where another stood. Expects, Errors, Cost: as the other place.
+    /// Replaces the model and the placement of an instance.
+    /// Expects, Errors, Cost: as place(index, placement).
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
@@ -260,9 +263,10 @@ public:
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
-    /// Lays a picture on the patches of an instance, or takes it away: one without a texture.
-    /// Shades that are light show it, in the product of both lights. It stays when the instance is
-    /// placed elsewhere, until another model takes its place.
+    /// Lays a picture on the patches of an instance; one without a texture takes the picture away.
+    /// Shades that show light show the picture, whose light is multiplied by that of the material.
+    /// The picture stays when the instance is placed elsewhere, until another model takes its
+    /// place.
     /// Expects: an index of instances(); corners for no piece or for each one of the model.
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.
@@ -272,7 +276,7 @@ public:
 
     /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
     /// light that is seen without it. The instance itself shows its nearest surface alone. The
-    /// opacity lasts as long as a paint() does.
+    /// opacity lasts as long as a material of paint() does.
     /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
@@ -281,21 +285,22 @@ public:
     void set_opacity(std::size_t index, double opacity);
     /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
     static constexpr std::size_t most_transparent = 8;
-    /// How many instances have an opacity below 1.
+    /// The number of instances with an opacity below 1.
     std::size_t transparent_count() const { return transparent_count_; }
 
     /// A scene of some of the instances, opaque, in the order of the indices. Its materials() are
-    /// those of all instances, so that pictures of both are lit alike.
-    /// Expects: indices of instances(). Lives: shares the models.
+    /// those of all instances, so that pictures of both scenes are lit alike.
+    /// Expects: indices of instances().
+    /// Lives: shares the models.
     l3d_patch_scene only(std::span<const std::size_t> indices) const;
 
     /// The materials of all instances; none if all are plain.
     ///
     /// Expects: at most l3d_surface_rasterizer::most_materials.
     /// Lives:   until the next change of the scene.
-    /// Cost:    after one of models or materials, time for each instance.
+    /// Cost:    after a change of models or materials, time for each instance.
     std::span<const l3d_material> materials() const;
-    /// The place of a patch's material in materials(); 0 if there are none.
+    /// The index of a patch's material in materials(); 0 if there are none.
     /// Expects: materials() was called since the last change of the scene.
     std::uint32_t material_of(std::size_t instance, std::size_t patch) const {
         if (materials_.empty())
@@ -304,9 +309,9 @@ public:
         return first_materials_[instance] + (of.material() ? 0 : of.model().material_of(patch));
     }
 
-    /// Puts that level of each curved model in its place that a picture needs, and says how far off
-    /// these are. Pipelines do so before each frame. Levels depend on the view and on placements
-    /// alone, and no program sees a change.
+    /// Chooses the level of each curved model that a picture needs, and returns bounds of the
+    /// errors of these levels. Pipelines do so before each frame. Levels depend on the view and on
+    /// placements alone, and do not count as a change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);
 
     /// Whether any instance's model is curved.
@@ -318,14 +323,14 @@ public:
     /// Whether anything has changed since the last forget_changes().
     bool is_changed() const { return is_rebuilt_ || !moved_.empty(); }
 
-    /// Whether instances came or went since the last forget_changes(): moved() does not tell of all
-    /// changes.
+    /// Whether instances came or went since the last forget_changes(). If so, moved() does not tell
+    /// all changes.
     bool is_rebuilt() const { return is_rebuilt_; }
 
-    /// The instances that were placed again since the last forget_changes(), each once. Meaningless
-    /// if is_rebuilt().
+    /// The instances that were changed since the last forget_changes(), each once: placed
+    /// elsewhere, painted, given a picture or an opacity. Meaningless if is_rebuilt().
     std::span<const std::size_t> moved() const { return moved_; }
-    /// The boxes of moved() at the last forget_changes(), in its order.
+    /// The boxes that the instances of moved() had at the last forget_changes(), in the same order.
     const l3d_box_lanes& moved_from() const { return moved_from_; }
 
     /// Forgets all changes; a pipeline calls it after drawing the scene.
@@ -337,14 +342,13 @@ public:
     /// The number of patches of all instances together.
     std::int64_t patch_count() const { return patch_count_; }
 
-    /// The corner of the box of everything with the smallest x, y and z; the origin if there is
-    /// nothing.
+    /// The least x, y and z of everything; the origin if there is nothing.
     const vector& least() const { return extent().least; }
-    /// The corner of that box with the largest x, y and z, likewise.
+    /// The largest x, y and z of everything; the origin if there is nothing.
     const vector& most() const { return extent().most; }
 
-    /// Bound of all terms in the sums of world coordinates: roundings are in proportion to it,
-    /// however small the coordinates become.
+    /// The largest l3d_patch_instance::reach() of the instances. Rounding errors are in proportion
+    /// to it, however small the coordinates become.
     double reach() const { return extent().reach; }
 
     /// The instances' boxes, in their order.
@@ -378,7 +382,7 @@ private:
 /// The nearest point of a scene's patches on the ray through a place of the picture.
 ///
 /// Each error is the largest distance from the exact value, rounding included. It is infinite where
-/// nothing is known, as of the curvature where the surface has no normal.
+/// nothing is known, such as that of the curvature where the surface has no normal.
 struct L3D_PUBLIC l3d_pick {
     /// The instance's index in the scene.
     std::size_t instance = 0;
@@ -399,7 +403,7 @@ struct L3D_PUBLIC l3d_pick {
     l3d_camera::vector point{0.0, 0.0, 0.0};
     /// The point's error, in world units.
     double point_error = 0;
-    /// The distance along the view axis, as good as the point.
+    /// The distance along the view axis, as exact as the point.
     double depth = 0;
 
     /// The unit normal in the world, on the side that is turned to the eye; zero if there is none.
@@ -433,7 +437,7 @@ struct L3D_PUBLIC l3d_pick {
 struct L3D_PUBLIC l3d_pick_view {
     l3d_camera camera;      ///< its near and far planes limit the depth of hits
     l3d_size size;          ///< size of the picture, in pixels
-    bool one_sided = false; ///< backs are not seen, as l3d_afd_settings has it
+    bool one_sided = false; ///< backs are not seen; see l3d_afd_settings
 };
 
 /// Finds the surface that is seen at (x, y) of a picture. Nothing if the ray meets no patch between

@@ -26,20 +26,21 @@ struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
-    /// Least w of its box, or near, in the view's units. In a parallel projection it is counted
-    /// from a w that nothing is nearer than.
+    /// The least w of its box, but not less than near, in the view's units. In a parallel
+    /// projection it is counted from a w that nothing is nearer than.
     float nearest_w = 0;
-    std::int32_t middle = 0; ///< row in the picture of its box; 0 if that is not known
+    std::int32_t middle = 0; ///< row of its box's middle; 0 if that is not known
 };
 
 /// Hands out the visible patches of a scene in batches, nearest first.
 ///
 /// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
-/// costs nothing of its own. The others are opened in turn, nearest first: the boxes of their
-/// patches are looked at. A box proves less than a control net, so some patches pass that nets
-/// would prove unseen.
+/// costs nothing of its own. The other instances are opened in turn, nearest first, and the boxes
+/// of their patches are looked at. A box proves less than a control net. So some patches are handed
+/// out that their nets would prove unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
-/// Cost:  tests/bench/scaling_bench.cpp; no allocation once the largest frame has been seen.
+/// Cost:  measured by tests/bench/scaling_bench.cpp; no allocation once the largest frame has been
+///        seen.
 class l3d_scene_culling {
 public:
     /// Starts a frame.
@@ -59,11 +60,13 @@ public:
     /// The next batch, its nearest patch first; empty if there are no more.
     ///
     /// A batch takes the nearest patches of the open instances. So some may be farther than some of
-    /// the next batch, by the depth of their instance at most. `hidden(box, inv_w)` tells whether a
-    /// thing in a box and no nearer than inv_w (1 / distance along the view axis) would change no
-    /// pixel. It is called from the second batch on, so the caller draws each batch before the
-    /// next. Batches grow, since near patches hide most and each batch has its price. Lives: until
-    /// the next call.
+    /// the next batch, by the depth of their instance at most. Batches grow, since near patches
+    /// hide most and each batch has its price.
+    ///
+    /// `hidden(box, inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance
+    /// along the view axis) would change no pixel. It is called from the second batch on, so the
+    /// caller draws each batch before the next.
+    /// Lives: until the next call.
     template <std::predicate<const l3d_subpixel_box&, float> Hidden>
     std::span<const l3d_placed_patch> next(const Hidden& hidden) {
         return next_batch(
@@ -76,7 +79,7 @@ public:
     /// Whether next() has nothing more to hand out.
     bool is_done() const { return left_ == 0; }
 
-    /// From an instance's model to the image: to_image times its placement.
+    /// The matrix from an instance's model to the image: to_image times its placement.
     const l3d_matrix<double>& matrix(const l3d_placed_patch& p) const {
         return matrices_[p.matrix];
     }

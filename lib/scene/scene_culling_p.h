@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// The bound of the terms in the sums that place the points in boxes: l3d_slanted_box::reach, plus
-/// `columns` times the largest coordinates of each box, plus `shift`.
+/// Gives the bound of terms (l3d_patch_instance::reach) for points in boxes. It is
+/// l3d_slanted_box::reach, plus `columns` times the largest coordinates of each box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
     double shift = 0;
@@ -29,8 +29,8 @@ struct culled_boxes {
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the near plane for that share
 
-    /// Pixels from the picture's centre. They are valid where `least` is greater than `near`, and
-    /// written only if such a box is inside.
+    /// The boxes in the picture, in pixels from its centre. They are valid where `least` is greater
+    /// than `near`. If no such box is inside the margin, they are not written.
     row left, right, top, bottom;
 };
 

@@ -30,7 +30,8 @@ public:
     /// A side's neighbour.
     struct beyond {
         kind is = kind::open;
-        /// Both are walked in the same direction, so their normals are opposite.
+        /// Whether both sides are walked in the same direction, so that the normals of the two
+        /// patches are opposite.
         bool turns = false;
         std::uint32_t patch = 0, side = 0; ///< the other side of the pair
     };

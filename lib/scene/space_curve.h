@@ -21,22 +21,22 @@ public:
     /// The widest line, in pixels.
     static constexpr double most_width = 1000;
 
-    /// A line along this curve, at its own place. Units: a pixel word, 0x00RRGGBB; pixels, whatever
-    /// the distance.
+    /// A line along this curve, at the curve's own place.
+    /// Units:  `color` is a pixel word, 0x00RRGGBB; `width` is in pixels, whatever the distance.
     /// Errors: throws l3d_error(bad_input) if the width is not above 0 and at most most_width.
     explicit l3d_space_curve(const l3d_nurbs_curve& curve, l3d_color color = 0x00ffffff,
                              double width = 1);
 
     /// The same line elsewhere: the placement takes the curve's points to the world.
-    /// Errors: throws l3d_error(bad_input) if a number of it is not finite, or if its last row is
-    ///         not 0, 0, 0, 1.
+    /// Errors: throws l3d_error(bad_input) if a number of the placement is not finite, or if its
+    ///         last row is not 0, 0, 0, 1.
     l3d_space_curve placed(const l3d_matrix<double>& placement) const;
 
     /// The colour, 0x00RRGGBB.
     l3d_color color() const { return color_; }
     /// The width in pixels.
     double width() const { return width_; }
-    /// From the curve's space to the world.
+    /// The matrix from the curve's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
 
     /// The homogeneous control points of a Bezier curve: x w, y w, z w and the weight w.

@@ -14,37 +14,38 @@ namespace l3d_detail {
 /// Makes normals of vertices from a file's data on corners and faces.
 ///
 /// A mesh has one normal for each vertex. So a vertex whose corners have several becomes several
-/// vertices at one place: the first stays where it is, and the others come behind the last.
+/// vertices at one place: the first keeps its index, and the others come behind the last.
 ///
-/// A corner has the normal that it names. Without one, its face's smoothing groups count: its
-/// normal is the mean of the faces around the vertex that share a group with this one, weighted by
-/// area. A face without groups is flat. A face without such data gets zero normals, so that creases
-/// are found by angles.
-/// Cost:    linear, but for vertices at which faces of many different groups meet: the product of
-///          both numbers.
+/// A corner has the normal that it names. Without one, the smoothing groups of its face decide. The
+/// normal is then the mean, weighted by area, of those faces around the vertex that share a group
+/// with this face. A face in no group is flat. A face of which the file says nothing gets zero
+/// normals, so that creases are found by angles.
+/// Cost:    linear, except for a vertex at which faces of many groups meet: there, the product of
+///          the numbers of faces and of groups.
 class corner_normals {
 public:
     using vector = l3d_polygon_mesh::vector;
 
-    /// Adds a normal; its number is the order of calls.
+    /// Adds a normal. Normals are numbered in the order of calls, from 0.
     void add(const vector& normal) { normals_.push_back(normal); }
     /// The number of normals so far.
     std::size_t count() const { return normals_.size(); }
 
-    /// Gives the last corner of the mesh that normal. False, and the corner gets none, if the
-    /// normal has no direction. Expects: normal < count().
+    /// Gives the last corner of the mesh the normal of this number. False, and the corner gets
+    /// none, if the normal has no direction.
+    /// Expects: normal < count().
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
-    /// Puts the last face of the mesh into these groups, each a bit of the lower 32; or into one
-    /// group, `numbered` plus a number.
+    /// Puts the last face of the mesh into smoothing groups, each a bit of the lower 32. A single
+    /// group may instead be `numbered` plus its number.
     void give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups);
     static constexpr std::uint64_t numbered = std::uint64_t{1} << 63;
 
-    /// Whether a corner has a normal, or a face its groups.
+    /// Whether any corner has a normal, or any face has groups.
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
     /// Gives the mesh its normals, once all is read. A vertex without a face gets the normal of its
-    /// own number, unless all faces leave theirs out.
+    /// own number, unless there are faces and none names a normal or group.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 

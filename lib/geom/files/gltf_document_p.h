@@ -17,17 +17,19 @@
 
 namespace l3d_detail {
 
-/// An error of a file, with its place: "accessors[3].count is ...", or with its line.
+/// An error in a glTF file. Its message begins with the place in the document ("accessors[3].count
+/// is ...") or with the line.
 class gltf_error : public std::runtime_error {
 public:
-    /// Where the text is JSON, its places tell more than lines, of which it may have just one.
+    /// `line` is 0 for an error inside the JSON. `what` then begins with the place in the document.
+    /// A line would tell less, since the whole JSON may be one line.
     explicit gltf_error(const std::string& what, std::size_t line = 0)
         : std::runtime_error((line > 0 ? std::to_string(line) + ": " : " ") + what) {}
 };
 
-/// A value of the document that knows its place in it.
+/// A value of the JSON document that knows its place there.
 ///
-/// Every function throws a gltf_error that begins with the place.
+/// Every function that finds an error throws a gltf_error that begins with the place.
 /// Lives: borrows the document.
 class gltf_value {
 public:
@@ -45,9 +47,9 @@ public:
     gltf_value operator[](std::size_t index) const;
     std::size_t size() const;
 
-    /// A whole number from 0 to 2^53, which JSON numbers hold.
+    /// The value as a whole number from 0 to 2^53, up to which JSON numbers are exact.
     std::uint64_t whole() const;
-    /// The same of a member; `missing` if it is left out.
+    /// The whole number of a member; `missing` if the member is left out.
     std::uint64_t whole_or(const char* name, std::uint64_t missing) const;
     double number() const;
     bool flag_or(const char* name, bool missing) const;
@@ -63,7 +65,8 @@ private:
     std::string place_;
 };
 
-/// Numbers of an accessor, as they count: normalized ones are from -1 or 0 to 1.
+/// The numbers of an accessor as doubles. Normalized ones are brought to the range from -1 or 0 to
+/// 1.
 struct gltf_numbers {
     std::size_t count = 0;      ///< the number of elements
     std::size_t components = 1; ///< components of an element
@@ -80,19 +83,22 @@ public:
     /// Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Call once, before numbers are asked for. A fault of a buffer matters once it is used.
+    /// Reads the buffers. Call it once, before numbers are asked for. A fault of a buffer is an
+    /// error only once the buffer is used.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
 
-    /// The numbers of an accessor. Its type is one of `types`, "VEC3 VEC4" say. `at` is the place
-    /// that names it. `is_index` asks for whole numbers that are not negative.
+    /// The numbers of an accessor. Its type must be one of `types`, such as "VEC3 VEC4". `at` is
+    /// the value that names the accessor. `is_index` asks for whole numbers that are not negative.
     gltf_numbers numbers(const gltf_value& at, std::string_view types, bool is_index) const;
 
-    /// The bytes of an element of `images`: of a file, of the text itself, or of a bufferView.
+    /// The bytes of an element of `images`: they are in another file, in the text itself, or in a
+    /// bufferView.
     std::string image_bytes(const gltf_value& image, const l3d_other_files& files) const;
 
-    /// Counts what is made of the file: it may name the same numbers again and again.
+    /// Counts the memory that is taken, since a file may name the same numbers again and again.
+    /// Errors: gltf_error beyond 32 times the files' size, if that is also beyond 16 MB.
     void take_memory(std::size_t bytes) const;
 
 private:
@@ -111,7 +117,7 @@ private:
     json json_;
     std::string_view chunk_; ///< the binary part of a .glb file
     bool has_chunk_ = false;
-    std::vector<std::string> owned_; ///< buffers that are not in the file as they are
+    std::vector<std::string> owned_; ///< bytes of buffers that were decoded, or read from files
     std::vector<std::string_view> buffers_;
     std::vector<std::optional<gltf_error>> faults_; ///< per buffer
     std::size_t bytes_ = 0; ///< the size of the file and of those that it names

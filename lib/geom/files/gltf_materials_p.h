@@ -18,14 +18,15 @@
 
 namespace l3d_detail {
 
-/// The extension that has the older kind of materials.
+/// The extension of glTF with the older kind of materials.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
-/// A level of linear light as pictures encode it. Units: both from 0 to 1.
+/// Encodes a level of linear light as pictures do.
+/// Units: both from 0 to 1.
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);
 
-/// Reads the numbers of a member into `out`, unless there is no such member.
+/// Reads the numbers of an array member into `out`; false if there is no such member.
 /// Errors:  gltf_error if it has more or fewer.
 template <std::size_t N>
 bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
@@ -39,8 +40,8 @@ bool read_array(const gltf_value& of, const char* name, std::array<double, N>& o
     return true;
 }
 
-/// Reads all materials into the model's mesh, and notes what it skips of them.
-/// Lives:   borrows what it is given.
+/// Reads all materials into the model's mesh, and adds notes on features that it skips.
+/// Lives:   borrows all arguments but the name.
 class gltf_materials {
 public:
     /// Notes begin with `name`.
@@ -49,14 +50,16 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           files_(files) {}
 
-    /// Errors:  gltf_error; none for a picture, which is noted instead.
+    /// Errors:  gltf_error; but a faulty picture becomes a note.
     void read();
 
-    /// Which set of places corners have on the picture of a material. Expects: a material read.
+    /// The number of the set of picture places (TEXCOORD_0 and so on) that a material's picture
+    /// uses.
+    /// Expects: read() was called.
     std::uint64_t set_of_places(std::size_t material) const { return sets_[material]; }
 
 private:
-    /// A picture's place in the mesh, and which set of places on it corners have.
+    /// A picture's index in the mesh, and the set of picture places that it is laid by.
     struct picture_use {
         int place = l3d_material::no_picture;
         std::uint64_t set = 0;
@@ -73,7 +76,8 @@ private:
     l3d_model_file& model_;
     std::string name_;
     const l3d_other_files& files_;
-    /// Places among the mesh's pictures, by image and by what is seen beyond borders in u and v.
+    /// Indices of the mesh's pictures, by image and by the codes for what is seen beyond borders in
+    /// u and in v.
     std::map<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>, int> pictures_;
     std::vector<std::uint64_t> sets_; ///< sets of places on pictures, one per material
     bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;

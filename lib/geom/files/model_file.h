@@ -34,7 +34,7 @@ enum class L3D_PUBLIC l3d_model_format {
 
 /// A file of materials that a model file names.
 struct L3D_PUBLIC l3d_material_file {
-    std::string name;     ///< as it is named, from the model's own folder
+    std::string name;     ///< its path as the model names it, from the model's own folder
     std::size_t line = 0; ///< the line that names it
 
     /// Whether the names are equal; lines make no difference.
@@ -43,9 +43,9 @@ struct L3D_PUBLIC l3d_material_file {
     }
 };
 
-/// A box of a plane.
+/// An upright rectangle in two dimensions.
 struct L3D_PUBLIC l3d_model_window {
-    /// Its least and its largest coordinates; x0 < x1 and y0 < y1.
+    /// The least and the largest coordinates; x0 < x1 and y0 < y1.
     double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
 
     friend bool operator==(const l3d_model_window&, const l3d_model_window&) = default;
@@ -69,28 +69,30 @@ struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
-    std::vector<std::uint32_t> patch_materials{};    ///< optional, one per patch, as a face has it
-    std::vector<l3d_material_file> material_files{}; ///< looks of the mesh's materials
+    /// Optional, one per patch: the index of its material in mesh.materials.
+    std::vector<std::uint32_t> patch_materials{};
+    std::vector<l3d_material_file> material_files{}; ///< files with looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
-    /// The part of the model's x and y that is to be seen: `w` of .obj. For programs in two
-    /// dimensions.
+    /// The rectangle of x and y that programs in two dimensions show: `w` of .obj.
     std::optional<l3d_model_window> window{};
-    /// The part of the picture that the window fills: `s` of .obj. Units: shares of the picture,
-    /// from the left and from below.
+    /// The part of the picture that the window fills: `s` of .obj.
+    /// Units: shares of the picture, from the left and from below.
     std::optional<l3d_model_window> viewport{};
-    std::vector<l3d_model_camera> cameras{}; ///< those of .asc
+    std::vector<l3d_model_camera> cameras{}; ///< cameras, which .asc has
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
-    std::vector<std::uint32_t> curve_materials{}; ///< optional, one per curve, as a face has it
+    /// Optional, one per curve: the index of its material in mesh.materials.
+    std::vector<std::uint32_t> curve_materials{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
 
-/// Gives the bytes of another file that a model names, in the model's own folder.
+/// A function that gives the bytes of another file that a model names, in the model's own folder.
 /// Errors:  nothing, and the reason in `why`.
 using l3d_other_files =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
 
-/// The format of a text, by its first word, or by its size; nothing for an unknown one.
+/// The format of a text, by its first word or, for a binary .stl, by its size; nothing for an
+/// unknown one.
 L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
 /// Reads a model of any of the formats. docs/FORMATS.md lists the features that are read, skipped
@@ -98,22 +100,21 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 /// l3d_read_model_with.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
-/// Errors:  nothing, and `why` = "name:line: what is wrong". In the binary part of a file, the line
-///          is the one that it begins in, and the message has the byte.
-/// Cost:    time linear in the text; memory at most 80 bytes per byte of text, or 40 MB for glTF;
-///          counts are checked before memory is taken for what they promise.
+/// Errors:  nothing, and `why` = "name:line: what is wrong". In a binary part of a file, the line
+///          is that where the part begins, and the message names the byte.
+/// Cost:    time linear in the text; memory at most 80 bytes per byte of text, or 40 MB for glTF.
+///          Counts in the text are checked before memory is taken for them.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
-/// As l3d_read_model, with the files that the model names: the buffers and pictures of glTF.
-/// Errors:  as those of l3d_read_model.
+/// Reads a model as l3d_read_model does, and the files that it names: buffers and pictures of glTF.
+/// Errors:  as l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,
                                                              std::string_view name,
                                                              std::string& why);
 
-/// A reader of one format.
-/// Errors: as those of l3d_read_model, whose cost it has, too.
+/// A reader of one format. Errors, Cost: as l3d_read_model.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
 L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
@@ -126,10 +127,9 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_grid;                        ///< a grid of heights, as patches
 
 /// The reader of glTF 2.0.
-/// Errors:  as those of l3d_read_model; the place is one in the document, such as
-///          "accessors[3].count", or line and column if the text is no JSON.
-/// Cost:    as that of l3d_read_model; memory is counted for each byte of this text and of the
-///          other files.
+/// Errors:  as l3d_read_model, but the message names a place in the document, such as
+///          "accessors[3].count", and no line. If the text is no JSON, it names line and byte.
+/// Cost:    as l3d_read_model; memory is counted for each byte of this text and of the other files.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
                                                        std::string& why,
                                                        const l3d_other_files& files = {});
@@ -137,8 +137,9 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 /// A material by its name.
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
-    l3d_material look; ///< its colour and highlights
-    /// The picture laid on it, as the file names it; none if it has no name.
+    l3d_material look; ///< its colour, highlights and opacity
+    /// The picture laid on surfaces of this material, as the file names it; none if the picture's
+    /// name is empty.
     l3d_mesh_picture picture{};
 
     friend bool operator==(const l3d_named_material&, const l3d_named_material&) = default;
@@ -150,34 +151,36 @@ struct L3D_PUBLIC l3d_named_material {
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 
-/// Gives a mesh's materials the looks of the named ones; among equal names the last counts.
+/// Gives a mesh's materials the looks of the entries with the same names. Among entries of one
+/// name, the last counts. A material without an entry keeps its look, or gets a plain one.
 L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 
-/// The text of an .off file; reading it gives the same vertices, faces, normals and colours, bit
-/// for bit. Parts and materials have no place in it, nor have colours of vertices beside those of
-/// faces.
+/// Returns the text of an .off file. Reading it gives the same vertices, faces, normals and
+/// colours, bit for bit. Parts and materials are left out, and so are colours of vertices if faces
+/// have colours.
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// The text of an .obj file; reading it gives the same model, bit for bit, but for colours of
-/// faces, looks of materials, and pictures, which have no place in it.
+/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, but for what is
+/// left out. That is colours of faces, looks of materials, pictures, cameras and notes.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;
 ///          materials differ in name.
 L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 
-/// Reads the surfaces of an .obj file as they were made, for programs that change control points.
-/// l3d_read_obj gives their Bezier patches, which are pieces() of these surfaces in their order.
+/// Reads the surfaces of an .obj file with their own knots and control points, for programs that
+/// change these. l3d_read_obj gives their Bezier patches, which are pieces() of these surfaces in
+/// their order.
 ///
 /// Errors: as l3d_read_obj. A file without surfaces is no error.
 /// Cost:   as l3d_read_obj, and the memory of the surfaces.
 L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>>
 l3d_read_obj_surfaces(std::string_view text, std::string_view name, std::string& why);
 
-/// The text of an .obj file; reading it by l3d_read_obj_surfaces gives the same surfaces, bit for
-/// bit.
+/// Returns the text of an .obj file, from which l3d_read_obj_surfaces reads the same surfaces, bit
+/// for bit.
 L3D_PUBLIC std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
 #endif

@@ -21,7 +21,7 @@
 
 namespace l3d_detail {
 
-/// A mesh holds indices of 32 bits; a text that could name more is refused.
+/// The most vertices of a mesh, whose indices have 32 bits; a text that could name more is refused.
 inline constexpr std::int64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
 
 /// Gives materials to faces, by name. Lives: borrows the mesh and the names' text.
@@ -38,17 +38,18 @@ public:
         return place->second;
     }
 
-    /// Expects: there is a face.
+    /// Gives the last face a material. Expects: there is a face.
     void give_to_last_face(std::uint32_t material) {
         mesh_.face_materials.resize(mesh_.faces() - 1, nothing);
         mesh_.face_materials.push_back(material);
     }
 
-    /// The place of a missing material, until all is read.
+    /// Stands for a missing material until all is read.
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
-    /// If some faces have a material, the others get one without a name, and so do patches and
-    /// curves; if none of all has, there are no materials.
+    /// Completes the materials of faces, patches and curves, once all is read. If some of a kind
+    /// have a material, the others of that kind get one without a name. If nothing has a material,
+    /// the mesh keeps no names of materials.
     void finish(std::vector<std::uint32_t>& patches, std::vector<std::uint32_t>& curves) {
         for (std::vector<std::uint32_t>* const of : {&patches, &curves})
             if (std::ranges::all_of(*of, [](std::uint32_t m) { return m == nothing; }))
@@ -68,8 +69,8 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
 
-/// Colours of vertices. A mesh gets them as those of its faces if each face has one, which is drawn
-/// faster.
+/// Collects the colours of vertices. If the corners of each face agree, the mesh gets them as
+/// colours of faces, which are drawn faster.
 class vertex_colors {
 public:
     /// Gives the last vertex a colour. Expects: there is a vertex.
@@ -77,8 +78,9 @@ public:
         give(mesh.vertices.size() - 1, color);
     }
 
-    /// Gives a vertex a colour; vertices without one are white. Units: components from 0 to 1, or,
-    /// if some are 2 or more, from 0 to 255. Others are clamped; NaN is the largest.
+    /// Gives a vertex a colour; vertices without one are white.
+    /// Units:   components from 0 to 1 or, if any is 2 or more, from 0 to 255. Others are clamped;
+    ///          NaN is the largest.
     /// Expects: vertices come in their order.
     void give(std::size_t vertex, const double* color) {
         colors_.resize(vertex, white);
@@ -90,7 +92,7 @@ public:
         }
     }
 
-    /// Expects: a mesh whose faces have no colours.
+    /// Gives the mesh its colours, once all is read. Expects: a mesh whose faces have no colours.
     void finish(l3d_polygon_mesh& mesh) {
         if (colors_.empty())
             return;
@@ -126,7 +128,7 @@ private:
     float largest_ = 0;
 };
 
-/// A colour of a face. Components beyond 0 to 1 are clamped, with a note.
+/// The word of a face's colour. Components beyond 0 to 1 are clamped, with a note.
 inline std::uint32_t color_of(text_cursor& text, const double* components) {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -151,11 +153,12 @@ inline void append_color(std::string& text, std::uint32_t word) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Coordinates that a visible vertex may not have. Programs write some for vertices that no face
-/// uses; these become the origin.
+/// Keeps coordinates that are not finite, or beyond 1e12. Programs write some for vertices that no
+/// face uses; these vertices become the origin.
 class odd_coordinates {
 public:
-    /// Checks a number that was read for the next vertex: the current token, or digits in it.
+    /// Checks a coordinate that was read for the next vertex, from the current token or `digits` in
+    /// it. One that is not allowed is kept, and becomes 0.
     void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
                std::string_view digits = {}) {
         if (std::abs(value) <= l3d_bpt_largest_coordinate)
@@ -164,8 +167,9 @@ public:
         value = 0;
     }
 
-    /// Whether no such vertex is a corner of the mesh or used otherwise, by is_used(index). Errors:
-    /// those of coordinates, at the first one in the text.
+    /// Whether no vertex with such coordinates is a corner of the mesh, or used otherwise by
+    /// is_used(index).
+    /// Errors: as text_cursor::is_coordinate, at the first one in the text that is used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())
@@ -219,7 +223,8 @@ inline bool has_direction(const l3d_polygon_mesh::vector& v) {
 inline constexpr const char* odd_normals_note =
     "normals that are zero or no numbers are computed from the faces";
 
-/// Normals without a direction become zero; if those of all corners are, there are none.
+/// Makes normals without a direction zero. If the normals of all corners are zero, the mesh loses
+/// its normals.
 inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
     const l3d_polygon_mesh::vector zero(0);
     if (mesh.vertex_normals.empty())
@@ -232,8 +237,8 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
         mesh.vertex_normals.clear();
 }
 
-/// The result of every reader of a format: read(cursor, model) says whether all went well. The text
-/// from `comment`, if any, to the line's end is skipped.
+/// Reads a model by read(cursor, model), which says whether all went well. Each reader of a format
+/// returns the result. The text from `comment`, if any, to the line's end is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

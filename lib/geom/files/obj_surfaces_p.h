@@ -15,19 +15,20 @@
 
 namespace l3d_detail {
 
-/// The index of a thing by its number in an .obj file: from 1 on, or back from the last, -1.
-/// Fails if the number names nothing among the `count` things so far.
+/// Finds the index of a thing from its number in an .obj file: 1 is the first one, -1 the last one
+/// so far. Fails if the number names nothing among the `count` things so far.
 bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, std::uint32_t& index);
 
-/// Reads cstype, deg, surf, curv, parm and end, and makes patches of each surface; and l.
+/// Reads the statements of free-form surfaces and curves (cstype, deg, surf, curv, parm, end), and
+/// those of lines (l). Each surface becomes patches.
 ///
-/// Lives:   borrows the cursor, and where patches and surfaces go.
+/// Lives:   borrows the cursor and the vectors that it fills.
 /// Source:  the appendix "Object Files" of Wavefront's Advanced Visualizer manual.
 class obj_surfaces {
 public:
     using vector = l3d_polygon_mesh::vector;
 
-    /// Surfaces are also kept as they are in `whole`, unless that is null.
+    /// `whole` gets each surface with its own knots and control points, unless it is null.
     obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches,
                  std::vector<l3d_nurbs_curve>& curves, std::vector<l3d_nurbs_surface>* whole)
         : text_(text), patches_(patches), curves_(curves), whole_(whole),
@@ -35,15 +36,16 @@ public:
 
     static bool knows(std::string_view word);
 
-    /// Reads the rest of a statement that knows() is true of. `weights` may be shorter than
-    /// `vertices`; those left out are 1.
+    /// Reads the rest of a statement whose word knows() accepts. `weights` may be shorter than
+    /// `vertices`; missing weights are 1.
     bool read_statement(std::string_view word, const std::vector<vector>& vertices,
                         const std::vector<double>& weights);
 
     /// Whether the last surface or curve has ended.
     bool finish();
 
-    /// Per vertex whether a surface, curve or line uses it; may be shorter than there are vertices.
+    /// For each vertex, whether a surface, curve or line uses it; may be shorter than there are
+    /// vertices.
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
@@ -73,7 +75,7 @@ private:
     std::size_t text_bytes_, patch_bytes_ = 0;
     kind kind_ = kind::none;
     bool is_rational_ = false, is_open_ = false;
-    bool is_curve_ = false; ///< in place of a surface
+    bool is_curve_ = false; ///< the open statement is a curve, no surface
     int degree_u_ = 0, degree_v_ = 0;
     l3d_bspline_direction u_, v_;
     std::vector<std::uint32_t> indices_; ///< control points of the open surface or curve

@@ -23,7 +23,7 @@ struct L3D_PUBLIC l3d_patch_points {
     /// The degrees of the polynomials along u and v; 3 and 3 for a bicubic patch.
     int degree_u = 0, degree_v = 0;
     std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
-    /// The weights of a rational patch, positive, as many as there are points; none of another one.
+    /// The weights of a rational patch, positive, one per point; empty for a polynomial patch.
     std::vector<double> weights = {};
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
@@ -36,47 +36,48 @@ inline constexpr int l3d_bpt_largest_degree = 15;
 /// coordinates from 1e12 on; the reader can say in which line they are.
 inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 
-/// Whether a number may be the weight of a control point. Products with a lesser one would be too
+/// Whether a number may be the weight of a control point. Products with a smaller one would be too
 /// small for a double to keep their digits.
 constexpr bool l3d_is_weight(double w) {
     return w >= 1e-100 && w <= 1e12;
 }
 
-/// Reads patches: their number, then for each its two degrees and its points, u fastest.
+/// Reads a .bpt text: the number of patches, then for each patch its two degrees and its points, u
+/// fastest.
 ///
-/// The word `rational` after the two degrees, in their line, says that each point has a fourth
-/// number: its weight, which its coordinates are not multiplied by.
+/// The word `rational` in the line of the two degrees says that each point has a fourth number, its
+/// weight. The coordinates are not multiplied by it.
 /// Numbers stand apart by white space of any kind and amount, whatever the locale. A # begins a
 /// comment, which ends with its line.
-/// Errors:  nothing, and `why` = "name:line: what is wrong". A number may be missing, malformed,
-///          NaN, infinite or out of range; a degree may be outside 1 to 15, a weight outside 1e-100
-///          to 1e12. The count may not be positive, or more than the text can hold. Something may
-///          follow the last patch.
-/// Cost: memory in proportion to the text, whatever the counts in it promise.
+/// Errors:  nothing, and `why` = "name:line: what is wrong". Numbers are wrong if they are missing,
+///          malformed, NaN, infinite or out of range. Degrees must be from 1 to 15, weights from
+///          1e-100 to 1e12. The count must be positive and no more than the text can hold. Nothing
+///          may follow the last patch.
+/// Cost:    memory in proportion to the text, whatever the counts in it promise.
 /// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
 l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
-/// The text of a .bpt file; reading it gives the same patches, bit for bit.
+/// Returns the text of a .bpt file. Reading it gives the same patches, bit for bit.
 /// Expects: patches that l3d_read_bpt would accept.
 L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
 /// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the
 /// surface is no more than bicubic.
 ///
-/// A common boundary stays common bit for bit, whichever way its two patches run along it.
+/// Two patches that share a boundary still share it bit for bit, whichever way each runs along it.
 /// Shape:   index = 4 * row (v) + column (u).
-/// Errors:  nothing if a degree is outside 1 to 15, or if the number of points does not fit the
-///          degrees, or if weights differ. Nothing, too, if no bicubic patch has these
-///          points but for rounding, 2^-46 of the largest coordinate.
+/// Errors:  nothing if a degree is outside 1 to 15, the number of points does not fit the degrees,
+///          or weights differ. Nothing also if the surface is not bicubic, to within a rounding of
+///          2^-46 of the largest coordinate.
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
 l3d_as_bicubic(const l3d_patch_points& patch);
 
-/// The most heights that are read from a file: 1024 x 1024. Each becomes a patch, and the patches
-/// of so many take 0.4 GB.
+/// The most heights that are read from a file: 1024 x 1024. Each becomes a patch, and all of these
+/// take 0.4 GB.
 inline constexpr std::int64_t l3d_most_heights = std::int64_t{1} << 20;
 
-/// Heights over a rectangle, `columns` to a row.
+/// A grid of heights over a rectangle, with `columns` heights in each row.
 ///
 /// Shape:   row after row; the first row is the farthest, at the least z. Columns run along x.
 struct L3D_PUBLIC l3d_height_field {
@@ -84,17 +85,17 @@ struct L3D_PUBLIC l3d_height_field {
     std::vector<double> heights; ///< along y; NaN where there is none
     double spacing = 1;          ///< from one height to the next, along x and along z
 
-    /// Why this is no height field, naming the value at fault; "" if it is one. It has 2 rows and
-    /// columns at least and only whole rows. Heights are NaN or within l3d_bpt_largest_coordinate,
-    /// and so is the rectangle. The spacing is positive.
+    /// Why this is no height field, naming the value at fault; "" if it is one. A height field has
+    /// at least 2 rows and 2 columns, and only whole rows. Heights are NaN or within
+    /// l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
     std::string complaint() const;
 };
 
-/// Bicubic patches through all heights, one for each four neighbours that are there. The middle of
-/// the rectangle is at x = z = 0.
+/// Makes a smooth surface through all heights: a bicubic patch for each four neighbours none of
+/// which is missing. The middle of the rectangle is at x = z = 0.
 ///
 /// Neighbours share their border's control points bit for bit, and have the same tangent planes
-/// there: the surface is C1. Seen from above, it is one side of dS/du x dS/dv.
+/// there: the surface is C1. Its normals dS/du x dS/dv point upwards.
 /// Errors:  throws l3d_error(bad_input) with the text of complaint().
 /// Source:  Catmull and Rom, A class of local interpolating splines, 1974: the slope at a height is
 ///          half of the difference between its neighbours. At a border or beside a missing height

@@ -24,7 +24,7 @@ inline bool is_whole(number_type type) {
     return type < number_type::float32;
 }
 
-/// The meaning of a property to us. Properties without one are read and thrown away.
+/// The meaning of a property for the reader. Properties without one are read and thrown away.
 enum class meaning {
     nothing,
     x,
@@ -38,7 +38,7 @@ enum class meaning {
     blue,
     place_u, ///< from the left of a picture
     place_v, ///< from its bottom
-    corners, ///< list of a face
+    corners, ///< list of a face's vertex indices
     places   ///< list of place_u and place_v of each corner
 };
 
@@ -75,7 +75,7 @@ class header {
 public:
     explicit header(text_cursor& text) : text_(text) {}
 
-    /// Errors: as all functions of text_cursor.
+    /// Reads the header to its end. Errors: as all functions of text_cursor.
     bool read();
 
     const std::vector<element>& elements() const { return elements_; }
@@ -83,7 +83,7 @@ public:
     /// The element of that kind, or null. Expects: not `other`.
     const element* find(row_kind kind) const;
 
-    /// The picture that a comment names, as MeshLab writes them; empty without one.
+    /// The name of the picture in a comment as MeshLab writes it; empty without one.
     std::string_view picture() const { return picture_; }
 
     /// The byte order of a binary file; nothing for a text.

@@ -7,12 +7,13 @@
 
 namespace l3d_detail {
 
-/// Whether a file has the size that its number of triangles asks for. A text would have to be
-/// longer than 6 GB: the bytes of its number are blanks and more, so it is at least 0x09090909.
+/// Whether a file is a binary .stl: its size is the one that its number of triangles asks for, or
+/// its header begins with "solid" and holds a zero byte. No text below 7 GB has that size. The
+/// bytes of its number would be 9 (a tab) or more, so the number would be at least 0x09090909.
 bool is_binary_stl(std::string_view text);
 
-/// Whether a text may be a binary .stl file with more bytes behind its triangles. Other binary
-/// files may be taken for one, so this is asked last.
+/// Whether a file may be a binary .stl with more bytes behind its triangles. Other binary files may
+/// be taken for one, so this is asked last.
 bool is_long_binary_stl(std::string_view text);
 
 } // namespace l3d_detail

@@ -33,23 +33,24 @@ public:
     /// Notes are bounded, else a text of short odd lines would cost a multiple of its size.
     static constexpr std::size_t most_notes = 20;
 
-    /// A comment begins with the character `comment` and ends with its line; 0: there are none.
-    /// A byte order mark at the beginning is passed over. Lines end as on Unix, as on DOS, or with
-    /// carriage returns alone.
+    /// A comment begins with the character `comment` and ends with its line; 0 stands for no
+    /// comments. A byte order mark at the beginning is passed over. Lines end as on Unix, as on
+    /// DOS, or with carriage returns alone.
     text_cursor(std::string_view text, std::string_view name, char comment = '\0');
 
-    /// Fails, for use as a result. The message names the line of the current token.
+    /// Sets the error to `what`, with the line of the current token, and returns false.
     bool fail(const std::string& what);
-    /// Errors: the last one; empty if nothing has failed.
+    /// The message of the last error; empty if nothing has failed.
     const std::string& why() const { return why_; }
 
     /// Keeps a remark on a skipped statement, with the line of the current token.
     void note(const std::string& what);
-    /// Keeps a remark only once for each text.
+    /// Keeps a remark as note() does, unless one with the same text was kept before.
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Sets the place of values for messages, until the next call: " of vertex 3 of 8".
+    /// Sets the place of values, such as " of vertex 3 of 8", that messages have until the next
+    /// call.
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
         of_what_ = of_what;
@@ -66,7 +67,7 @@ public:
     /// without error, at the end of the text.
     bool next_line();
 
-    /// Takes the rest of this line as a name, without the blanks around it: none of its characters
+    /// Takes the rest of this line as a name, without the blanks around it. No character of it
     /// begins a comment or joins lines.
     std::string_view name_in_line();
 
@@ -80,7 +81,7 @@ public:
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
-    /// The place of a number that is an error only if something depends on it.
+    /// A place in the text, kept for a number that is an error only if something depends on it.
     struct reading_place {
         std::string_view rest, token;
         std::ptrdiff_t line;
@@ -88,7 +89,7 @@ public:
         std::size_t index, count;
     };
     reading_place here() const { return {rest_, token_, line_, of_what_, index_, count_}; }
-    /// Goes back there, for a message. Nothing can be taken after that.
+    /// Goes back to a place, so that a message can name it. Nothing can be taken after that.
     void go_back(const reading_place& to);
 
     /// Makes a newline after a backslash white space from now on; it still counts as a line.
@@ -103,20 +104,20 @@ public:
     bool coordinate(double& value);
     bool weight(double& value);
 
-    /// Checks a number that was found in another way. `digits` is its text, if that is not the
+    /// Checks a number that was not taken by number(). `digits` is its text, if that is not the
     /// current token.
     bool is_finite(double value, const char* what, std::string_view digits = {});
     bool is_coordinate(double value, std::string_view digits = {});
     bool is_weight(double value, const std::string& what);
     bool is_in(std::int64_t value, const char* what, std::int64_t least, std::int64_t most);
 
-    /// The current token as a number; `digits` is the part of it that must be one.
+    /// Reads `digits`, a part of the current token, as a number.
     bool number_in(std::string_view digits, double& value, const char* what);
     bool any_number_in(std::string_view digits, double& value, const char* what);
     bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
 
-    /// Whether the text can hold so many things of at least `shortest` bytes each. Call it before
-    /// taking memory for them.
+    /// Whether the rest of the text can hold `count` things of at least `shortest` bytes each. Call
+    /// it before taking memory for them.
     bool plausible(std::int64_t count, const char* things, std::size_t shortest);
 
     /// Takes a binary number of that type and byte order.
@@ -134,8 +135,8 @@ public:
         return true;
     }
 
-    /// A number as Geomview writes it: text, or a float of the file's binary part. It may be
-    /// infinite or NaN.
+    /// Takes a number as Geomview writes it: text, or a float in a binary file. It may be infinite
+    /// or NaN.
     bool any_number_or_float(double& value, bool is_float, const char* what) {
         if (!is_float)
             return any_number(value, what);

@@ -20,35 +20,37 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Coefficients of Taylor's about the middles of parts, for parameters from -1 to 1 across them:
-/// [power of u][power of v].
+/// Taylor coefficients about the middles of parts, for parameters from -1 to 1 across them: [power
+/// of u][power of v].
 template <std::size_t Degree> struct taylor_net { vector at[Degree + 1][Degree + 1]; };
 
 constexpr double factorial(std::size_t n) {
     return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1);
 }
 
-/// From a coefficient to a derivative by parameters of the part, which are half as fast.
+/// The factor from a Taylor coefficient to the derivative by parameters that run from 0 to 1 across
+/// the part, half as fast.
 constexpr double as_derivative(std::size_t k, std::size_t l) {
     return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
 }
 
-/// The largest of |a + b s + c t| for s and t from -1 to 1: in a corner, as it is convex.
+/// The largest of |a + b s + c t| for s and t from -1 to 1. It is in a corner, since the function
+/// is convex.
 HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const vector& c) {
     const vector low = a - b, high = a + b;
     const number one = largest(squared(low - c), squared(low + c));
     return root(largest(one, largest(squared(high - c), squared(high + c))));
 }
 
-/// The error that rounding may add, over the length of the normal in the middle: see
-/// docs/NUMERICS.md.
+/// The error that rounding may add to normals, relative to the length of the normal in the middle:
+/// see docs/NUMERICS.md.
 constexpr double normal_noise = 0x1p-39;
 
-/// Shorter normals, of 1 in the longest coefficient, are mostly noise.
+/// Normals shorter than this, where the longest coefficient is 1, are mostly noise.
 constexpr double no_length = 0x1p-32;
 
-/// The error that rounding may add to a second or third derivative of points, over the largest of
-/// them.
+/// The error that rounding may add to a second or third derivative of points, relative to the
+/// largest of the points.
 constexpr double point_noise = 0x1p-44;
 
 /// A factor above the relative rounding of sums of positive numbers here.
@@ -57,15 +59,18 @@ constexpr double relative = 1 + 0x1p-40;
 // Functions with series of their own, 3 KB each with the longest lanes, are not inlined: so the
 // stack holds only the series in use.
 
-/// The unit normals of parts: Taylor's coefficients about the middle up to series_order, and bounds
+/// The unit normals N of parts: Taylor coefficients about the middle up to series_order, and bounds
 /// of derivatives over all of the part.
 ///
-/// m is M over its length in the middle. Let p be the series of (m . m)^(-1/2), cut off. Then p m
-/// is as good a normal as m. It has the coefficients of N up to series_order. (p m) . (p m) is 1
-/// but for w, whose first coefficients are 0. So N = p m (1 - w)^(-1/2) for that w. Now take the
-/// same expression with sums of absolute values. Its coefficients bound the absolute values of all
-/// coefficients, and lose a sign only beyond the order. Their sum, the value in the corner (1, 1),
-/// and derivatives there, are bounds everywhere. Source: Cauchy's method of majorants.
+/// M is the polynomial of normals, and m is M over its length in the middle. Let p be the series of
+/// (m . m)^(-1/2), cut off. Then p m is as good a normal as m, and has the coefficients of N up to
+/// series_order. (p m) . (p m) is 1 - w, where the first coefficients of w are 0. So
+/// N = p m (1 - w)^(-1/2).
+///
+/// The same expression is taken with absolute values of all coefficients. Its coefficients bound
+/// the absolute values of those of N, and lose signs only beyond the order. The value and the
+/// derivatives in the corner (1, 1), where all coefficients add up, are bounds everywhere.
+/// Source: Cauchy's method of majorants.
 class part_normals {
 public:
     HWY_ATTR explicit part_normals(taylor_net<5> m);
@@ -84,7 +89,8 @@ public:
         return sizes_[k][l] * same(as_derivative(k, l));
     }
 
-    /// The bound of a derivative: the first two terms are exact, the others are sums of sizes.
+    /// The bound of a derivative. Its terms of order 0 and 1 are exact; the others are sums of
+    /// sizes.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
         const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
         const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);
@@ -129,9 +135,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// The value of a product of sums of sizes and its derivatives in the corner, and the part of them
-/// that comes from coefficients beyond the order. That part is the value less the first
-/// coefficients.
+/// A product of two series of sizes, in the corner. `all` is its value and its derivatives there.
+/// `beyond` is the part of them from coefficients beyond the order: `all` less the part of the
+/// first coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -153,9 +159,10 @@ struct product_in_corner {
     }
 };
 
-/// With a the normal in the middle, p m = f + z a + x: f is exact, and z and x are the rest beyond
-/// the order, along a and across it. Over 1 + z, which changes no direction, that is f + (x - z (f
-/// - a)) / (1 + z): in a plane there is nothing beyond, and elsewhere less.
+/// Finds the bounds `most_`. Let a be the normal in the middle, and p m = f + z a + x. f is exact;
+/// z and x are the rest beyond the order, along a and across it. Divided by 1 + z, which changes no
+/// direction, it is f + (x - z (f - a)) / (1 + z). So in a plane there is nothing beyond the order,
+/// and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];
     number sizes_along[6][6], sizes_across[6][6];
@@ -207,11 +214,11 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
     multiply(pm, g, wanted_order, most_);
 }
 
-/// Bounds of |N . S_b| over parts for the derivatives b of second and third order.
+/// Bounds of |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
 /// With n the normal in the middle, N . S_b = n . S_b + (N - n) . S_b. Terms of order 0 and 1 are
-/// exact. For the others, the first product is |n . coefficient|, which is zero where the surface
-/// is flat. The second product's are sums of sizes.
+/// exact. For the others, the first product adds up |n . coefficient|, which is zero where the
+/// surface is flat. The second product adds up sizes.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)
@@ -250,7 +257,7 @@ public:
         return magnitude(heights_[k][l]) * same(as_derivative(k, l));
     }
 
-    /// The bound of |S_uuvv|, which is bilinear: in a corner.
+    /// The bound of |S_uuvv|. S_uuvv is bilinear, so the largest is in a corner.
     HWY_ATTR HWY_INLINE number bound_uuvv() const {
         const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
         const vector v = s_.at[2][3] * same(12), uv = s_.at[3][3] * same(36);
@@ -270,7 +277,7 @@ private:
     number noise_, heights_[4][4], sizes_[4][4];
 };
 
-/// Puts the bounds into the result's lanes from i on.
+/// Computes all bounds and puts them into the result's lanes from i on.
 HWY_ATTR void take_bounds(const taylor_net<5>& normals, const taylor_net<3>& points, double size,
                           group_bounds& result, std::size_t i) {
     constexpr struct {

@@ -19,7 +19,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Normals are exact up to this order, exclusive. On the teapot, without quartering, the median of
+/// Series of normals are exact below this order. On the teapot, without quartering, the median of
 /// bound / exact for mixed third derivatives is 3.2 with order 6, 1.9 with 7 and 1.5 with 8. Order
 /// 8 takes a quarter more time than 7.
 constexpr std::size_t series_order = 7;
@@ -27,7 +27,8 @@ constexpr std::size_t series_order = 7;
 /// Bounds are wanted of derivatives up to this order, inclusive.
 constexpr std::size_t wanted_order = 3;
 
-/// [power of u][power of v], the sum of both less than series_order.
+/// The coefficients of a series: [power of u][power of v], the sum of both powers less than
+/// series_order.
 using series = number[series_order][series_order];
 
 /// Calls f(k, l) with all powers whose sum is at most `most`, smaller sums first.
@@ -37,7 +38,7 @@ template <class F> HWY_ATTR HWY_INLINE void for_powers(std::size_t most, const F
             f(k, order - k);
 }
 
-/// The coefficients of a product, up to an order.
+/// Computes the product of two series, up to the order `most`.
 HWY_ATTR HWY_INLINE void multiply(const series& a, const series& b, std::size_t most,
                                   series& product) {
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
@@ -49,8 +50,9 @@ HWY_ATTR HWY_INLINE void multiply(const series& a, const series& b, std::size_t 
     });
 }
 
-/// 1 / sqrt(x), up to an order. E is the sum of the derivatives by both variables, each times its
-/// variable: it multiplies a coefficient by its order. Then x E g = - g E x / 2 for g = x^(-1/2).
+/// Computes g = 1 / sqrt(x), up to the order `most`. Let E be the sum of the derivatives by both
+/// variables, each times its variable: it multiplies a coefficient by its order. Then
+/// x E g = - g E x / 2 gives one coefficient of g after another.
 HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series& g) {
     const number inverse = same(1) / x[0][0];
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
@@ -68,7 +70,7 @@ HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series&
     });
 }
 
-/// 1 / x, up to an order.
+/// Computes g = 1 / x, up to the order `most`.
 HWY_ATTR HWY_INLINE void invert(const series& x, std::size_t most, series& g) {
     const number inverse = same(1) / x[0][0];
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
@@ -80,8 +82,8 @@ HWY_ATTR HWY_INLINE void invert(const series& x, std::size_t most, series& g) {
     });
 }
 
-/// Moves the centre from (0, 0) to (1, 1), up to wanted_order: Horner's scheme, for a net of any
-/// shape.
+/// Moves the centre of a series from (0, 0) to (1, 1), up to wanted_order, by Horner's scheme.
+/// `columns_of_row` gives the shape of its net.
 template <std::size_t N, class Size>
 HWY_ATTR HWY_INLINE void move_to_corner(number (&a)[N][N], const Size& columns_of_row) {
     for (std::size_t l = 0; l < N; ++l)

@@ -14,13 +14,13 @@ constexpr double choose(std::size_t n, std::size_t k) {
     return k == 0 ? 1 : choose(n - 1, k - 1) * static_cast<double>(n) / static_cast<double>(k);
 }
 
-/// The weight of Bernstein coefficient `from` in the coefficient of t^power about the middle of a
-/// part, t from -1 to 1 across it.
+/// The weight of Bernstein coefficient `from` in the Taylor coefficient of t^power about the middle
+/// of a part. t runs from -1 to 1 across the part.
 ///
-/// De Casteljau's scheme at the middle with `power` levels of differences, times a binomial
-/// coefficient: degree! / (degree - power)! of the derivative over power! of Taylor's. A part is
-/// 1/8 of the patch, t = 1 half of that. The weight is a multiple of 2^-20, hence exact: for degree
-/// 5 five products with sixteenths.
+/// It is found by de Casteljau's scheme at the middle, with `power` levels of differences, times a
+/// binomial coefficient. That is degree! / (degree - power)! for the derivative, over power! for
+/// Taylor's series. A part is 1/8 of the patch, and t = 1 half of that. The weight is a multiple of
+/// 2^-20, hence exact: for degree 5 it takes five products with sixteenths.
 template <std::size_t Degree>
 constexpr double taylor_weight(std::size_t part, std::size_t power, std::size_t from) {
     constexpr double half = 0.5 / bend_parts;

@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// The numbers of a patch's blocks: the largest of the bounds of their parts.
+/// The bend numbers of a patch's blocks: each is the largest of the bounds of the block's parts.
 ///
 /// At first a block has four parts. The number in a part's middle is at most the block's true
 /// number, which limits how loose a bound can be. The loosest parts are quartered, as long as there

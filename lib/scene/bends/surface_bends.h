@@ -12,7 +12,7 @@
 
 /// Upper bounds of derivatives by the parameters of one block, which run from 0 to 1 across it.
 ///
-/// N is the unit normal: that of the normal net, at the same point as the derivative of S.
+/// S is the surface, and N its unit normal by the normal net, at the same point.
 /// Units: those of the model where S takes part; radians, or pure numbers, where only N does.
 template <class T> struct l3d_bend_numbers {
     T uu, uv, vv;                 ///< |N . S_uu|, and so on
@@ -23,49 +23,51 @@ template <class T> struct l3d_bend_numbers {
     T n_uuu, n_uuv, n_uvv, n_vvv; ///< |N_uuu|, and so on
 };
 
-/// The level of a cosine, in levels of 255: the grey is round(25.5 + max(0, level)).
+/// The level of a cosine of 1, in levels of 255: the grey is round(25.5 + max(0, 229.5 cosine)).
 inline constexpr float l3d_level_of_cosine = 229.5F;
 
-/// Quadratic interpolation at both ends and the middle of a step h errs by this times h^3 and the
-/// third derivative: the largest value of |s (s - 1/2) (s - 1)| / 6.
+/// The factor in the error of quadratic interpolation at both ends and the middle of a step h. The
+/// error is at most this times h^3 and the third derivative. The factor is the largest value of
+/// |s (s - 1/2) (s - 1)| / 6.
 inline constexpr double l3d_of_thirds = 0.0080187537387448;
 
-/// Error of the drawn level of a quad with sides h_u, h_v against the exact one at the same
-/// parameters. Levels are drawn as a parabola through those of the corners and of the middles of
-/// the sides. Only the mean of the bends of opposite sides is drawn. Units: levels. NUMERICS,
-/// section 14.
+/// Bound of the error of the drawn level of a quad with sides h_u, h_v, against the exact one at
+/// the same parameters. Levels are drawn as a parabola through those of the corners and of the
+/// middles of the sides. The mean of the bends of opposite sides is drawn.
+/// Units: levels. NUMERICS, section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
-/// Bounds of a patch, and of each of its 4 x 4 blocks, over all of it, its edges included.
+/// Bounds of how a patch, and each of its 4 x 4 blocks, bends and how its normals turn, edges
+/// included.
 ///
-/// They include all rounding (docs/NUMERICS.md, section 11). They are infinite, but for uuvv, where
-/// the normal vanishes or is not proven to exist.
-/// Shape: block 4 * row + column, columns along u, as l3d_facing_cones has it. Each number of the
+/// The bounds include all rounding (docs/NUMERICS.md, section 11). Where the normal vanishes or is
+/// not proven to exist, they are infinite, except for uuvv.
+/// Shape: block 4 * row + column, columns along u, as in l3d_facing_cones. Each number of the
 ///        blocks begins with a line of the cache.
-/// Cost:  1280 bytes.
+/// Cost:  1344 bytes.
 class alignas(64) l3d_surface_bends {
 public:
     static constexpr std::size_t blocks = 16;
     using lanes = std::array<float, blocks>;
 
     /// Expects: finite coordinates of magnitude at most 1e12; the patch's own normals.
-    /// Cost:    some 50 us, once a model.
+    /// Cost:    some 50 us, once for each patch of a model.
     l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
     const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
 
-    /// Steps of each block with which levels are off by one at most (l3d_levels_off). Steps along u
-    /// and v turn the normal by the same angle. Their number goes with the power -1/3 of the
-    /// levels; it is 1 where nothing is known.
+    /// The number of steps of each block with which levels are off by one at most (l3d_levels_off).
+    /// Steps along u and v turn the normal by the same angle. For another error, the number goes
+    /// with its power of -1/3. It is 1 where nothing is known.
     const lanes& steps_u() const { return steps_u_; }
     const lanes& steps_v() const { return steps_v_; }
 
     /// The whole patch as one block.
     const l3d_bend_numbers<float>& of_whole() const { return of_whole_; }
 
-    /// Bounds of the patch that was moved by an affine map, of which the upper left three by three
-    /// count. A similarity, mirrored or not, multiplies numbers that have a length by its scale and
-    /// leaves the rest. Any other map makes them larger, the more the less it is like a similarity.
+    /// The bounds of the patch after an affine map, of which the upper left three by three counts.
+    /// A similarity, mirrored or not, multiplies numbers that have a length by its scale and leaves
+    /// the rest. Any other map makes the bounds larger, the more the less it is like a similarity.
     /// Errors: infinite, but for uuvv, if the map cannot be inverted.
     /// Cost:   some 2000 operations.
     l3d_surface_bends under(const l3d_matrix<double>& placement) const;

@@ -10,10 +10,11 @@
 
 namespace l3d_detail {
 
-/// Parts along each side of a patch, two of a block.
+/// The number of parts along each side of a patch, two for each block.
 inline constexpr std::size_t bend_parts = 8;
 
-/// The numbers of l3d_bend_numbers in their order, and the order of derivative of each.
+/// The members of l3d_bend_numbers in their order. bend_orders has the order of the derivative that
+/// each one bounds.
 enum bend_number : std::size_t {
     bend_uu,
     bend_uv,
@@ -37,7 +38,7 @@ enum bend_number : std::size_t {
 inline constexpr std::array<int, bend_numbers> bend_orders{2, 2, 2, 3, 3, 3, 3, 4, 1,
                                                            1, 2, 2, 2, 3, 3, 3, 3};
 
-/// The order by u, and by v.
+/// The orders of these derivatives by u and by v.
 inline constexpr std::array<std::array<int, 2>, bend_numbers> bend_powers{{{2, 0},
                                                                            {1, 1},
                                                                            {0, 2},
@@ -56,7 +57,7 @@ inline constexpr std::array<std::array<int, 2>, bend_numbers> bend_powers{{{2, 0
                                                                            {1, 2},
                                                                            {0, 3}}};
 
-/// The members of l3d_bend_numbers, by their place.
+/// Pointers to the members of l3d_bend_numbers, by bend_number.
 template <class T>
 inline constexpr std::array<T l3d_bend_numbers<T>::*, bend_numbers> bend_members{
     &l3d_bend_numbers<T>::uu,     &l3d_bend_numbers<T>::uv,    &l3d_bend_numbers<T>::vv,
@@ -77,36 +78,39 @@ bends_of_block(const l3d_bend_numbers<l3d_surface_bends::lanes>& bends, std::siz
     return result;
 }
 
-/// Nets by component: [component][row][column]. Points count from the first one; `size` is their
-/// largest coordinate.
+/// The nets of a patch's normals and points: [component][row][column]. Points are relative to the
+/// first one, and `size` is the largest magnitude of their coordinates.
 struct bend_nets {
     double normals[3][6][6], points[3][4][4];
     double size;
 };
 
-/// Parts in lanes: Taylor's coefficients about their middles, for parameters from -1 to 1 across
-/// them, of normals and points: [power of u][power of v][component][lane].
+/// The number of parts in a group, one in each lane.
 inline constexpr std::size_t part_lanes = 8;
+/// A group of parts, as Taylor coefficients of normals and points about their middles. Parameters
+/// are from -1 to 1 across a part: [power of u][power of v][component][lane].
 struct part_group {
     alignas(64) double normals[6][6][3][part_lanes];
     alignas(64) double points[4][4][3][part_lanes];
 };
 
-/// Bounds by parts' own parameters from 0 to 1, and values in their middles. Without a bound, they
-/// are infinite and meaningless. [number][lane]
+/// Bounds of derivatives over the parts of a group, by parameters from 0 to 1 across them, and the
+/// values in their middles: [number][lane]. Without a bound, `most` is infinite and `middle` means
+/// nothing.
 struct group_bounds {
     alignas(64) double most[bend_numbers][part_lanes];
     alignas(64) double middle[bend_numbers][part_lanes];
 };
 
-/// The parts of a patch, a row of them a group.
+/// Makes the parts of a patch. Each row of parts is a group.
 void make_parts(const bend_nets& nets, part_group* rows);
 
-/// Lane i gets quarter i % 4 of its part. Quarters 1 and 3 are the upper halves of u, 2 and 3 those
-/// of v.
+/// Replaces the part in lane i by its quarter i % 4. Quarters 1 and 3 are the upper halves of u, 2
+/// and 3 those of v.
 void quarter_parts(part_group& parts);
 
-/// Bounds the parts; `size` is the largest coordinate of the points.
+/// Computes bounds of derivatives for each part of a group. `size` is the largest magnitude of the
+/// points' coordinates.
 void bound_parts(const part_group& parts, double size, group_bounds& result);
 
 } // namespace l3d_detail

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-/// All numbers from `low` to `high`. Each operation's result holds all results of its operands'
-/// numbers: it is rounded outwards by one number.
+/// An interval: all numbers from `low` to `high`. The result of an operation holds all results for
+/// numbers of its operands, since its ends are rounded outwards by one floating point number.
 struct l3d_interval {
     double low = 0, high = 0;
 

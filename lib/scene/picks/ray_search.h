@@ -11,35 +11,38 @@
 #include <utility>
 #include <vector>
 
-/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, 2 is the depth. So its range
-/// of depths is w().
+/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, and 2 is the depth. So w() is
+/// its range of depths.
 using l3d_ray_net = l3d_image_net;
 
 /// A place where the ray meets a patch.
 struct l3d_ray_hit {
-    std::size_t patch = 0; ///< the number that it was added with
+    std::size_t patch = 0; ///< the patch's number in add()
     double u = 0, v = 0;   ///< from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
-    bool is_proven = false; ///< by Krawczyk's operator
+    bool is_proven = false; ///< the hit is proven by Krawczyk's operator
     /// For an unproven hit: the extent along which ray and surface cannot be told apart.
     double width = 0, depth_width = 0;
 };
 
-/// Takes patches one after another, then finds the nearest hit among all.
+/// Finds the nearest hit of a ray among bicubic patches. Add all patches first, then ask for
+/// nearest().
 class l3d_ray_search {
 public:
-    /// Hits before `near` or beyond `far` do not count. `is_seen` is asked of each proven hit.
+    /// Hits before `near` or beyond `far` do not count, nor do proven hits for which `is_seen` is
+    /// false.
     l3d_ray_search(double near, double far, std::function<bool(const l3d_ray_hit&)> is_seen)
         : near_(near), far_(far), is_seen_(std::move(is_seen)) {}
 
-    /// `error` bounds the rounding of the net's coordinates, and that of halving and evaluating it.
+    /// Adds a patch under a number. `error` bounds the rounding of the net's coordinates, and that
+    /// of halving and evaluating it.
     void add(std::size_t patch, const l3d_ray_net& net, double error);
 
     std::optional<l3d_ray_hit> nearest();
 
 private:
-    /// The whole of a patch.
+    /// A whole patch, as it was added.
     struct root {
         std::size_t patch;
         l3d_ray_net net;

@@ -9,10 +9,11 @@
 #include <array>
 #include <optional>
 
-/// Bounds of point, normal and curvature at all parameters within an error of (u, v).
+/// Bounds of point, normal and curvature of a patch, at all parameters within u_error and v_error
+/// of (u, v).
 ///
 /// Source: do Carmo, "Differential Geometry of Curves and Surfaces": K = (e g - f^2) / (E G - F^2)
-/// and H = (e G - 2 f F + g E) / (2 (E G - F^2)).
+///         and H = (e G - 2 f F + g E) / (2 (E G - F^2)).
 struct l3d_surface_jet {
     using vector = std::array<l3d_interval, 3>;
 
