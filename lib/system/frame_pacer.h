@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
-/// Deadlines on a fixed grid of times, so that one late frame does not make all others late.
-/// A deadline that was missed is dropped, not caught up with.
+/// Sets deadlines on a fixed grid of times, so that one late frame does not make all others late. A
+/// deadline that was missed is dropped, not caught up with.
 class l3d_frame_pacer {
 public:
     using clock = std::chrono::steady_clock;
@@ -19,8 +19,8 @@ public:
 
     clock::time_point due() const { return due_; }
 
-    /// Notes a frame that is done at `now`. After one that drew nothing (`idle`), the next does not
-    /// come at once even without a limit: waiting must not cost a whole processor.
+    /// Notes a frame that is done at `now`. If the frame drew nothing (`idle`), the next one comes
+    /// after 1/60 s even without a limit: waiting must not cost a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;
