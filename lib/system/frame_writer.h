@@ -58,9 +58,8 @@ private:
 
     l3d_alpha alpha_ = l3d_alpha::none;
     kind kind_ = kind::nothing;
-    std::string before_,
-        after_; ///< the name around its number; without one, `before_` is the whole name
-    std::size_t digits_ = 0; ///< the number's least width
+    std::string before_, after_; ///< the name around its number; without one, `before_` is all
+    std::size_t digits_ = 0;     ///< the number's least width
     char fill_ = ' ';
     int next_number_ = 0;
 };

@@ -27,10 +27,9 @@
 
 /// The values of the options that every program has.
 struct L3D_PUBLIC l3d_common_options {
-    std::string backend; ///< a back-end's name, "ask" or "auto"; empty: not given
-    std::string
-        usual_backend{};   ///< the back-end taken if the user names none; empty: any that serves
-    bool no_input = false; ///< never ask anything
+    std::string backend;               ///< a back-end's name, "ask" or "auto"; empty: not given
+    std::string usual_backend{};       ///< taken if the user names none; empty: any that serves
+    bool no_input = false;             ///< never ask anything
     bool list_backends = false;        ///< list the back-ends and end
     bool diagnose = false;             ///< tell what the choice of a back-end depends on, and end
     bool verbose = false;              ///< tell what was chosen
