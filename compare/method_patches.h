@@ -27,8 +27,7 @@ struct l3d_method_patch {
     std::uint32_t material = 0;                      ///< the index of the material
     l3d_placed_patch placed{};                       ///< instance and number of the patch
     const l3d_patch_model::patch* surface = nullptr; ///< the patch in its model's space
-    const l3d_matrix<double>* to_image =
-        nullptr; ///< the transform from the model's space to the image
+    const l3d_matrix<double>* to_image = nullptr;    ///< from the model's space
 };
 
 /// Whether a net lies wholly between the near and the far plane, and in the guard band.

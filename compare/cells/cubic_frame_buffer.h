@@ -49,9 +49,7 @@ private:
     using cell = std::uint32_t;    ///< 0: empty; else a bit and three components of 10 bits
     using brick = std::array<cell, std::size_t{side} * side * side>;
 
-    int bricks() const {
-        return (resolution_ + side - 1) / side;
-    } ///< number of bricks along an axis
+    int bricks() const { return (resolution_ + side - 1) / side; } ///< along an axis
     const brick* brick_at(const std::array<int, 3>& of) const;
 
     int resolution_ = 0;
