@@ -83,7 +83,6 @@ private:
 ///          l3d_micropolygon_dicer. Some 53 bytes a quad.
 /// Source:  Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987, with
 ///          buffers kept between frames.
-///         buffers kept between frames.
 class l3d_method_kept final : public l3d_surface_method {
 public:
     /// Lives: borrows the workers.

@@ -21,7 +21,6 @@
 /// The triangles may be clipped. At the near plane, the w of a chord is that of the plane. The
 /// surface's w at the same parameters is at least this w less the chord's error; the bound divides
 /// by it. The bound is infinity if n is too small for that.
-/// bound. It is infinity where n is too small for that.
 /// Shape:   the net in the view's units.
 /// Expects: n >= 1.
 double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& view, int n);

@@ -15,15 +15,15 @@
 #include <vector>
 
 /// Cells of translucent matter. A ray meets many cells: each adds its own light and weakens the
-/// light from behind.
+/// light from behind. A ray through the volume ends at the depth where the rasterizer has put a
+/// polygon. So polygons stay polygons, and the volume stays cells.
 ///
 /// Units:   cells; the cube reaches from 0 to side() along each axis. Density is the natural
 ///          logarithm of the factor by which light weakens along a cell's side. Light is grey from
 ///          0 to 1.
-/// Cost:   5 bytes a cell; 10 ns for each cell that a ray meets.
-/// A ray through the volume ends at the depth where the rasterizer has put a polygon. So polygons
-/// stay polygons, and the volume stays cells.
+/// Cost:    5 bytes a cell; 10 ns for each cell that a ray meets.
 /// Source:  Kreeger, Kaufman, Mixing Translucent Polygons with Volumes, IEEE Visualization 1999;
+///          here the polygons are opaque.
 ///          here the polygons are opaque.
 class l3d_cloud {
 public:

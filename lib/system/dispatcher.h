@@ -19,9 +19,9 @@
 /// The event loop of a program. The program plugs in its pipeline and its screen, and starts the
 /// loop.
 ///
-/// Lives:   borrows pipeline and screen. It is made before them (step 3 of 5), so it dies after
-///          them. A signal that ended the loop is delivered when it dies, since everything is
-///          closed by then.
+/// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it
+///          dies after them. A signal that ended the loop is delivered then, when everything is
+///          closed.
 class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;
@@ -46,7 +46,7 @@ public:
 
 protected:
     /// Calls the pipeline as the event asks; a close event sets `done`. The caller handles expose
-    /// and display_lost, and its own part of resize.
+    /// and display_lost, and for resize its own state.
     static void deliver(const l3d_event& event, l3d_pipeline& pipeline);
 
 private:

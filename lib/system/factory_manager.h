@@ -24,7 +24,8 @@ struct L3D_PUBLIC l3d_backend {
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< it writes its pictures to files itself
-    /// Whether this is another row with a wish added. Lists show it, and the prompt does not.
+    /// Whether the row only adds a wish to another row, as mesa:egl does to mesa. Lists show such a
+    /// row, and the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
@@ -34,8 +35,8 @@ struct L3D_PUBLIC l3d_backend {
 
 /// Knows every back-end, asks each whether it can serve here, and takes one.
 ///
-/// This is the only place that names concrete kinds. It is not a global: each program has one in
-/// main.
+/// No other place names concrete kinds of back-ends. The manager is not a global: each program has
+/// one in main.
 class L3D_PUBLIC l3d_factory_manager {
 public:
     /// Makes the rows of the library: xshm, ximage, mesa and its variants mesa:egl and mesa:osmesa,

@@ -33,7 +33,7 @@ public:
     /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
     void frame(const l3d_pixels& pixels);
 
-    /// Counts this frame without a picture.
+    /// Counts the next frame, whose picture is not wanted.
     void skip_frame() { ++next_number_; }
 
     /// Whether each frame has a file of its own.
@@ -43,11 +43,13 @@ public:
     /// leads to.
     bool has_frame_in(const std::string& file) const;
 
-    /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of
-    /// the file, and a picture of another size is no frame of this sequence.
+    /// Whether the next frame's file is there, whole and of this size. A disk may have lost a part
+    /// of the file, and a picture of another size is no frame of this sequence.
     bool has_frame(l3d_size size) const;
 
-    /// Takes the last picture once more, when no other one will follow. Errors: as frame().
+    /// Writes the last frame, if the name asks for that alone. Call it when no other frame will
+    /// follow.
+    /// Errors:  as frame().
     void finish(const l3d_pixels& pixels);
 
 private:
@@ -102,13 +104,13 @@ struct L3D_PUBLIC l3d_frame_settings {
     std::optional<double> fps;
 
     /// Whether update_event gets 1 / fps instead of the measured time, which makes the pictures of
-    /// a window repeatable. Without a display it always does.
+    /// a window repeatable. Without a display, update_event always gets this.
     bool fixed_step = false;
 
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
 
-    /// The meaning of the highest bytes of pixel words in the files that are written.
+    /// Whether the written files have alpha.
     l3d_alpha alpha = l3d_alpha::none;
 
     /// The text that lines on stderr begin with.
@@ -119,12 +121,13 @@ struct L3D_PUBLIC l3d_frame_settings {
     double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };
 
-/// Writes l3d-0001.png, or the first such name that is free, and never over an existing file.
-/// Returns a line that says where it is, or why it could not be done: a full disk must not end a
-/// program.
+/// Writes a picture as l3d-0001.png, or as the first such name that is free. An existing file is
+/// never replaced. Returns a line that says where the file is, or why there is none: a full disk
+/// must not end a program.
 L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
 
-/// Writes surfaces as l3d-0001.obj (l3d_write_obj_surfaces), or the first such name that is free.
+/// Writes surfaces as l3d-0001.obj, or as the first such name that is free
+/// (l3d_write_obj_surfaces).
 /// Returns a line as l3d_save_screenshot does.
 L3D_PUBLIC std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 

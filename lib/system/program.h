@@ -105,8 +105,6 @@ private:
 };
 
 /// Shows a finished picture until the user closes its window or presses q or Escape. The picture
-/// fills as much of the window as its shape allows. L3D_BACKEND names the back-end; without it the
-/// Shows a finished picture until the user closes its window or presses q or Escape. The picture
 /// fills as much of the window as its shape allows. L3D_BACKEND names the back-end; otherwise the
 /// first one that can serve is taken. Where nobody would see the picture, it is written to
 /// `name`.png, and a line on stderr says so.

@@ -41,7 +41,8 @@ enum class L3D_PUBLIC l3d_event_type {
     button_press,
     /// A button of the mouse came up.
     button_release,
-    /// The pointer has moved, with a button held unless l3d_screen::set_pointer asked for more.
+    /// The pointer moved while a button was held, or at any time if l3d_screen::set_pointer asked
+    /// for that.
     pointer_motion,
     /// The wheel turned.
     wheel,
@@ -82,7 +83,7 @@ struct L3D_PUBLIC l3d_event {
     /// wheel: the whole notches that this turn completes, for programs that count steps. It is 0
     /// while a fine wheel is on its way to the next notch.
     int notches = 0;
-    /// button_press: 2 if another one came shortly before at the same place, else 1.
+    /// button_press: 2 for the second press of a double click, else 1.
     int clicks = 0;
     /// key_*, button_*, pointer_motion, wheel: whether Shift was held just before the event.
     bool shift = false;

@@ -26,7 +26,7 @@ inline std::ptrdiff_t l3d_padded_stride(int width) {
     return ((width / words_per_line + 1) | 1) * words_per_line;
 }
 
-/// Owns the words that l3d_pixels views; black at first.
+/// Owns the words of a picture, which is black at first. l3d_pixels is a view of them.
 class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
@@ -89,10 +89,11 @@ private:
 // nor a power failure costs the old picture or leaves half a new one. The same pixels give the same
 // bytes: no time and no program name is stored.
 
-/// The meaning in a file of the highest byte of pixel words.
+/// Whether a picture file has alpha. In memory, the highest byte of a pixel word is its
+/// transparency.
 enum class L3D_PUBLIC l3d_alpha {
-    none,         ///< none: the file has red, green and blue
-    transparency, ///< how transparent a pixel is (l3d_pixels): the file has an alpha channel
+    none,         ///< no: the file has red, green and blue only
+    transparency, ///< yes: alpha is 255 less the transparency of the words
 };
 
 /// Writes an 8-bit PNG: RGB, or RGBA with l3d_alpha::transparency. Alpha is the share of the pixel
@@ -119,7 +120,7 @@ L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels)
 L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
                               std::span<const float> values);
 
-/// Writes such a PFM into an open file, for streams.
+/// Writes a grey PFM, as the function above does, into an open file, for streams.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
 L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int height,
                               std::span<const float> values);
@@ -138,8 +139,8 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 ///          picture is refused before memory is taken for it.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// The most pixels that a picture is read with unless the caller gives another limit: 8 GB of
-/// words.
+/// The limit on the number of pixels of pictures that are read, unless the caller gives another: 8
+/// GB of words.
 inline constexpr std::int64_t l3d_most_image_pixels = std::numeric_limits<std::int32_t>::max();
 
 /// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, whichever the contents are. Rows have no

@@ -144,7 +144,7 @@ enum class L3D_PUBLIC l3d_remote {
 /// Settings of a screen that a program asks for.
 struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
-    std::string title = "l3d"; ///< UTF-8, for people
+    std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
     /// The side of the square of display pixels that shows a pixel of the picture. With 0 it is
     /// one. The picture then exceeds `size` by the factor by which the display is finer than 96

@@ -26,7 +26,7 @@ struct L3D_PUBLIC l3d_packed_pixels {
     l3d_pixel_layout layout{}; ///< 8, 16, 24 or 32 bits for each pixel, and the masks of colours
 };
 
-/// Pixels in memory. There are no events, and wait returns at once.
+/// A screen that only has pixels in memory. It has no events, and wait returns at once.
 ///
 /// Shape:   its own rows are longer than the picture, so that nobody comes to rely on stride ==
 ///          width.

@@ -16,8 +16,7 @@
 
 /// Adds options for model, accuracy, camera and shading to a program's own.
 ///
-/// Lives:   the l3d_options and this object borrow each other until parse() is done; later this one
-///          still reads common options.
+/// Lives:   borrows the l3d_options, which borrows this object until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
 public:
     /// Declares the options.
@@ -31,9 +30,9 @@ public:
     ///          the file has no camera of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
-    /// The same camera if places_camera(). Otherwise `framed` is called with it and gives the
-    /// camera, with the planes that --near and --far ask for. If `framed` changes the camera, the
-    /// model of a file is seen from higher up than the teapot.
+    /// The same camera if places_camera(). Otherwise `framed` makes another one of it, with the
+    /// planes that --near and --far ask for. If `framed` changes the camera, the model of a file is
+    /// seen from higher up than the teapot.
     /// Errors:  as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
@@ -62,10 +61,10 @@ public:
     /// Errors:  l3d_error(bad_input) with file and line.
     std::vector<l3d_nurbs_surface> surfaces(const l3d_patch_model& model) const;
 
-    /// The contents of the model's file, which is read once even if camera() has looked into it
+    /// The contents of the model's file. The file is read once, even if camera() has looked into it
     /// before.
-    /// Errors: l3d_error(bad_input) with file and line.
     /// Expects: model_file() is not empty.
+    /// Errors:  l3d_error(bad_input) with file and line.
     l3d_model_file file() const;
 
     /// The name of the model's file, as given; empty for the teapot.

@@ -83,7 +83,7 @@ public:
              const std::string& help, double least, double most);
 
     /// Any text but the empty one; --help calls it `kind`, such as FILE. If the name begins with
-    /// "FILE,", the user may leave the option out before one such text.
+    /// "FILE,", the user may give one such text without the option's name.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);
 
@@ -92,8 +92,8 @@ public:
 
     /// Three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// An option that may be given several times. `take` gets each text in turn; it throws an
-    /// l3d_error that names what it refuses. --help prints `preset`.
+    /// An option that may be given several times. `take` gets each text in turn. It throws an
+    /// l3d_error that names the text if it refuses that. --help prints `preset`.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
@@ -120,9 +120,9 @@ public:
     void add_choice(const std::string& name, T& value, const std::string& help,
                     const std::vector<std::pair<std::string, T>>& choices);
 
-    /// Reads the command line. It is false if --help or --version was printed, and the program
-    /// should end well. First it opens standard streams that were closed on /dev/null. Otherwise a
-    /// socket would get their number, and all that is printed.
+    /// Reads the command line. Returns false if --help or --version was printed, and the program
+    /// should end well. Standard streams that are closed are first opened on /dev/null. Otherwise a
+    /// socket would get the number of a standard stream, and all that is printed.
     ///
     /// Errors:  l3d_error(usage) that names the option and the value; also if two options name one
     ///          file, or the standard output.
@@ -134,7 +134,7 @@ public:
     /// added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
 
-    /// As has_result(), for a result on the standard output. No file may go there then.
+    /// As has_result(), for a result on the standard output. Then no file may go there.
     /// Expects: the option was added.
     void prints_result(const std::string& name) {
         has_result(name);
@@ -158,7 +158,7 @@ public:
     /// Sets the back-end that is taken unless the user names one.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// The request for a screen. Unless the user gives a title, it is the program's name.
+    /// The request for a screen. Its title is the program's name unless the user gives another.
     l3d_screen_request screen_request() const;
 
     /// The settings of a dispatcher. With --frames, time goes by fixed steps, so that windows and

@@ -34,8 +34,8 @@ public:
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
-    /// The model as --color, --hide, --show-only and --opacity ask. Each part with an opacity of
-    /// its own is an instance. The rest has an instance for each opacity of its materials.
+    /// The model as --color, --hide, --show-only and --opacity ask. Each part that --opacity names
+    /// becomes an instance. The rest becomes an instance for each opacity that its materials have.
     /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_model& model) const;
 

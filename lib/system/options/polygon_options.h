@@ -33,8 +33,8 @@ public:
     /// The pipeline that --pipeline names.
     l3d_pipeline_kind pipeline() const { return pipeline_; }
 
-    /// The polygons of the model asked for, its patches as triangles; the teapot if none was asked
-    /// for. Skipped parts of a file are reported on stderr.
+    /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
+    /// parts of a file are reported on stderr.
     /// Errors:  l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
