@@ -19,7 +19,8 @@
 /// Lives: as l3d_pipeline_afd_editor.
 class method_viewer : public l3d_pipeline_afd_editor {
 public:
-    /// Expects: settings of `first`, the method that l3d_method_option has chosen.
+    /// Begins with `first`, the method that l3d_method_option has chosen. Expects: settings of this
+    /// method.
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 

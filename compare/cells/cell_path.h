@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// The way in which two neighbouring cells of a path touch. Its number is that of the axes along
-/// which one step may go.
+/// The way in which two neighbouring cells of a path touch. Its number counts the axes along which
+/// one step may go at once.
 enum class l3d_cell_touch {
     face = 1,   ///< 6 neighbours; most of the change is along one axis
     edge = 2,   ///< 18 neighbours; two axes

@@ -28,7 +28,8 @@ public:
               l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
-    /// Shape: corner 2 * (high v) + (high u); edges v low, v high, u low, u high.
+    /// A piece of a patch that is to be drawn or cut.
+    /// Shape:   corner 2 * (high v) + (high u); edges v low, v high, u low, u high.
     struct piece : l3d_patch_part {
         std::array<l3d_dice_vertex, 4> corners;
         std::array<bool, 4> straight{};

@@ -80,7 +80,7 @@ private:
 /// The dispatcher for a window if the screen turns out to be one, else the one without a display.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_fitting(const l3d_frame_settings& settings);
 
 private:
@@ -93,7 +93,7 @@ private:
 /// Makes dispatchers for a back-end whose screens are windows where there is a display.
 class L3D_PUBLIC l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
 private:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 
@@ -107,8 +107,9 @@ struct L3D_PUBLIC l3d_script_event {
 /// frame if the settings give no number. The same script gives the same pictures every time.
 class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
 public:
+    /// Takes a script of events to replay.
     /// Expects: the script in the order of its frames.
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_script(const l3d_frame_settings& settings,
                                    std::vector<l3d_script_event> script = {});
 
@@ -123,7 +124,7 @@ private:
 /// Makes dispatchers that have no script to replay.
 class L3D_PUBLIC l3d_dispatcher_factory_script final : public l3d_dispatcher_factory {
 private:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 

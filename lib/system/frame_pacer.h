@@ -12,7 +12,8 @@ class l3d_frame_pacer {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// Units:   frames per second; 0: no limit. The first frame is due at `start`.
+    /// Takes the rate of frames, of which the first is due at `start`.
+    /// Units:   frames per second; 0: no limit.
     l3d_frame_pacer(double fps, clock::time_point start)
         : period_(fps > 0 ? seconds(std::min(1 / fps, longest_period)) : clock::duration::zero()),
           due_(start) {}

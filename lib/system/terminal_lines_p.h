@@ -10,7 +10,7 @@
 namespace l3d_detail {
 
 /// The lines that a user types at a terminal, for a std::istream. A terminal hands over whole lines
-/// and hides whether somebody types, so keys are read one by one here. The user can take them back
+/// and hides whether somebody types, so keys are read one by one here. The user can erase them
 /// as usual.
 ///
 /// Before the first key, a countdown stands at the end of the question. When the countdown is over,

@@ -31,6 +31,7 @@ using unique_file = std::unique_ptr<std::FILE, file_closer>;
 /// Lives:   a file that was not committed is removed.
 class output_file {
 public:
+    /// Opens a file that will replace the one at this path.
     /// Errors:  l3d_error(failure) with the path and the system's reason.
     explicit output_file(const std::string& path);
     output_file(const output_file&) = delete;

@@ -33,6 +33,7 @@ namespace l3d_detail {
 /// Lives:   borrows the info.
 class pixel_writer {
 public:
+    /// Chooses how words become pixels of this display.
     /// Expects: 8, 16, 24 or 32 bits per pixel; scale >= 1.
     explicit pixel_writer(const l3d_screen_info& info, int scale = 1);
 

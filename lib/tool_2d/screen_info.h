@@ -86,6 +86,7 @@ struct L3D_PUBLIC l3d_palette {
 /// Source:  the scaling of few bits is that of Lin, Linux 3D Graphics Programming, chapter 2.
 class L3D_PUBLIC l3d_screen_info final {
 public:
+    /// Makes the tables for this layout or palette.
     /// Expects: masks or a palette; with both, pixels are those of the palette.
     explicit l3d_screen_info(const l3d_pixel_layout& layout = {}, l3d_palette palette = {});
 

@@ -13,7 +13,8 @@ struct offsets {
     double a = 0, b = 0;
 };
 
-/// Shape: points[4 * row + column]; rows run along v, columns along u.
+/// The offsets of a piece's control points. Shape: points[4 * row + column]; rows run along v,
+/// columns along u.
 using offset_net = std::array<offsets, 16>;
 
 /// Calls `found(u, v)` for each point of the piece that lies on the line, where a = b = 0. A point

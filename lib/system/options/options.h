@@ -224,8 +224,8 @@ struct l3d_refusal {
     std::string why; ///< begins in small letters, for it follows the option's name and a colon
 };
 
-/// Refuses the first option of the table that is to be refused.
-/// Errors:  l3d_error(usage) that names this option, and why.
+/// Throws if an option of the table is to be refused.
+/// Errors:  l3d_error(usage) that names the first such option, and why.
 inline void l3d_refuse(std::initializer_list<l3d_refusal> table) {
     for (const l3d_refusal& row : table)
         if (row.is_refused)

@@ -22,8 +22,8 @@ inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_d
 
 const char* name_of(mesa_way way);
 
-/// Whether the user's wish permits this way: auto, egl or osmesa. An empty wish stands for the
-/// variable L3D_MESA, and for auto if that is empty or unset.
+/// Whether the user's wish permits this way. The wish is auto, egl or osmesa. An empty wish stands
+/// for the variable L3D_MESA, and for auto if that is empty or unset, too.
 bool may_try(mesa_way way, const std::string& wish);
 
 /// Whether the renderer with this GL_RENDERER text draws on the CPU.
@@ -39,8 +39,8 @@ const char* packages_of(mesa_way way);
 class mesa_context {
 public:
     /// Opens a context by the first way that serves and that `wish` permits, as may_try defines it.
-    /// Errors:  null, with one line in `why`. It has all reasons and the packages, or says that the
-    ///          wish, or L3D_MESA, has an unknown value.
+    /// Errors:  null, with one line in `why`. The line has all reasons and the packages, or says
+    ///          that the wish, or L3D_MESA, has an unknown value.
     /// Cost:    10 to 60 ms.
     static std::unique_ptr<mesa_context> open(const std::string& wish, std::string& why);
 

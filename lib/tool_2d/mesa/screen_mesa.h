@@ -21,6 +21,7 @@ public:
     explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
+    /// Opens GL for a try, and asks for windows.
     /// Errors:  not_here, with one line of all reasons and of the packages to install;
     ///          display_lost.
     /// Cost:    opens and closes a GL context, and asks as l3d_screen_factory_xshm does.

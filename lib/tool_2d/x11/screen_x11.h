@@ -24,6 +24,7 @@ protected:
     explicit l3d_screen_factory_x11(bool shares_memory);
 
 private:
+    /// Connects to the display, and looks for a usable visual and for shared memory.
     /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
     ///          has no usable visual; display_lost; partly if memory cannot be shared as it should.
     /// Cost:    one connection; one small segment where memory is shared.

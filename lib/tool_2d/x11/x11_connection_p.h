@@ -59,8 +59,8 @@ public:
     bool is_local() const { return local_; }
 
     using extension_query = Bool (*)(Display* display);
-    /// Whether the server has an extension. The query is the function of the extension's library
-    /// that asks so. False if the server goes away meanwhile.
+    /// Whether the server has an extension. `query` is the function of the extension's library that
+    /// asks the server for it. False if the server goes away meanwhile.
     /// Cost:    one round trip, the first time.
     bool has(extension_query query) const;
 

@@ -48,11 +48,11 @@ public:
 private:
     explicit x11_shm_segment(const x11_connection& connection) : connection_(connection) {}
 
-    /// A file without a name, whose descriptor goes to the server.
+    /// Makes a file without a name, whose descriptor goes to the server.
     /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_file(x11_connection& connection, std::size_t size,
                                                     std::string& why);
-    /// Memory that the server finds by its number.
+    /// Makes memory that the server finds by its number.
     /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_system_v(x11_connection& connection, Visual* visual,
                                                         const l3d_pixel_layout& layout,

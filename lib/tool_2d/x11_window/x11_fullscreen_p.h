@@ -72,7 +72,7 @@ private:
     /// Whether a manager covered the screen, or would do so, at our last look.
     bool granted_ = false;
 
-    /// Whether we made it cover the screen ourselves.
+    /// Whether we made the window cover the screen ourselves.
     bool covers_ = false;
 
     /// The window's place when it does not cover the screen.
