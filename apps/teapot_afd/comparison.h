@@ -28,9 +28,9 @@ struct caption {
     int awaited_seconds = 0;
     live_result measured;
 
-    /// The panel for the upper right corner of a half of this size. Half of that stays free. If
-    /// there is too little room, the panel has short lines, then only the method's name, then
-    /// nothing.
+    /// The panel for the upper right corner of a half of this size. It covers at most half of that
+    /// area. If there is too little room, the panel has short lines, then only the method's name,
+    /// then nothing.
     l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
 
 private:

@@ -150,8 +150,8 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// Tells how to undo the option that emptied the picture; nothing mends an area or a model too
-    /// small.
+    /// Tells how to undo the option that emptied the picture. The text is empty for a model that is
+    /// too small or has no area, since no option mends that.
     std::string way_to_mend(const std::string& reason) const {
         if (reason == l3d_without_area || reason == l3d_too_small)
             return "";

@@ -18,7 +18,7 @@ struct png_levels {
 };
 
 /// Decodes a PNG file's bytes into the levels that are stored, without regard to alpha and gamma.
-/// Errors:  l3d_error(bad_input) that names the path and the reason, as l3d_decoded_image has them.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, as l3d_decoded_image.
 png_levels decoded_png_levels(const std::string& bytes, const std::string& path,
                               std::int64_t most_pixels);
 

@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// The reason that a factory gives if the display is lost while it is asked.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
-/// Owns a reply that xcb read, memory from malloc.
+/// Frees a reply that xcb read; replies come from malloc.
 struct x11_reply_freer {
     void operator()(void* reply) const { std::free(reply); }
 };
@@ -52,7 +52,7 @@ public:
     int screen() const { return DefaultScreen(display_); }
     Window root() const { return RootWindow(display_, screen()); }
 
-    /// The display's name, as DISPLAY has it.
+    /// The display's name, as in DISPLAY.
     std::string name() const { return DisplayString(display_); }
 
     /// Whether the server is reached without a network, so that it can share memory with us.
