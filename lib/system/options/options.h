@@ -115,7 +115,8 @@ public:
     void add(const std::string& name, l3d_size& value, const std::string& help);
 
     /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
-    /// kind::exact}}. Expects: `value` is among them.
+    /// kind::exact}}.
+    /// Expects: `value` is among them.
     template <class T>
     void add_choice(const std::string& name, T& value, const std::string& help,
                     const std::vector<std::pair<std::string, T>>& choices);

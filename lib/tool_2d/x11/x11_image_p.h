@@ -66,8 +66,8 @@ public:
 
     /// Sends a part of the picture, and asks for an event that tells when the server has it.
     /// Requests that Xlib still buffers go out when events are next asked for. The words may change
-    /// afterwards. Expects: is_free(). The picture has the size that this was made for. Outside of
-    /// the part it
+    /// afterwards.
+    /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
     ///          is the same as in the put before. The part is not empty, and is the whole picture
     ///          the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and

@@ -28,7 +28,8 @@ inline int x11_scale(const l3d_screen_request& request) {
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);
 
 /// The display's dots an inch as the user has set them, in units of 96; at least 1, and no more
-/// than l3d_largest_scale. Cost: as x11_picture_size.
+/// than l3d_largest_scale.
+/// Cost:    as x11_picture_size.
 double x11_fineness(const x11_connection& connection);
 
 /// The fineness that the text of an XSETTINGS manager gives, else the display's resources.
