@@ -12,7 +12,7 @@ enum class l3d_arithmetic {
     fixed_32_32, ///< 64 bits, 32 after the point
 };
 
-/// The arithmetic of l3d_real.
+/// The arithmetic that the build uses as l3d_real.
 l3d_arithmetic l3d_real_arithmetic();
 
 const char* l3d_name_of(l3d_arithmetic arithmetic);

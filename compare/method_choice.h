@@ -13,16 +13,16 @@
 /// Ways to draw bicubic patches.
 enum class l3d_method {
     afd,            ///< adaptive forward differencing with a certified bound; the product
-    fd,             ///< one fixed forward difference step a patch
-    isocurves,      ///< curves on the surface, stepped by parts of a pixel
-    subdivision,    ///< halved until flat, by de Casteljau's scheme
-    tessellation,   ///< n x n quads a patch, as a model of polygons
-    micropolygons,  ///< quads of a part of a pixel
+    fd,             ///< each patch walked with one fixed forward difference step
+    isocurves,      ///< curves on the surface, stepped by a fraction of a pixel
+    subdivision,    ///< patches halved until flat, by de Casteljau's scheme
+    tessellation,   ///< n x n quads a patch, as a polygon model
+    micropolygons,  ///< quads smaller than a pixel
     kept,           ///< micropolygons that are diced again only where they no longer fit
-    scanline,       ///< by Newton's iteration along scan lines
-    whitted,        ///< scan lines between curved edges that are tracked
-    blinn,          ///< scan lines whose pixels are solved one from the other
-    lane_carpenter, ///< halved into polygons, as its paper has it
+    scanline,       ///< each pixel solved by Newton's iteration along scan lines
+    whitted,        ///< scan lines between curved edges that are tracked from line to line
+    blinn,          ///< scan lines on which each pixel starts from the one before
+    lane_carpenter, ///< patches halved into polygons, as in Lane's and Carpenter's paper
     voxels,         ///< a cubic frame buffer, looked into by rays
     mesa,           ///< triangles through GL
 };
@@ -35,11 +35,12 @@ struct l3d_method_choice {
                         ///< micropolygons: points or quads along a pixel
     l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< for afd (but 32-bit fixed) and fd
 
-    /// The name as the command line has it: "fd", "tessellation:16".
+    /// The name on the command line: "fd", "tessellation:16".
     std::string name() const;
 
-    /// Reads a name; without a number methods take their usual one.
-    /// Errors: nothing, with the reason in `why`: unknown name, number missing sense or range.
+    /// Reads a name. Without a number, a method takes its usual one.
+    /// Errors:  nothing, with the reason in `why`: unknown name, or a number that makes no sense or
+    ///          is out of range.
     static std::optional<l3d_method_choice> from_name(std::string_view name, std::string& why);
 
     /// The method after this one in the table, at its usual resolution; afd after the last.
@@ -48,26 +49,26 @@ struct l3d_method_choice {
     /// All names, with ":N" where a number may follow, separated by ", ".
     static std::string all_names();
 
-    /// Whether frames have a certified bound of their error, which mode `error` shows.
+    /// Whether a frame has a certified bound of its error, which the mode `error` shows.
     bool has_bound() const;
 
     /// Names of the methods with a bound, separated by ", ".
     static std::string names_with_bound();
 
-    /// Whether the method obeys the settings' tolerance. Else it has steps of its own, or takes a
-    /// number of them.
+    /// Whether the method obeys the settings' tolerance. Other methods have fixed steps, or take
+    /// their number from the name.
     bool keeps_tolerance() const;
 
-    /// Whether it draws parallel projections.
+    /// Whether the method draws parallel projections.
     bool draws_parallel() const;
 
-    /// Names of the methods that do, separated by ", ".
+    /// Names of the methods that draw parallel projections, separated by ", ".
     static std::string names_with_parallel();
 
     /// Names of the methods that obey the tolerance, separated by ", ".
     static std::string names_with_tolerance();
 
-    /// For a pipeline's settings.
+    /// Makes the method, for a pipeline's settings.
     /// Errors: creating `mesa` throws l3d_error(no_backend) where there is no software GL.
     l3d_method_factory factory() const;
 };

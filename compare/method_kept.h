@@ -17,24 +17,26 @@
 #include <memory>
 #include <vector>
 
-/// The grids of a patch that are kept: places in the model's space, and normals.
+/// Micropolygon grids of one patch, which are kept from frame to frame: places in the model's
+/// space, and normals.
 class l3d_kept_micropolygons {
 public:
-    /// So many quads along a pixel at most. Expects: >= 1.
+    /// Sets the largest number of quads along a pixel. Expects: >= 1.
     explicit l3d_kept_micropolygons(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
 
-    /// Puts the patch's quads into the image. It dices pieces without a grid, and those whose quads
-    /// have grown beyond their size, or shrunk below a quarter of it. Grids that the frame does not
-    /// need are dropped. Expects: the same surface and normals each time; l3d_needs_no_clipping.
+    /// Puts the patch's quads into the image. It dices pieces without a grid, and pieces whose
+    /// quads have grown beyond their size or shrunk below a quarter of it. Grids that the frame
+    /// does not need are dropped.
+    /// Expects: the same surface and normals each time; l3d_needs_no_clipping.
     void draw(const l3d_method_patch& patch, const l3d_dice_view& view, l3d_dice_counts& counts);
 
     /// Drops all grids.
     void clear() { grids_.clear(); }
 
-    /// Adds the grids of the last draw. Lives: until the next.
+    /// Adds the grids of the last draw to `parts`. Lives: until the next draw.
     void add_to(std::vector<const l3d_surface_part*>& parts) const;
 
-    /// The memory of all grids.
+    /// The memory that all grids take, in bytes.
     std::size_t bytes() const;
 
 private:
@@ -57,8 +59,8 @@ private:
     void visit(const l3d_patch_part& p, task& of);
     kept_grid* find(const l3d_patch_part& p) const;
 
-    /// The parts of a piece that earlier frames have kept: none, some narrower along u, or some
-    /// shorter along v alone.
+    /// The grids that earlier frames have kept for parts of a piece: none; some narrower along u;
+    /// or some only shorter along v.
     enum class parts_kept { none, narrower, shorter };
     parts_kept parts_inside(const l3d_patch_part& p) const;
     void dice(kept_grid& grid, const l3d_method_patch& patch, int steps_u, int steps_v);
@@ -69,24 +71,25 @@ private:
     l3d_normal_columns columns_;
 };
 
-/// Micropolygons that are diced once and transformed in each frame, until their size no longer
-/// fits. A piece is diced a quarter finer than it must be, so that it may grow for a while.
+/// Draws micropolygons that are diced once and transformed in each frame, until their size no
+/// longer fits. A piece is diced a quarter finer than it must be, so that its image may grow for a
+/// while.
 ///
-/// A picture depends on the frames before, too: grids may be finer than a new one would be. Pieces
-/// meet without edge polylines, as in the paper, so there is no bound. An instance that moves has
-/// its grids diced anew. Parts of a piece stay until the whole would be half of a grid's size.
-/// Cost:   23 ns a quad with filling in a frame that dices nothing; 63 ns by
-/// l3d_micropolygon_dicer.
-///         Some 53 bytes a quad.
-/// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987, with
-///         buffers kept between frames.
+/// A picture also depends on the frames before it, since kept grids may be finer than new ones.
+/// Pieces meet without edge polylines, as in the paper, so there is no bound. If an instance moves,
+/// its grids are diced anew. Grids of parts stay until one grid for the whole piece would have half
+/// of a grid's size.
+/// Cost:    23 ns a quad with filling in a frame that dices nothing; 63 ns by
+///          l3d_micropolygon_dicer. Some 53 bytes a quad.
+/// Source:  Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987, with
+///          buffers kept between frames.
 class l3d_method_kept final : public l3d_surface_method {
 public:
     /// Lives: borrows the workers.
     l3d_method_kept(int quads_a_pixel, const l3d_rasterizer_factory& rasterizers,
                     l3d_workers& workers);
 
-    /// The memory of all grids.
+    /// The memory that all grids take, in bytes.
     std::size_t bytes() const;
 
 private:

@@ -7,18 +7,19 @@
 
 #include <memory>
 
-/// Draws as a program that leaves curves to GL: n x n quads a patch, each two triangles, in world
-/// coordinates and in GL's memory. A frame sends GL a few matrices, and reads the picture back.
+/// Draws as a program does that leaves curves to GL. Each patch is n x n quads of two triangles, in
+/// world coordinates and in GL's memory. A frame sends GL a few matrices, and reads the picture
+/// back.
 ///
-/// n is such that the bound of triangles keeps the tolerance in this view. n is rounded up to a
-/// multiple of 4 so that a turning model seldom needs new meshes. When it does, they are made, and
-/// timed as `dice`. GL's roundings are not known, so there is no bound. `overlay`s and windows are
-/// the same as with every other method.
+/// n is the number for which the error bound of triangles keeps the tolerance in this view. It is
+/// rounded up to a multiple of 4, so that a turning model seldom needs new meshes. The time that
+/// new meshes take counts as `dice`. GL's roundings are not known, so there is no bound. `overlay`s
+/// and windows are the same as with every other method.
 /// Errors:  l3d_error(no_backend) if there is no software GL, or it cannot draw; from draw() if GL
 ///          cannot hold a picture of that size.
 /// Expects: models do not change while the method lives.
-/// Units:   all GL's shades but flat and gouraud, which look like lambert, as there is a normal in
-///          every pixel; error is red.
+/// Units:   all shades of GL but flat and gouraud. These look like lambert, since every pixel has a
+///          normal. The mode error is red.
 std::unique_ptr<l3d_surface_method> l3d_create_method_mesa();
 
 #endif

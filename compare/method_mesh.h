@@ -22,8 +22,8 @@ concept l3d_mesh_dicer = std::copy_constructible<D> &&
     dicer.dice(net, normals, view, out, counts);
 };
 
-/// Draws all patches in one batch: each by a copy of `Dicer`, one for each worker; those that need
-/// clipping by l3d_patch_dicer, whatever the method.
+/// Draws all patches in one batch. Each worker has its own copy of `Dicer`, which dices ordinary
+/// patches. In every method, l3d_patch_dicer dices the patches that need clipping.
 ///
 /// Lives: borrows the workers.
 template <l3d_mesh_dicer Dicer> class l3d_method_mesh final : public l3d_surface_method {

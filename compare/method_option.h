@@ -16,20 +16,21 @@
 /// Lives:   borrowed by the l3d_options until parse() is done.
 class l3d_method_option {
 public:
-    /// Declares the option: its name, its usual method ("" for none), and the help's text before
-    /// the methods' names.
+    /// Declares the option. It has a name, a usual method ("" for none), and the text of --help
+    /// before the methods' names.
     l3d_method_option(l3d_options& options, std::string option, std::string usual,
                       const std::string& help);
     l3d_method_option(const l3d_method_option&) = delete;
     l3d_method_option& operator=(const l3d_method_option&) = delete;
 
-    /// The settings asked for, with the method. Expects: a usual method.
-    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for an unknown method, or one that
-    ///         lacks a wanted feature.
+    /// The settings that the options ask for, with the method.
+    /// Expects: a usual method.
+    /// Errors:  as l3d_afd_options::settings; l3d_error(usage) for an unknown method, or for one
+    ///          that lacks a wanted feature.
     l3d_afd_settings settings(const l3d_afd_options& afd) const;
 
-    /// The method asked for, or the usual one, if there is any.
-    /// Errors: l3d_error(usage) for an unknown one.
+    /// The method asked for, else the usual one, if there is any.
+    /// Errors:  l3d_error(usage) for an unknown method.
     std::optional<l3d_method_choice> choice() const;
 
 private:

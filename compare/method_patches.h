@@ -18,23 +18,24 @@
 #include <span>
 #include <vector>
 
-/// A patch in the image. Lives: pointers are valid until the frame's end.
+/// A patch in the image, with all that a method needs to draw it. Lives: pointers are valid until
+/// the frame's end.
 struct l3d_method_patch {
     l3d_image_patch net;
     l3d_normal_net normals;
     std::uint32_t color = 0xffffff;                  ///< colour of its material
-    std::uint32_t material = 0;                      ///< its index
-    l3d_placed_patch placed{};                       ///< its instance and number
-    const l3d_patch_model::patch* surface = nullptr; ///< in its model's space
+    std::uint32_t material = 0;                      ///< the index of the material
+    l3d_placed_patch placed{};                       ///< instance and number of the patch
+    const l3d_patch_model::patch* surface = nullptr; ///< the patch in its model's space
     const l3d_matrix<double>* to_image = nullptr;    ///< from the model's space
 };
 
-/// Whether a net lies wholly in front of the near plane, before the far one, and in the guard band.
+/// Whether a net lies wholly between the near and the far plane, and in the guard band.
 bool l3d_needs_no_clipping(const l3d_image_patch& net, const l3d_dice_view& view);
 
-/// The patches of a frame that may be seen, as culling finds them for every method alike.
+/// The patches of a frame that may be seen. Culling finds the same ones for every method.
 ///
-/// The methods are compared on ordinary patches. Those that need clipping are diced by
+/// The methods are compared on ordinary patches. Patches that need clipping are diced by
 /// l3d_patch_dicer in every method, and counted as `clipped`.
 /// Lives: borrows the workers.
 class l3d_method_patches {
@@ -45,8 +46,9 @@ public:
     using dice_call = std::function<void(const l3d_method_patch&, const l3d_dice_view&, int worker,
                                          l3d_piece_pool&, l3d_dice_counts&)>;
 
-    /// Calls `dice` for each ordinary patch, on any worker, and returns the parts of all patches,
-    /// in an order that depends on the frame alone. Lives: parts until the next call.
+    /// Calls `dice` for each ordinary patch, on any worker. Returns the parts of all patches, in an
+    /// order that depends on the frame alone.
+    /// Lives:   the parts are valid until the next call.
     std::span<const l3d_surface_part* const> dice_each(const l3d_method_frame& frame,
                                                        const dice_call& dice);
 
@@ -71,8 +73,7 @@ private:
     std::vector<const l3d_surface_part*> parts_;
 };
 
-/// Fills diced surfaces for methods without smooth edges.
-/// Adds:    the time to times.raster.
+/// Fills diced surfaces for methods without smooth edges, and adds the time to times.raster.
 void l3d_fill_parts(l3d_surface_rasterizer& surface, const l3d_method_frame& frame,
                     std::span<const l3d_surface_part* const> parts, l3d_stage_times& times);
 

@@ -20,9 +20,9 @@ concept l3d_point_plotter = requires(P plotter, const l3d_image_patch& net,
     plotter.plot(net, of);
 };
 
-/// Patches that need clipping are drawn first, by l3d_patch_dicer; then a `Plotter` draws all
-/// others, patch after patch, on one thread. Lives: borrows the workers, which tell whether to go
-/// on.
+/// Draws pixels without polygons. First l3d_patch_dicer draws the patches that need clipping. Then
+/// a `Plotter` draws all others, patch after patch, on one thread.
+/// Lives:   borrows the workers, which tell whether to go on.
 template <l3d_point_plotter Plotter> class l3d_method_points final : public l3d_surface_method {
 public:
     l3d_method_points(const l3d_rasterizer_factory& rasterizers, l3d_workers& asked,

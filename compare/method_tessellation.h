@@ -15,21 +15,21 @@
 #include <memory>
 #include <vector>
 
-/// A certified bound of the image error of n by n quads of two triangles, whose corners are exact
-/// points of the patch, placed in double and snapped. Units: pixels.
+/// A certified bound of the image error of a patch as n by n quads of two triangles. Their corners
+/// are exact points of the patch, placed in double and snapped. Units: pixels.
 ///
-/// The triangles may be clipped. At the near plane a chord's w is that plane's. The surface's w at
-/// the same parameters is at least that less the chord's own error, which is the divisor of the
-/// bound. It is infinity where n is too small for that.
+/// The triangles may be clipped. At the near plane, the w of a chord is that of the plane. The
+/// surface's w at the same parameters is at least this w less the chord's error; the bound divides
+/// by it. The bound is infinity if n is too small for that.
 /// Shape:   the net in the view's units.
 /// Expects: n >= 1.
 double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& view, int n);
 
-/// Each patch as n by n quads of two triangles, from l3d_tessellated; then polygons like any
-/// others, through l3d_polygon_frame and a depth buffer.
+/// Draws each patch as n by n quads of two triangles, from l3d_tessellated. They are drawn like any
+/// other polygons, through l3d_polygon_frame and a depth buffer.
 ///
-/// The polygons are made once, and again when the scene has other models or placements. This is
-/// timed as `dice`, and so is their placing in each frame.
+/// The polygons are made once, and again when models or placements of the scene change. The time
+/// for making them, and for placing them in each frame, counts as `dice`.
 /// Lives: borrows the workers.
 /// Cost:  2 n^2 triangles a patch, 200 bytes each.
 class l3d_method_tessellation final : public l3d_surface_method {

@@ -13,14 +13,15 @@
 #include <cstddef>
 #include <vector>
 
-/// Fills a cube around the scene by forward differences in l3d_real, with points half a cell apart,
-/// and sends a ray through every pixel. The filled cells depend on the scene alone. They are kept
-/// until the scene changes, and their time is that of the stage `dice` in the first frame.
+/// Fills a cube of cells around the scene by forward differences in l3d_real, with points half a
+/// cell apart. Then it sends a ray through every pixel. The filled cells depend on the scene alone.
+/// They are kept until the scene changes. Filling counts as `dice` in the first frame.
 ///
-/// A pixel gets the depth of the middle of the first cell on its ray, with an error of up to a
-/// cell's diagonal as seen there. Rays may slip between cells that only points half a cell apart
-/// have filled, so there is no bound. Expects: models do not change while the method lives. Lives:
-/// borrows the workers.
+/// A pixel gets the depth of the middle of the first filled cell on its ray. The error is up to a
+/// cell's diagonal as seen there. Rays may slip between filled cells, since the points are half a
+/// cell apart; so there is no bound.
+/// Expects: models do not change while the method lives.
+/// Lives:   borrows the workers.
 class l3d_method_voxels final : public l3d_surface_method {
 public:
     /// Expects: as l3d_cubic_frame_buffer::reset.
@@ -31,7 +32,7 @@ public:
     /// The cells of the last frame's scene.
     const l3d_cubic_frame_buffer& cube() const { return cube_; }
 
-    /// A place in the world, in cells.
+    /// Converts a place in the world to cells.
     l3d_patch_model::vector in_cells(const l3d_patch_model::vector& at) const {
         return (at - corner_) * cells_per_unit_;
     }

@@ -23,15 +23,17 @@ namespace python {
 
 using vector_3d = l3d_vector<double, 3>;
 
-/// The largest magnitude of coordinates of models and eyes' targets (l3d_bpt_largest_coordinate).
+/// The largest magnitude of coordinates of models and of cameras' targets
+/// (l3d_bpt_largest_coordinate).
 inline constexpr double farthest = 1e12;
-/// The farthest place of a picture that the rasterizers tell from others: 2^30 pixels.
+/// The farthest place of a picture that the rasterizers can tell from others: 2^30 pixels.
 inline constexpr double farthest_pixel = 0x1p30;
 
 /// The largest angle that l3d_path::arc_to takes, in degrees.
 inline constexpr double most_degrees = 60000;
 
-/// Each of these reads one value. `what` begins the sentence of a type_error or value_error.
+/// Each of the functions below reads one value. `what` begins the sentence of a type_error or
+/// value_error.
 double number_of(PyObject* value, const std::string& what,
                  double least = -std::numeric_limits<double>::max(),
                  double most = std::numeric_limits<double>::max());
@@ -43,16 +45,16 @@ std::string text_of(PyObject* value, const std::string& what);
 std::string path_of(PyObject* value, const std::string& what);
 /// A colour as 0x00RRGGBB, as "#rrggbb", or as three numbers from 0 to 255.
 std::uint32_t color_of(PyObject* value, const std::string& what);
-/// Exactly `count` finite numbers, none beyond `most`.
+/// Reads exactly `count` finite numbers, none with a magnitude beyond `most`.
 std::vector<double> numbers_of(PyObject* value, const std::string& what, std::size_t count,
                                double most = std::numeric_limits<double>::max());
 vector_3d vector_of(PyObject* value, const std::string& what, double most = farthest);
 l3d_point_2d point_of(PyObject* value, const std::string& what);
-/// Four rows of four numbers.
+/// Reads four rows of four numbers.
 l3d_matrix<double> matrix_of(PyObject* value, const std::string& what);
 l3d_size size_of(PyObject* value, const std::string& what);
 
-/// The place of a text among names.
+/// The index of a text among names.
 std::size_t choice_of(PyObject* value, const std::string& what,
                       std::span<const std::string_view> names);
 
@@ -75,28 +77,28 @@ public:
     arguments(PyObject* self, PyObject* positional, PyObject* named)
         : self_(self), positional_(positional), named_(named) {}
 
-    /// Says which arguments there are: "model placement | material opacity". Those before the bar
-    /// may be given by their places as well.
-    /// Errors: type_error for arguments that there are not, or twice.
+    /// Declares which arguments there are: "model placement | material opacity". Arguments before
+    /// the bar may also be given by position.
+    /// Errors:  type_error for unknown arguments, or for an argument given twice.
     void are(std::string function, std::string_view names);
 
-    /// The object whose method is called, as the call's result.
+    /// The object whose method is called, to be returned as the call's result.
     reference self() const { return reference::shared(self_); }
 
-    /// The argument, None included; null if it is not given.
+    /// The argument, even if it is None; null if it is not given.
     PyObject* given(std::string_view name) const;
     /// The argument, or null if it is None or not given.
     PyObject* find(std::string_view name) const {
         PyObject* value = given(name);
         return value == Py_None ? nullptr : value;
     }
-    /// Errors: type_error if it is None or not given.
+    /// The argument. Errors: type_error if it is None or not given.
     PyObject* need(std::string_view name) const;
-    /// "function: name", the beginning of messages.
+    /// "function: name", the text that messages begin with.
     std::string what(std::string_view name) const { return function_ + ": " + std::string(name); }
 
-    /// Reads an argument by one of the functions above, if it is given, into a place that has the
-    /// default.
+    /// Reads an argument by one of the functions above, if it is given. Otherwise `into` keeps the
+    /// default that it holds.
     template <class T, class Read, class... More>
     void read(std::string_view name, T& into, Read&& read, const More&... more) const {
         if (PyObject* value = find(name))
@@ -128,7 +130,7 @@ private:
     std::vector<std::pair<std::string, PyObject*>> values_;
 };
 
-/// Runs what returns a reference; null after an exception.
+/// Runs a call that returns a reference. The result is null after an exception.
 template <class Call> PyObject* answered(Call&& call) noexcept {
     return guarded([&] { return call().release(); }, static_cast<PyObject*>(nullptr));
 }
@@ -174,9 +176,9 @@ int call_setter(PyObject* self, PyObject* value, void*) noexcept {
         -1);
 }
 
-// Rows of the tables of functions, methods and attributes.
+// The functions below make rows of the tables of functions, methods and attributes.
 
-/// Flags: METH_STATIC for a function of a class.
+/// A function of the module or, with METH_STATIC in `flags`, of a class.
 template <function_call Call>
 PyMethodDef function(const char* name, const char* doc, int flags = 0) {
     return {name, reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(call_function<Call>)),
@@ -194,7 +196,7 @@ PyGetSetDef attribute(const char* name, const char* doc) {
     return {name, call_getter<T, Get>, call_setter<T, Set>, doc, nullptr};
 }
 
-// Values of C++ as objects of Python.
+// The functions below turn values of C++ into objects of Python.
 
 reference number(double value);
 reference number(std::int64_t value);

@@ -15,18 +15,18 @@
 
 namespace python {
 
-/// Numbers that others of Python may look at, without a copy. They are never changed.
+/// Numbers that Python code may look at without a copy. They are never changed.
 ///
-/// Lives: shares what holds the numbers.
+/// Lives:   shares the object that holds the numbers.
 struct array_view {
     std::shared_ptr<const void> keeps; ///< the owner of the numbers
     const void* data = nullptr;        ///< the number at index 0, 0, ...
-    const char* format = "B";          ///< as Python's module struct has it
-    Py_ssize_t item = 1;               ///< bytes of a number
+    const char* format = "B"; ///< the number's type, in the notation of Python's module struct
+    Py_ssize_t item = 1;      ///< bytes of a number
     std::vector<Py_ssize_t> shape{};   ///< numbers along each axis
-    std::vector<Py_ssize_t> strides{}; ///< bytes from one to the next along each axis
+    std::vector<Py_ssize_t> strides{}; ///< bytes from one number to the next along each axis
 
-    /// Rows without gaps, the last axis fastest.
+    /// A view of numbers without gaps, the last axis fastest.
     template <class Number>
     static array_view of(std::shared_ptr<const void> keeps, const Number* data,
                          std::initializer_list<std::size_t> shape);
@@ -38,13 +38,13 @@ int export_view(const array_view& view, PyObject* self, Py_buffer* buffer, int f
 /// The view as a memoryview.
 reference memory_of(array_view view);
 
-/// Adds the type of objects that such memoryviews look at.
+/// Adds the type of the objects behind such memoryviews.
 PyTypeObject* add_array_type(PyObject* module);
 
 /// An array of numbers that came from Python: anything with the buffer protocol, or sequences
 /// within sequences.
 ///
-/// Lives: the numbers are read while it lives.
+/// Lives:   the numbers may be read while it lives.
 class number_array {
 public:
     /// Errors: type_error for anything else, value_error for rows of different lengths.
@@ -60,14 +60,14 @@ public:
     /// Errors: value_error.
     void expect(std::initializer_list<int> shape) const;
 
-    /// All numbers as doubles, the last axis fastest. Errors: value_error if one is not finite, or
-    /// beyond `most`, with its place.
+    /// Copies all numbers as doubles, the last axis fastest.
+    /// Errors:  value_error if one is not finite, or beyond `most`, with its place.
     void copy_to(double* to, double most) const;
     std::vector<double> doubles(double most) const;
-    /// The same, where NaN stands for no number.
+    /// All numbers as doubles, of which some may be NaN, for no number.
     std::vector<double> doubles_or_nan(double most) const;
-    /// All numbers as whole ones from 0 to `most`. Errors: value_error for others, with the place;
-    /// type_error for an array of floats.
+    /// All numbers as whole numbers from 0 to `most`.
+    /// Errors:  value_error for other numbers, with the place; type_error for an array of floats.
     std::vector<std::uint32_t> indices(std::uint32_t most) const;
 
 private:

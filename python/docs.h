@@ -16,7 +16,7 @@ inline constexpr doc_row doc_rows[] = {
 #include "python/docs.inc"
 };
 
-/// The text for a name such as "Model.load". A name without one does not compile.
+/// The text for a name such as "Model.load". A call with a name that has none does not compile.
 consteval const char* doc(std::string_view name) {
     for (const doc_row& row : doc_rows)
         if (row.name == name)

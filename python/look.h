@@ -12,15 +12,16 @@
 
 namespace python {
 
-/// Their names, behind those that a function has of its own.
+/// The names of the settings. A function lists them after the names of its own arguments.
 inline const std::string look_names =
     "tolerance shade_tolerance lateral_only shade inspection_direction inspection_scale "
     "inspection_stripe light light_color lights ambient headlight antialias fog background "
     "wireframe net one_sided depth most_samples error_map curves style rotation cull material "
     "count_pixels threads";
 
-/// Changes the settings that are given. Errors: type_error, value_error; also for settings that
-/// frames of polygons have not, or those of patches.
+/// Changes the settings that are given.
+/// Errors:  type_error, value_error; also for settings that only frames of patches have, or only
+///          frames of polygons.
 void read_look(const arguments& a, l3d_afd_settings& settings,
                std::vector<l3d_space_curve>& curves);
 void read_look(const arguments& a, l3d_polygon_settings& settings);

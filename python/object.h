@@ -18,15 +18,15 @@
 
 namespace python {
 
-/// Thrown when Python already has the exception.
+/// Thrown when Python already knows of the exception.
 struct error_is_set {};
 
-/// Becomes a TypeError: an argument of the wrong type, or none where one is needed.
+/// Becomes a TypeError: an argument has the wrong type, or is missing.
 struct type_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Becomes an l3d.Error: an argument of the right type that makes no sense.
+/// Becomes an l3d.Error: an argument has the right type, and a value that makes no sense.
 struct value_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -70,7 +70,7 @@ private:
     PyObject* object_ = nullptr;
 };
 
-/// Lets other Python threads run while it lives. Expects: nothing of Python is touched meanwhile.
+/// Lets other Python threads run while it lives. Expects: nothing of Python is used meanwhile.
 class unlocked {
 public:
     unlocked() : state_(PyEval_SaveThread()) {}
@@ -82,10 +82,11 @@ private:
     PyThreadState* state_;
 };
 
-/// Gives Python the exception that is being handled.
+/// Passes the exception that is being handled on to Python.
 void set_error() noexcept;
 
-/// Calls a function of C++; its exceptions become Python's, and the result is `failed` then.
+/// Calls a function of C++. After an exception, Python has that exception, and the result is
+/// `failed`.
 template <class Call, class Result> Result guarded(Call&& call, Result failed) noexcept {
     try {
         return call();
@@ -105,14 +106,14 @@ template <class T> T& value_of(PyObject* self) {
     return reinterpret_cast<object<T>*>(self)->value;
 }
 
-/// The type of such objects, which the module's state has.
+/// The Python type of objects that hold a T; the module's state has it.
 template <class T> PyTypeObject* type_of();
 
 template <class T> bool is_a(PyObject* any) {
     return PyObject_TypeCheck(any, type_of<T>()) != 0;
 }
 
-/// A new object around a value.
+/// Makes a new object around a value.
 template <class T> reference made(T value) {
     static_assert(std::is_nothrow_move_constructible_v<T>); // or a half-made object would be freed
     reference result = reference::taken(PyType_GenericAlloc(type_of<T>(), 0));
@@ -129,20 +130,21 @@ template <class T> void destroy(PyObject* self) {
 
 class arguments;
 
-/// Functions of these kinds are called by Python: functions of the module and of classes,
-/// constructors, methods, and what reads and writes attributes.
+/// The kinds of functions that Python calls: functions of the module and of classes, constructors,
+/// methods, and functions that read and write attributes.
 using function_call = reference (*)(arguments&);
 template <class T> using method_call = reference (*)(T&, arguments&);
 template <class T> using getter_call = reference (*)(const T&);
 template <class T> using setter_call = void (*)(T&, PyObject*);
 
-/// Entries of a type beside methods and attributes.
+/// Makes an entry of a type, other than methods and attributes.
 template <class Call> PyType_Slot slot(int which, Call* call) {
     return {which, reinterpret_cast<void*>(call)};
 }
 
-/// Makes a type of these entries and adds it to the module. Expects: tables that live forever.
-/// Errors: error_is_set.
+/// Makes a type of these entries and adds it to the module.
+/// Expects: tables that live forever.
+/// Errors:  error_is_set.
 PyTypeObject* new_type(PyObject* module, const char* name, const char* doc, std::size_t size,
                        std::vector<PyType_Slot> slots);
 

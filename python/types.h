@@ -32,48 +32,50 @@
 
 namespace python {
 
-/// A light beside the first one.
+/// A light beside the first light.
 using light = std::variant<l3d_far_light, l3d_point_light>;
 
-/// Red, green and blue of a light: numbers of at least 0, where 1 is white.
+/// Reads red, green and blue of a light: numbers of at least 0, where 1 is white.
 l3d_light_color light_color_of(PyObject* value, const std::string& what);
 
-/// A scene, and how often it was changed: views take it anew when that number differs.
+/// A scene, and the number of its changes. A view takes the scene anew when that number differs.
 struct scene {
     l3d_patch_scene instances;
     std::uint64_t changes = 0;
 };
 
-/// Pixels that never change, with what is known of them.
+/// Pixels that never change, with facts about them.
 struct picture {
     std::shared_ptr<l3d_image> image;
-    bool is_transparent = false; ///< the words' highest bytes count
-    /// Makes a line of JSON, which takes longer than some frames; null for pictures that are none.
+    bool is_transparent = false; ///< whether the words' highest bytes count as transparency
+    /// Makes a line of JSON, which takes longer than some frames. It is null for pictures that are
+    /// no frames.
     std::function<std::string()> report{};
-    std::shared_ptr<const std::vector<float>> depth{}, doubts{}; ///< null without
+    std::shared_ptr<const std::vector<float>> depth{}, doubts{}; ///< null where there are none
     array_view rgb{}; ///< the array that the buffer protocol shows
 };
-/// The picture of an image that nobody changes from now on.
+/// Makes a picture of an image that nobody changes from then on.
 picture picture_of(std::shared_ptr<l3d_image> image, bool is_transparent);
 
-/// Words of an image, from the first row on; the highest byte says how transparent they are.
+/// A view of the words of an image, from the first row on. The highest byte says how transparent a
+/// pixel is.
 array_view words_of(const std::shared_ptr<l3d_image>& image);
 /// The bytes of a PNG file.
 reference png_of(const l3d_pixels& pixels, bool is_transparent);
 /// Writes the file that a path names. Errors: file_failure.
 void save_picture(const l3d_pixels& pixels, bool is_transparent, const std::string& path);
 
-/// An eye that draws frames of a scene or of a model of polygons.
+/// A camera, and a pipeline that draws frames of a scene or of a model of polygons with it.
 class view;
 using view_owner = std::unique_ptr<view>;
-/// The picture that a scene, a model or a view shows in a notebook.
+/// The picture that a notebook shows for a scene, a model or a view.
 picture shown_picture(const l3d_any_model& model);
 picture shown_picture(const scene& of);
 
-/// The argument "size" of a text, in pixels.
+/// Reads the argument "size" of a text, in pixels.
 int letters_of(const arguments& a);
 
-/// Pixels to be drawn on in two dimensions.
+/// Pixels, and the drawing of shapes and text on them.
 class canvas;
 using canvas_owner = std::unique_ptr<canvas>;
 
@@ -115,20 +117,20 @@ PyTypeObject* add_canvas_type(PyObject* module);
 
 /// l3d.draw.
 reference draw(arguments& a);
-/// The surfaces of shapes, and those made of curves.
+/// The functions that make surfaces: from curves, or by a shape's name.
 reference revolved(arguments& a);
 reference extruded(arguments& a);
 reference ruled(arguments& a);
 reference pipe(arguments& a);
 reference shape(arguments& a);
 
-/// The part of a model by the name that an argument has. Errors: value_error with all names.
+/// The index of the part that an argument names. Errors: value_error with all names.
 std::size_t part_of(const l3d_parts& parts, const std::string& name, const std::string& what);
 
 /// Adds functions to the module. Errors: error_is_set.
 void add_functions(PyObject* module, PyMethodDef* rows);
 
-/// Every item of a sequence as an object of that type.
+/// Reads every item of a sequence as an object of type T.
 template <class T> std::vector<T> list_of(PyObject* value, const std::string& what) {
     if (PySequence_Check(value) == 0 || PyUnicode_Check(value))
         throw type_error(what + ": a list is wanted, not " + shown(value));

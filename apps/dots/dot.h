@@ -10,12 +10,14 @@
 #include <array>
 #include <cstdint>
 
-/// The side of a dot that is a pixel in the book's picture of 320 x 200. Units: pixels.
+/// The side of a dot: one pixel in the book's picture of 320 x 200, and more in larger ones. Units:
+/// pixels.
 inline int dot_side(l3d_size picture) {
     return std::max(1, std::min(picture.width / 320, picture.height / 200));
 }
 
-/// The side of a smooth dot: one of a single pixel is spread over four, and too dim to see.
+/// The side of a smooth dot. A smooth dot of a single pixel is spread over four, and too dim to
+/// see.
 inline double smooth_dot_side(l3d_size picture) {
     return 2 * dot_side(picture);
 }

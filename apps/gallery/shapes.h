@@ -19,13 +19,14 @@ l3d_patch_model vase();
 /// A sheet with waves, four by four patches that pass into each other smoothly.
 l3d_patch_model waves();
 
-/// The Utah teapot, with a lid, a handle and a spout of other colours than its body.
+/// The Utah teapot, whose lid, handle and spout have other colours than its body.
 l3d_patch_model colored_teapot();
 
-/// A model of any size in the teapot's place: on the ground, and as wide or as high as it.
+/// The model moved and scaled to the teapot's place: on the ground, and as wide or as high as the
+/// teapot.
 l3d_patch_model in_teapots_place(const l3d_patch_model& model);
 
-/// The model without highlights: so the report's bound of shades is finite.
+/// The model without highlights, so that the report's bound of shades is finite.
 l3d_patch_model matt(const l3d_patch_model& model);
 
 #endif

@@ -7,17 +7,17 @@
 #include <l3d/camera_left_handed.h>
 #include <l3d/object.h>
 
-/// The properties that spikes of one program share. Units: those of the world, per update of the
-/// book.
+/// The properties that all spikes of one program share. Units: world units, and world units for
+/// each update of the book.
 struct spike_kind {
     double length = 100, width = 10;
-    int spread = 1000; ///< starts are at most so far to the sides
+    int spread = 1000; ///< starts are at most this far to the sides
     int nearest_start = 100, farthest_start = 1099;
     int slowest = 5, fastest = 79;
-    int fastest_turn = 0; ///< degrees, about each axis
+    int fastest_turn = 0; ///< largest turn about each axis, in degrees
 };
 
-/// Three sides, red, green and blue, and no base; the tip comes first.
+/// A spike's mesh: three sides, red, green and blue, and no base; the tip comes first.
 inline l3d_polygon_mesh spike_mesh(const spike_kind& kind) {
     const double l = kind.length, w = kind.width;
     l3d_polygon_mesh mesh;
@@ -29,7 +29,8 @@ inline l3d_polygon_mesh spike_mesh(const spike_kind& kind) {
     return mesh;
 }
 
-/// A spike that starts again from another place and at another speed when it has arrived.
+/// A spike that flies towards the viewer. Once it has arrived, it starts again from another place
+/// and at another speed.
 ///
 /// Lives:   borrows the random numbers.
 class spike final : public l3d_object {

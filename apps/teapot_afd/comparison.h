@@ -11,31 +11,33 @@
 #include <optional>
 #include <string>
 
-/// The text on a half of the window. Units: milliseconds, pixels.
+/// The text about a method on its half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
     /// The time that drawing takes, by l3d_picture_pace.
     double milliseconds = 0;
-    /// Whether the time is shown: pictures in files leave it out, so they are the same each time.
+    /// Whether the time is shown. Pictures in files leave it out, so that they are the same each
+    /// time.
     bool shows_time = false;
     double bound_px = 0;
-    /// None if the method keeps none.
+    /// Nothing if the method keeps no tolerance.
     std::optional<double> tolerance_px;
-    /// State of the error's measurement: none, running, or known as `measured`.
+    /// Whether the error is measured: not at all, measurement running, or known as `measured`.
     enum class error_state { none, awaited, known } error = error_state::none;
     /// Seconds since the measurement began.
     int awaited_seconds = 0;
     live_result measured;
 
-    /// The panel for the upper right corner of a half of this size, half of which stays free. For
-    /// lack of room it has short lines, then the method's name alone, then nothing.
+    /// The panel for the upper right corner of a half of this size. It covers at most half of that
+    /// area. If there is too little room, the panel has short lines, then only the method's name,
+    /// then nothing.
     l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
 
 private:
     l3d_panel lines(bool are_short) const;
 };
 
-/// The right half: the other method's pictures, and a caption.
+/// The right half of the window: the other method's pictures, and a caption.
 class other_half final : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
@@ -47,17 +49,17 @@ private:
     void draw_overlay() override;
 };
 
-/// A viewer that has the left half of the window for its own pictures. The right half shows another
-/// method, from the same place with the same settings. Under each name stand its time, its bound
-/// and its error, which is measured in the background.
+/// A viewer that draws its own pictures in the left half of the window. The right half shows
+/// another method, from the same place with the same settings. Under each method's name stand its
+/// time, its bound and its error, which is measured in the background.
 ///
 /// Parts that are hidden on the left are hidden on the right, and in the exact picture.
 ///
 /// Edges are stairs at first, since only AFD has smooth ones. The key m takes the next method on
-/// the right. The key b gives it the time of the left one instead of its tolerance: it then draws
-/// as exactly as it can in that time.
+/// the right. The key b gives that method the time of the left one instead of its tolerance. It
+/// then draws as exactly as it can in that time.
 ///
-/// Lives: owns the screen, of which each half is a screen to the pipelines.
+/// Lives:   owns the screen. Each of its halves is a screen to one of the pipelines.
 class comparison : public l3d_pipeline_afd_viewer {
 public:
     /// Errors: as l3d_pipeline_afd, and l3d_error if the other method cannot be created here.
@@ -67,10 +69,10 @@ public:
     /// The screen with both halves, for the dispatcher.
     l3d_screen& whole() { return *whole_; }
 
-    /// The left half's report, with the number of the whole picture.
+    /// The left half's report, with the number of the whole window's picture.
     l3d_frame_report report() const;
 
-    /// Picks at (x, y) of the whole picture, in the half that the place is in.
+    /// Picks at (x, y) of the whole picture, in the half that holds that place.
     std::optional<l3d_pick> pick(double x, double y) const;
 
     void pointer_event(const l3d_event& event) override;
@@ -83,7 +85,7 @@ public:
     bool is_at_rest() const override;
 
 private:
-    /// The settings that the errors of a half belong to.
+    /// The settings for which the errors of a half were measured.
     struct subject {
         shown_model model;
         l3d_camera camera;
@@ -127,14 +129,15 @@ private:
     bool equal_time_ = false;
     /// The right half's tolerance at equal time.
     double other_tolerance_;
-    /// Frames that are still drawn although nothing moves.
+    /// The number of frames that are still to be drawn although nothing moves.
     int frames_to_settle_ = 0;
-    /// The last frame. The halves may be drawn twice for it.
+    /// The number of the last frame, for which the halves may be drawn twice.
     int frame_ = -1;
     caption text_;
     l3d_picture_pace other_pace_; ///< pace of the right half
     live_error live_;
-    /// The subjects of the running or last measurement, and those of the captions' errors.
+    /// The subjects of the running or last measurement, and the subjects of the errors in the
+    /// captions.
     subjects begun_, measured_;
 };
 

@@ -6,13 +6,13 @@
 #include <array>
 #include <vector>
 
-/// The number format of a walk.
+/// The number format in which forward differences are walked.
 enum class curve_numbers {
     float_32,
     float_64,
     fixed_16_16,
     block_32,  ///< one exponent for all four registers
-    graded_32, ///< a register has the fraction bits that its own size leaves; sums are rounded
+    graded_32, ///< each register has the fraction bits that its own size leaves; sums are rounded
     fixed_32_32,
 };
 
@@ -21,33 +21,36 @@ inline constexpr std::array all_curve_numbers{
     curve_numbers::fixed_16_16, curve_numbers::block_32, curve_numbers::graded_32,
     curve_numbers::fixed_32_32, curve_numbers::float_32, curve_numbers::float_64};
 
-/// Largest round-off after n steps over random cubics.
+/// The largest round-off error after n steps, over random cubics.
 struct growth_row {
     curve_numbers numbers;
     int steps = 0;
     double measured = 0, theory = 0; ///< pixels
 };
 
-/// Units:  range: of the control points, in pixels.
+/// Measures round-off errors.
+/// Units:   range: of the control points, in pixels.
 /// Source: theory: docs/NUMERICS.md section 5; graded registers: Chang, Rocchetti, Shantz 1989.
 std::vector<growth_row> measure_growth(double range, const std::vector<int>& steps, int curves);
 
-/// The most steps, a power of two up to `limit`, whose error stays below a pixel over random cubics
-/// of that range.
+/// The largest power of two, up to `limit`, for which that many steps keep the error below a pixel.
+/// Random cubics of that range are tried.
 int most_steps_below_a_pixel(curve_numbers numbers, double range, int limit, int curves);
 
-/// Largest distance of chords from random cubics, with n steps, and the bound h^2 / 8 max |f''|.
+/// The largest distance between random cubics and chords of n steps, and its bound h^2 / 8 max
+/// |f''|.
 struct chord_row {
     int steps = 0;
     double measured = 0, theory = 0;
 };
 std::vector<chord_row> measure_chords(double range, const std::vector<int>& steps, int curves);
 
-/// Steps that keep points at most a pixel apart, after so many halvings of the curve.
+/// The number of steps that keep points at most a pixel apart, after the curve was halved
+/// `halvings` times.
 struct step_row {
     int halvings = 0;
     double per_pixel = 0;  ///< mean of steps / size of the curve's box, over random cubics
-    double most = 0;       ///< the largest
+    double most = 0;       ///< the largest of these ratios
     double chebyshev = 0;  ///< for the cubic that is fastest at its ends
     double true_speed = 0; ///< for the same cubic, by the largest derivative itself
     double extra = 0;      ///< mean of steps / pixels that the curve passes through

@@ -10,21 +10,22 @@
 #include <string>
 
 struct error_report_scope {
-    /// The project's five models are measured in three views each, not the given one.
+    /// Whether the project's five models are measured, in three views each, in place of the given
+    /// view.
     bool project_models = false;
-    /// Pictures are small, and there are fewer models, settings and frames.
+    /// Whether pictures are small, and models, settings and frames are few.
     bool quick = false;
 };
 
-/// Measures all methods and arithmetics in each view, and cubic curves besides. Writes numbers into
-/// a folder (.csv, .json), and pictures of where the error sits (.png). report_pages.py makes pages
-/// and diagrams of the numbers: report.md, report.html, .svg and .png. Tells its progress on
-/// stderr, and how to call that script.
+/// Measures all methods and arithmetics in each view, and also cubic curves. Writes numbers (.csv,
+/// .json) and pictures of where the error sits (.png) into a folder. report_pages.py makes pages
+/// and diagrams of the numbers: report.md, report.html, .svg and .png. Stderr tells the progress,
+/// and how to call that script.
 ///
-/// A stopped report goes on where it was if it is begun again with the same folder.
+/// A report that was stopped goes on where it was if it is begun again with the same folder.
 ///
-/// Errors: l3d_error(failure) that names a file that cannot be written, or tells how many rows
-///         could not be measured. Then all others are written.
+/// Errors:  l3d_error(failure) that names a file that cannot be written, or tells how many rows
+///          could not be measured. In the latter case all other rows are written.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

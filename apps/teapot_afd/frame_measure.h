@@ -14,11 +14,12 @@
 #include <string>
 #include <vector>
 
-/// A view of the model that is measured, and its exact picture.
+/// A view of a model that is measured, and its exact picture.
 class measured_view {
 public:
-    /// Cost: some us for each pixel that is covered.
-    /// Errors: std::runtime_error where the exact renderer gives up, and if told to stop.
+    /// Draws the exact picture.
+    /// Cost:    some us for each pixel that is covered.
+    /// Errors:  std::runtime_error if the exact renderer gives up, or if `stop` is requested.
     measured_view(std::string name, const l3d_patch_model& model, const l3d_camera& camera,
                   l3d_size size, std::stop_token stop = {});
 
@@ -31,7 +32,8 @@ public:
     const std::vector<unsigned char>& levels() const { return levels_; }
     const reference::exact_image& exact() const { return exact_; }
 
-    /// Shape: distances row by row. Errors: as the constructor.
+    /// The error of each pixel of a picture. Shape: distances row by row. Errors: as the
+    /// constructor.
     reference::error_map errors(const std::vector<float>& distances, int most_distances) const {
         return reference::map_errors(distances, exact_, region_, most_distances, stop_);
     }
@@ -48,19 +50,20 @@ private:
     std::vector<unsigned char> levels_;
 };
 
-/// The way in which a picture is made: by a method that draws patches, or as polygons.
+/// Whether a picture is drawn by a method for patches or as polygons, by depth sorting or with a
+/// depth buffer.
 enum class drawn_as { patches, zsort, zbuffer };
 
 /// The subject of a measurement: a method and its tolerance, or a pipeline of polygons. For
-/// polygons, the method's resolution says into how many quads a patch is cut.
+/// polygons, the method's resolution is the number of quads along a patch.
 struct measured_setting {
     l3d_method_choice method;
     double tolerance = 0.25;
     drawn_as as = drawn_as::patches;
-    bool places_only = false; ///< neither depth nor shade is certified
+    bool places_only = false; ///< only places in the image are certified
 
-    std::string series() const; ///< the name that its points in a diagram share
-    std::string label() const;  ///< its difference from others of its series
+    std::string series() const; ///< the name that all points of a line in a diagram share
+    std::string label() const;  ///< the difference from others of the series
 };
 
 /// A row of the report. Unknown values are NaN.
@@ -68,7 +71,7 @@ struct frame_result {
     std::string model, view, series, label;
     /// The model's patches.
     std::int64_t patches = 0;
-    /// The shortest time of a frame, and the median.
+    /// The shortest and the median time of a frame.
     double least_ms = 0, median_ms = 0;
     /// The time of the very first frame.
     double first_ms = 0;
@@ -76,27 +79,27 @@ struct frame_result {
     std::int64_t samples = 0, quads = 0, failures = 0;
     /// Infinite if nothing is certified.
     double bound_px = 0;
-    /// The largest error of an outline that was measured.
+    /// The largest measured error of an outline.
     double outline_px = 0;
-    /// The largest error of depth, and the mean.
+    /// The largest and the mean error of depth.
     double largest_px = 0, mean_px = 0;
-    /// 999 of 1000 errors of depth are below it.
+    /// The error of depth below which 999 of 1000 errors lie.
     double percentile_px = 0;
-    /// The part of the covered pixels whose depth was compared.
+    /// The share of the covered pixels whose depth was compared.
     double judged = 0;
-    /// The root mean square error of greys, over what either picture covers.
+    /// The root mean square error of greys, over the pixels that either picture covers.
     double rms_levels = 0;
     std::int64_t holes = 0;
 };
 
-/// A row, and the error of each pixel.
+/// A row of the report, and the error of each pixel.
 struct measured_frames {
     frame_result row;
     reference::error_map errors;
 };
 
-/// Draws the view again and again on one thread for about the given time, never twice from the same
-/// place. Then it draws the view itself, which is compared with the exact one. At most some
+/// Draws the view again and again on one thread for about `seconds`, never twice from the same
+/// place. Then it draws the view itself, and compares this picture with the exact one. At most some
 /// `most_distances` pixels of outlines are measured.
 measured_frames measure_frames(const measured_view& view, const measured_setting& setting,
                                double seconds, int most_distances);

@@ -11,19 +11,21 @@
 #include <string>
 #include <utility>
 
-/// The places of the halves of a picture. Both are equally wide. Units: pixels.
+/// The places of the two halves of a picture, which are equally wide. Units: pixels.
 struct halves {
     int width;       ///< width of each half
-    int right_start; ///< the right one's first column
+    int right_start; ///< first column of the right half
 
-    /// Leaves two or three columns between them, if there are more than three.
-    /// Expects: at least one column. A single column serves as both halves.
+    /// Leaves two or three columns between the halves if there are more than three in all. A single
+    /// column serves as both halves.
+    /// Expects: at least one column.
     explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
 
     int line_width() const { return std::max(0, right_start - width); }
 };
 
-/// A half of a screen. Events go to the whole screen, and its owner shows the picture.
+/// One half of a screen, as a screen of its own. Events go to the whole screen, and its owner shows
+/// the picture.
 ///
 /// Lives: shares the screen.
 class half_screen final : public l3d_screen {

@@ -15,19 +15,20 @@
 
 /// The errors found in one picture. Units: pixels.
 struct live_result {
-    /// False where the exact renderer gave up. Then the map has nothing but NaN.
+    /// Whether the errors are known. If the exact renderer gave up, they are not, and the map has
+    /// nothing but NaN.
     bool is_known = true;
     /// The largest error of an outline.
     double outline_px = 0;
     /// The largest error of a depth, as reference::depth_error_px counts it.
     double depth_px = 0;
-    /// The part of the exact picture's pixels whose depth was compared.
+    /// The share of the exact picture's pixels whose depth was compared.
     double judged = 0;
     /// All errors, pixel by pixel.
     reference::error_map map;
 };
 
-/// A model, which is equal to none but itself and its copies.
+/// A model, which equals only itself and its copies.
 struct shown_model {
     std::optional<l3d_patch_model> model;
 
@@ -48,34 +49,35 @@ struct live_task {
     std::vector<std::vector<float>> distances;
 };
 
-/// Whether the exact renderer can draw the same picture: it draws both sides of a model, and
+/// Whether the exact renderer can draw the same picture. It always draws both sides of a model, and
 /// everything beyond the near plane.
 bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
                        const l3d_afd_settings& settings);
 
-/// Compares pictures with the exact one, on a thread of its own.
+/// Compares pictures with the exact picture, on a thread of its own.
 ///
-/// Lives: shares the data of a task's model. Its end gives up the comparison that is being made.
+/// Lives:   shares the data of a task's model. The destructor gives up a comparison that is under
+///          way.
 class live_error {
 public:
-    /// A modest thread leaves most of a busy processor to others, so frames take as long as without
-    /// it. Another one has its results soon, for callers who wait. Where the system makes no
-    /// thread, or memory runs out, errors stay unknown.
+    /// A modest thread leaves most of a busy processor to others, so that frames take as long as
+    /// without it. Other threads have their results soon, for callers who wait. If the system makes
+    /// no thread, or memory runs out, errors stay unknown.
     explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;
 
     /// Whether a task would be begun at once.
     bool is_idle() const;
-    /// Expects: is_idle().
+    /// Begins a task. Expects: is_idle().
     void begin(live_task task);
-    /// Whole seconds that the task has been measured; 0 without a task.
+    /// The whole seconds for which the task has been measured; 0 without a task.
     int seconds() const;
-    /// The results of a task, a picture each, once; empty while there are none.
+    /// Gives the results of a task once, one for each picture; empty while there are none.
     std::vector<live_result> take_results();
-    /// Whether take_results() has some.
+    /// Whether take_results() would give results.
     bool has_results() const;
-    /// Waits for the task that was begun last. A line on a terminal tells how long.
+    /// Waits for the task that was begun last. A line on a terminal tells how long it has taken.
     void wait() const;
 
 private:
@@ -83,12 +85,12 @@ private:
     std::vector<live_result> results_of(const live_task& task, const std::stop_token& stop);
     std::vector<live_result> measured(const live_task& task, const std::stop_token& stop);
 
-    /// The thread's own view, and its subject.
+    /// The thread's own view, and the model that it shows.
     std::optional<measured_view> view_;
     shown_model viewed_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    /// The task until it is done.
+    /// The present task, until it is done.
     std::optional<live_task> task_;
     std::chrono::steady_clock::time_point begun_; ///< the time of begin()
     std::vector<live_result> results_;

@@ -11,19 +11,20 @@
 #include <optional>
 #include <string>
 
-/// A viewer whose shade `error` shows each pixel's error, measured by the exact renderer, on a
-/// scale that ends at the tolerance. Windows show the certified bounds until that is known. Scenes
-/// with transparent parts, one-sided ones and those that the far plane cuts have no exact picture,
-/// and show bounds. Pixels that cannot be measured, at outlines and creases, are grey.
+/// A viewer whose shade `error` shows each pixel's error as the exact renderer measures it. The
+/// scale ends at the tolerance. Windows show the certified bounds until the error is known. Scenes
+/// that are transparent in part, one-sided, or cut by the far plane have no exact picture, and show
+/// bounds. Pixels that cannot be measured, at outlines and creases, are grey.
 ///
 /// Lives: as l3d_pipeline_afd_editor.
 class method_viewer : public l3d_pipeline_afd_editor {
 public:
-    /// Expects: the settings are those of a method that l3d_method_option has chosen, `first`.
+    /// Begins with `first`, the method that l3d_method_option has chosen. Expects: settings of this
+    /// method.
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
-    /// The report, with the number of the picture.
+    /// The report of the last frame, with the number of its picture.
     l3d_frame_report report() const;
 
     void draw_event() override;
@@ -36,7 +37,7 @@ protected:
     std::string error_scale_title() const override;
 
 private:
-    /// The settings that a measurement belongs to.
+    /// The settings for which an error was measured.
     struct subject {
         shown_model model;
         l3d_camera camera;
@@ -54,34 +55,34 @@ private:
     void take_errors();
     void paint_errors();
 
-    /// The last frame. It may be drawn twice.
+    /// The number of the last frame, which may be drawn twice.
     int frame_ = -1;
     l3d_method_choice method_;
     /// The fog that the user asked for.
     const l3d_fog fog_;
-    /// The scene is one opaque model.
+    /// Whether the scene is one opaque model.
     bool is_one_model_;
-    /// Made at its first use.
+    /// The error's measurement, made at its first use.
     std::optional<live_error> live_;
     /// The subject of the running or last measurement.
     subject begun_;
     std::optional<reference::error_map> errors_;
-    /// The subject that errors_ belong to.
+    /// The subject that errors_ were measured for.
     subject measured_;
-    /// The picture shows errors_, not bounds.
+    /// Whether the picture shows errors_ in place of bounds.
     bool shows_errors_ = false;
 };
 
-/// The same settings, less those that their method cannot show: the wireframe, fog, and shades that
+/// The settings without those that their method cannot show: the wireframe, fog, and shades that
 /// need its bound or exact patches.
 l3d_afd_settings as_method_can(l3d_afd_settings settings);
 
-/// Makes a pipeline draw with another method, less the settings that it cannot show.
-/// Errors: l3d_error if it cannot be created here; then nothing changes.
+/// Makes a pipeline draw with another method, without the settings that this cannot show.
+/// Errors:  l3d_error if the method cannot be created here; then nothing changes.
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method);
 
-/// Lets it draw with the next method that can be created here.
-/// Returns a line that names it, and any that had to be passed over, with the reason.
+/// Makes a pipeline draw with the next method that can be created here. Returns a line that names
+/// this method, and any that had to be passed over, with the reason.
 std::string show_next_method(l3d_pipeline_afd& pipeline, l3d_method_choice& method);
 
 #endif

@@ -8,18 +8,19 @@
 
 #include <string>
 
-/// Iterations of Whitted's and Blinn's scan lines, and how many fail: scan_lines.csv. Folded
-/// patches as three methods draw them, their wrong pixels marked: scan_folds.png.
-/// Errors: here and below, l3d_error(failure) that names the file.
+/// Writes how many iterations Whitted's and Blinn's scan lines take, and how many fail:
+/// scan_lines.csv. Also writes folded patches as three methods draw them, with wrong pixels marked:
+/// scan_folds.png.
+/// Errors:  here and below, l3d_error(failure) that names the file.
 void write_scan_line_table(const std::string& folder, l3d_size size);
 
-/// Steps and times of paths of cells, along rays and along curves: cells.csv.
+/// Writes the steps and times of paths of cells, along rays and along curves: cells.csv.
 void write_cell_table(const std::string& folder, l3d_size size, bool quick);
 
-/// A jet of polygons in a cloud of cells: smoke.png, and its cost: smoke.csv.
+/// Writes a jet of polygons in a cloud of cells: smoke.png, and its cost: smoke.csv.
 void write_smoke(const std::string& folder, bool quick);
 
-/// Micropolygons diced in each frame, and those that are kept, over three flights: kept.csv.
+/// Compares micropolygons diced in each frame with kept ones, over three flights: kept.csv.
 void write_kept_table(const std::string& folder, l3d_size size, bool quick);
 
 #endif

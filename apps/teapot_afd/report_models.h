@@ -22,14 +22,15 @@ struct report_model {
     std::vector<report_view> views;
 };
 
-/// The teapot, a thin twisted band, a lampshade of creases, a knot of hundreds of patches, and
-/// hills of thousands, near and far. Three views each.
+/// The models that the report measures, in three views each. They are the teapot, a thin twisted
+/// band, a lampshade of creases, a knot of hundreds of patches, and hills of thousands, near and
+/// far.
 std::vector<report_model> report_models();
 
-/// The same hills as 4, 16, ... 4096 patches, in one view: how time grows with the scene.
+/// The same hills as 4, 16, ... 4096 patches, in one view, to show how time grows with the scene.
 std::vector<report_model> report_scenes();
 
-/// A curtain that folds over itself, on which iterations of scan line methods fail. Three views.
+/// A curtain that folds over itself, in three views. Iterations of scan line methods fail on it.
 report_model report_folds();
 
 #endif

@@ -24,7 +24,7 @@ struct plan_scope {
     bool has_scenes = false; ///< the same hills in 4 to 4096 patches, too
 };
 
-/// All methods and arithmetics for each of the models. Left out: meshes of millions of quads.
+/// Plans all methods and arithmetics for each of the models, but no meshes of millions of quads.
 std::vector<planned_model> report_plan(std::vector<report_model> models, const plan_scope& scope);
 
 #endif

@@ -19,27 +19,27 @@ struct row_name {
     std::string text() const { return model + ',' + view + ',' + series + ',' + label; }
 };
 
-/// The rows measured so far, in a file of the report's folder. Each row is written at once, so a
-/// stopped report goes on where it was.
+/// The rows measured so far, in a file of the report's folder. Each row is written at once, so that
+/// a stopped report goes on where it was.
 ///
 /// Errors: l3d_error(failure) that names the file.
 class row_store {
 public:
-    /// Rows of a report of another `key` are dropped: the machine, the build and the picture's
-    /// size.
+    /// The `key` names the machine, the build and the picture's size. Rows of a report with another
+    /// key are dropped.
     row_store(const std::string& folder, const std::string& key);
 
     bool has(const row_name& name) const { return lines_.contains(name.text()); }
     std::size_t count() const { return lines_.size(); }
     void add(const frame_result& row);
 
-    /// Writes the rows of these names as frames.csv, and drops the file of rows in between.
+    /// Writes the rows of these names as frames.csv, and removes the file of rows so far.
     /// Expects: all of them measured.
     void finish(const std::vector<row_name>& names) const;
 
 private:
     std::string folder_, file_;
-    std::map<std::string, std::string> lines_; ///< by name
+    std::map<std::string, std::string> lines_; ///< each row's line, by the row's name
 };
 
 #endif

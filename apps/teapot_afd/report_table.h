@@ -17,7 +17,7 @@ template <class Field> std::string table_text(const Field& field) {
         return field;
 }
 
-/// The fields, separated by commas, and the line's end.
+/// Joins fields with commas, and ends the line.
 template <class... Fields> std::string table_row(const Fields&... fields) {
     std::string line;
     ((line += (line.empty() ? "" : ",") + table_text(fields)), ...);

@@ -12,17 +12,18 @@
 #include <utility>
 #include <vector>
 
-/// Seven things more in each 60th of a second, and one where the user drags. A subclass draws one.
+/// Draws seven things more in each 60th of a second, and one where the user drags. A subclass draws
+/// each of them.
 class pile_pipeline : public l3d_lesson {
 public:
     pile_pipeline(l3d_canvas canvas, std::uint64_t seed)
         : l3d_lesson(std::move(canvas)), seed_(seed), random_(seed) {}
 
 private:
-    /// Draws a thing somewhere.
+    /// Draws a thing at a random place.
     virtual void draw_one(l3d_rasterizer_2d& rasterizer, l3d_random& random,
                           std::uint32_t color) = 0;
-    /// Draws a thing round a place. Units: pixels.
+    /// Draws a thing around a place. Units: pixels.
     virtual void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) = 0;
 
     void advance(double seconds) final {

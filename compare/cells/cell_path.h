@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// The touch of two neighbouring cells in a path, and so the number of axes that a step may take at
-/// once.
+/// The way in which two neighbouring cells of a path touch. Its number counts the axes along which
+/// one step may go at once.
 enum class l3d_cell_touch {
     face = 1,   ///< 6 neighbours; most of the change is along one axis
     edge = 2,   ///< 18 neighbours; two axes
@@ -19,15 +19,16 @@ enum class l3d_cell_touch {
 
 /// The order in which a path takes its steps.
 enum class l3d_cell_order {
-    near_line,      ///< every cell is as near to the straight line as its steps allow
-    diagonal_first, ///< on diagonals until the rest is along fewer axes
+    near_line,      ///< every cell is as near to the straight line as such steps allow
+    diagonal_first, ///< diagonal steps until the rest of the way is along fewer axes
 };
 
 using l3d_cell = std::array<int, 3>;
 
 namespace l3d_detail {
 
-/// The remaining ways along each axis, and the place of each axis's next step on the line.
+/// Walks from one cell to another, and tells the remaining ways along each axis and which axis's
+/// next step is due on the straight line.
 class cell_walk {
 public:
     cell_walk(const l3d_cell& from, const l3d_cell& to) : cell_(from) {
@@ -61,14 +62,14 @@ public:
         return is_sooner(2, i) ? 2 : i;
     }
 
-    /// The longest way.
+    /// The axis with the longest way.
     std::size_t longest() const {
         return static_cast<std::size_t>(std::max_element(ways_.begin(), ways_.end()) -
                                         ways_.begin());
     }
 
-    /// Whether the line is nearer to the next cell along axis i than to this one, after `steps` of
-    /// the longest way: i stands at the rounded place.
+    /// Whether axis i lags behind the line after `steps` steps along the longest axis. Then the
+    /// line is nearer to the next cell along i than to this one.
     bool is_due(std::size_t i, int steps) const {
         const std::int64_t longest_way = ways_[longest()];
         return has(i) &&
@@ -81,17 +82,18 @@ private:
 
 } // namespace l3d_detail
 
-/// Visits the cells of a path from `from` to `to`, both among them, until visit(cell) is false.
+/// Visits the cells of a path from `from` to `to`, both included, until visit(cell) is false.
 /// Returns the number of steps.
 ///
-/// Let a >= b >= c be the ways along the axes. Steps across faces are a + b + c, and near the line
-/// they meet every cell that the line pierces. Steps across corners are a. Steps across edges are
-/// a, and one more for each that would go along three axes.
+/// Let a >= b >= c be the ways along the axes. A path across faces has a + b + c steps; near the
+/// line, it meets every cell that the line pierces. A path across corners has a steps. A path
+/// across edges has a steps, and one more for each that would go along three axes.
 ///
-/// On diagonals first, steps go along the axes with the longest remaining ways, whatever the line.
-/// Across corners they are a: c along three axes, b - c along two, a - b along one. Across edges
-/// they are the larger of a and half the sum. A knight's move, (2, 1), takes 2 steps in place of 3.
-/// Such a path bends away from the line, so it serves short ways only.
+/// With diagonal_first, each step goes along the axes with the longest remaining ways, whatever the
+/// line. Across corners there are a steps: c along three axes, b - c along two, a - b along one.
+/// Across edges their number is the larger of a and half the sum of the ways. The path (2, 1) then
+/// takes 2 steps across faces of cells in place of 3. Such a path bends away from the line, so it
+/// serves short ways only.
 /// Source: Kaufman, Shimony, 3D Scan-Conversion Algorithms for Voxel-Based Graphics, Workshop on
 ///         Interactive 3D Graphics 1986, for the three kinds of touch.
 template <class Visit>

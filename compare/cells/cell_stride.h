@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-/// A walk from cell to cell of cubes of some size. Two cells in a row share a face.
+/// Walks along a ray from cell to cell through cubes of side `size`. Successive cells share a face.
 /// Source: Amanatides, Woo, A Fast Voxel Traversal Algorithm for Ray Tracing, Eurographics 1987.
 class l3d_cell_stride {
 public:
@@ -50,8 +50,9 @@ private:
     double t_;
 };
 
-/// The part of a ray, [first, second], that is in a cube from 0 to `side` along each axis and not
-/// before `least_t`; empty unless first < second. Expects: direction not zero.
+/// The part of a ray, [first, second], that lies in a cube from 0 to `side` along each axis and not
+/// before `least_t`. It is empty unless first < second.
+/// Expects: direction not zero.
 inline std::array<double, 2> l3d_in_cube(const l3d_cell_stride::place& origin,
                                          const l3d_cell_stride::place& direction, double side,
                                          double least_t) {

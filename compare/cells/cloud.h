@@ -14,16 +14,17 @@
 #include <functional>
 #include <vector>
 
-/// Cells of matter that lets a part of the light through. A ray meets many of them: each adds its
-/// own light and weakens what lies behind.
+/// Cells of translucent matter. A ray meets many cells: each adds its own light and weakens the
+/// light from behind. A ray through the volume ends at the depth where the rasterizer has put a
+/// polygon. So polygons stay polygons, and the volume stays cells.
 ///
-/// Units:  cells; the cube reaches from 0 to side() along each axis. Density: the natural logarithm
-///         by which light weakens along a cell's side. Light: grey from 0 to 1.
-/// Cost:   5 bytes a cell; 10 ns for each cell that a ray meets.
-/// A ray through the volume ends at the depth where the rasterizer has put a polygon. Neither is
-/// turned into the other.
-/// Source: Kreeger, Kaufman, Mixing Translucent Polygons with Volumes, IEEE Visualization 1999, of
-///         which this is the case of opaque polygons.
+/// Units:   cells; the cube reaches from 0 to side() along each axis. Density is the natural
+///          logarithm of the factor by which light weakens along a cell's side. Light is grey from
+///          0 to 1.
+/// Cost:    5 bytes a cell; 10 ns for each cell that a ray meets.
+/// Source:  Kreeger, Kaufman, Mixing Translucent Polygons with Volumes, IEEE Visualization 1999;
+///          here the polygons are opaque.
+///          here the polygons are opaque.
 class l3d_cloud {
 public:
     using place = std::array<double, 3>;
@@ -34,7 +35,7 @@ public:
         float light = 0;
     };
 
-    /// Fills all cells with matter(middle of the cell). Expects: 1 <= side <= 512.
+    /// Fills each cell with the matter at its middle. Expects: 1 <= side <= 512.
     l3d_cloud(int side, const std::function<matter(const place&)>& of);
 
     int side() const { return side_; }
@@ -46,8 +47,9 @@ public:
         std::int64_t cells = 0; ///< cells that the ray met
     };
 
-    /// Looks along origin + t direction, for t from `from` to `to`. Ends early where less than a
-    /// 1024th is let through. Expects: direction not zero.
+    /// Looks along origin + t direction, for t from `from` to `to`. It ends early where less than a
+    /// 1024th of the light is let through.
+    /// Expects: direction not zero.
     seen look(const place& origin, const place& direction, double from, double to) const;
 
 private:
@@ -68,8 +70,8 @@ struct l3d_cloud_place {
     double size = 1;
 };
 
-/// Lays a cloud over a picture of polygons. In each pixel its ray ends at the depth there.
-/// Returns the number of cells that rays met.
+/// Lays a cloud over a picture of polygons. Each pixel's ray ends at the depth there. Returns the
+/// number of cells that rays met.
 ///
 /// Expects: picture and depth are of one size, and seen by the camera; depth is 0 where nothing is.
 std::int64_t l3d_lay_over(l3d_pixels picture, const l3d_depth_buffer& depth,

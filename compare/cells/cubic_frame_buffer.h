@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-/// A picture in three dimensions: a scene is filled in once and seen from anywhere.
+/// A picture in three dimensions: a scene is filled in once, and can be seen from anywhere.
 ///
-/// Cells that are met hold a normal. They are kept in bricks of 8 x 8 x 8. Only bricks that are not
-/// empty take memory, 2 KB each; a ray strides over the others.
+/// Filled cells hold a normal. Cells are kept in bricks of 8 x 8 x 8. Only bricks with a filled
+/// cell take memory, 2 KB each; a ray strides over the others.
 /// Units:  cells; the cube reaches from 0 to resolution() along each axis.
 /// Source: Kaufman, Efficient Algorithms for 3D Scan-Conversion of Parametric Curves, Surfaces, and
 ///         Volumes, SIGGRAPH 1987. Rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for
@@ -21,25 +21,27 @@ class l3d_cubic_frame_buffer {
 public:
     using place = std::array<double, 3>;
 
-    /// All cells empty. Expects: 1 <= resolution <= 1024.
+    /// Makes all cells empty. Expects: 1 <= resolution <= 1024.
     void reset(int resolution);
 
     int resolution() const { return resolution_; }
     std::size_t filled() const { return filled_; }
 
-    /// Fills the cell of a point with a normal, unless something is in it already.
-    /// Units:  a unit vector, or zero. Points outside of the cube are left out.
+    /// Fills the cell of a point with a normal, unless that cell is filled already. Points outside
+    /// of the cube are left out.
+    /// Units:   a unit vector, or zero.
     void fill(const place& at, const std::array<float, 3>& normal);
 
-    /// Whether something is in a cell. Expects: a cell of the cube.
+    /// Whether a cell is filled. Expects: a cell of the cube.
     bool is_filled(const std::array<int, 3>& of) const;
 
-    /// The first cell that is met from `origin` along `direction`.
+    /// The first filled cell that a ray meets.
     struct hit {
         double t;                    ///< origin + t direction is nearest to the cell's middle
         std::array<float, 3> normal; ///< good to a part in 500
     };
-    /// Nothing below `least_t` counts. Expects: direction of finite components, not zero.
+    /// Follows origin + t direction from t = `least_t` on. Nothing if no filled cell is met.
+    /// Expects: direction of finite components, not zero.
     std::optional<hit> first(const place& origin, const place& direction, double least_t) const;
 
 private:

@@ -14,29 +14,29 @@
 #include <cstdint>
 #include <vector>
 
-/// The classic way: one bound of the whole patch gives the steps, and each column v -> S(u, v) is
-/// started exactly and walked from end to end without a restart.
+/// Classic forward differencing. One bound of the whole patch gives the number of steps. Each
+/// column v -> S(u, v) is started exactly and walked from end to end without a restart.
 ///
-/// Every arithmetic gets the scale that serves it best: homogeneous points may be multiplied by any
-/// number. Slits to neighbours of other steps are closed along the same edge polylines as those of
-/// the adaptive method. A patch with an edge that needs more than 4 x 32 steps is left to
+/// Homogeneous points may be multiplied by any number, so each arithmetic gets the scale that
+/// serves it best. Slits to neighbours with other steps are closed along the same edge polylines as
+/// in the adaptive method. A patch with an edge that needs more than 4 x 32 steps is left to
 /// l3d_patch_dicer.
 /// Cost: 9 additions and a division a vertex.
 class l3d_fd_dicer {
 public:
-    /// With steps > 0, takes so many in each patch instead of the number that the tolerance asks
-    /// for.
+    /// With steps > 0, each patch takes this number of steps. Otherwise the tolerance gives the
+    /// number.
     explicit l3d_fd_dicer(l3d_arithmetic arithmetic, int steps = 0)
         : arithmetic_(arithmetic), steps_(steps) {}
 
-    /// Expects: l3d_needs_no_clipping(net, view).
+    /// Dices a patch and adds its polygons to `out`. Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_piece_pool& out, l3d_dice_counts& counts);
 
 private:
-    /// Three coordinates' four registers, columns side by side.
+    /// The four registers of each of three coordinates, for all columns side by side.
     template <class R> struct registers { std::array<std::array<std::vector<R>, 4>, 3> of; };
-    /// The factor of a coordinate in its registers, and the error of a walk.
+    /// The factor by which each coordinate is multiplied in its registers, and the error of a walk.
     struct scales {
         std::array<double, 3> factor{1, 1, 1};
         double error_xy = 0, error_w = 0;

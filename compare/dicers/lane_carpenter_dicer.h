@@ -9,18 +9,18 @@
 #include "scene/counts.h"
 #include "scene/dice_view.h"
 
-/// A patch is cut until its control points are within the tolerance of a plane and its sides are
-/// straight within it. Then its four corners are a polygon, and polygons are filled as always.
-/// Nothing is iterated, so nothing fails to converge.
+/// Cuts a patch until its control points are within the tolerance of a plane and its sides within
+/// it of their chords. Then its four corners are a polygon, which is filled as always. Nothing is
+/// iterated, so nothing fails to converge.
 ///
-/// The paper keeps cracks small by the tolerance, so here they stay: where a side is straight for
+/// As in the paper, cracks stay, since the tolerance keeps them small. Where a side is straight for
 /// one piece and cut by its neighbour, pixels may be left out. So there is no bound. The method
 /// `subdivision` is this one with its cracks mended, and with a certified bound.
 /// Source: Lane, Carpenter, A Generalized Scan Line Algorithm for the Computer Display of
 ///         Parametrically Defined Surfaces, CGIP 11, 1979; with Whitted, Blinn, CACM 23, 1980.
 class l3d_lane_carpenter_dicer {
 public:
-    /// Expects: l3d_needs_no_clipping(net, view).
+    /// Dices a patch and adds its polygons to `out`. Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_piece_pool& out, l3d_dice_counts& counts);
 
@@ -34,8 +34,8 @@ private:
     static void divide(const l3d_patch_part& p, task& of);
 };
 
-/// Whether a net is as good as a polygon. Depth is measured in pixels, too. Its points are within
-/// `tolerance` of a plane, and those of its sides within it of their chords.
+/// Whether a net is as good as a polygon: its points are within `tolerance` of a plane, and those
+/// of its sides within it of their chords. Depth is measured in pixels, too.
 bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, double tolerance);
 
 #endif

@@ -13,31 +13,33 @@
 
 #include <array>
 
-/// Quads along a grid at most: with two quads a pixel these are 16 pixels, as large as the paper's
-/// grids. They are within the 32 steps for which walks are certified.
+/// The largest number of quads along a grid. With two quads a pixel they are 16 pixels long, as
+/// large as the paper's grids. Walks of up to 32 steps are certified.
 inline constexpr int l3d_most_micropolygons = 32;
 
-/// The longest line of control points along u and along v, in pixels, an estimate of the longest
-/// curve.
+/// The estimated lengths of the longest curves along u and along v: those of the longest lines of
+/// control points. Units: pixels.
 std::array<double, 2> l3d_micropolygon_lengths(const l3d_image_patch& net);
 
-/// Quads along so many pixels.
+/// The number of quads along a curve of this length in pixels.
 int l3d_micropolygons_along(double length, int quads_a_pixel);
 
-/// Bound, split, dice, as in REYES. A patch is cut until a grid of such quads over a piece is
-/// small. Then the piece is diced by forward differences into that grid. No tolerance is kept; the
-/// error comes out small, and is certified like every grid's.
+/// Bounds, splits and dices, as in REYES. A patch is cut until each piece needs only a small grid
+/// of micropolygons. Then each piece is diced into that grid by forward differences. No tolerance
+/// is kept. The error comes out small, and is certified like every grid's.
 ///
-/// Pieces and neighbours meet along edge polylines finer than the tolerance, so there are none of
-/// the paper's cracks.
+/// Pieces and neighbours meet along edge polylines finer than the tolerance, so the paper's cracks
+/// do not occur.
 /// Cost:   25 ns a quad, some ten quads a pixel with two along each.
 /// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987.
 class l3d_micropolygon_dicer {
 public:
-    /// The paper has two quads along a pixel, half the distance of samples. Expects: >= 1.
+    /// The paper has two quads along a pixel, so that they are half as large as the distance of
+    /// samples.
+    /// Expects: >= 1.
     explicit l3d_micropolygon_dicer(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
 
-    /// Expects: l3d_needs_no_clipping(net, view).
+    /// Dices a patch and adds its polygons to `out`. Expects: l3d_needs_no_clipping(net, view).
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_piece_pool& out, l3d_dice_counts& counts);
 

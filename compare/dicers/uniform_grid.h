@@ -9,8 +9,9 @@
 #include "dice/drawn_error.h"
 #include "dice/normal_columns.h"
 
-/// Sets a piece to a grid of nu x nv quads: parameters, one block, and normals; positions are the
-/// caller's. Lives: kept from patch to patch for its memory.
+/// Sets a piece to a grid of nu x nv quads: parameters, one block, and normals. The caller sets the
+/// positions.
+/// Lives:   kept from patch to patch for its memory.
 class l3d_uniform_grid {
 public:
     void begin(const l3d_normal_net& normals, int nu, int nv, l3d_diced_piece& out);
@@ -19,14 +20,15 @@ private:
     l3d_normal_columns columns_;
 };
 
-/// The accuracy of a patch's vertices that are evaluated in double and snapped.
+/// The accuracy of a patch's vertices if they are evaluated in double and snapped.
 /// Expects: l3d_needs_no_clipping(net, view).
 l3d_vertex_accuracy l3d_evaluated_accuracy(const l3d_image_patch& net, const l3d_dice_view& view);
 
-/// The certified image error of nu x nv quads over the whole patch, whose vertices are so exact.
+/// The certified image error of nu x nv quads over the whole patch, whose vertices have this
+/// accuracy. Units: pixels.
 ///
-/// Any steps will do: where they are so long that w of a quad errs by more than an eighth, the
-/// corners' errors weigh more. Units: pixels.
+/// Steps may be of any length. If they are so long that the w of a quad errs by more than an
+/// eighth, the corners' errors weigh more.
 double l3d_uniform_bound(const l3d_image_patch& net, const l3d_dice_view& view, int nu, int nv,
                          const l3d_vertex_accuracy& accuracy);
 

@@ -10,21 +10,23 @@
 #include <cstddef>
 #include <vector>
 
-/// A whole patch, never cut, goes down scan line by scan line. Its borders and silhouettes are
+/// Scans a whole patch, never cut, line by line from top to bottom. Its borders and silhouettes are
 /// tracked: each point on a line starts Newton's iteration for the next line. Silhouettes begin
 /// where they cross a border, and at the highest, lowest and saddle points of the patch.
 ///
-/// On a line, the borders and silhouettes of the front pair up from left to right, and so do those
-/// of the back. Within a pair, each pixel is solved in two variables, from the pixel before it.
+/// On a line, the borders and silhouettes of the front pair up from left to right. Those of the
+/// back pair up in the same way. Within a pair, each pixel is solved in two variables, from the
+/// pixel before it.
 ///
 /// A failure is an iteration that does not come to rest on the right side of the surface, or an
 /// edge without partner. Its pixels are left out. Folds whose silhouettes begin in a cusp are not
-/// found, since nothing is level there. The paper proposes no remedy, so there is none here.
+/// found, since y has no extremum or saddle there. The paper proposes no remedy, so there is none
+/// here.
 /// Source: J. F. Blinn in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
 ///         Parametrically Defined Surfaces, CACM 23, 1980.
 class l3d_blinn_plotter {
 public:
-    /// Expects: l3d_needs_no_clipping(net, of.view).
+    /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
     /// The effort of all iterations since the plotter was made.
@@ -47,7 +49,7 @@ private:
     struct beginning {
         double y;
         l3d_scan_root at;
-        bool is_level; ///< not at a border
+        bool is_level; ///< not at a border, but at a point where y is level
     };
 
     void find_beginnings(const l3d_scan_piece& piece, const l3d_plot_task& of);
@@ -62,7 +64,7 @@ private:
                    const l3d_scan_crossing& right, const l3d_plot_task& of);
     void fail(const l3d_plot_task& of, int rounds);
 
-    double accuracy_ = 0; ///< within which an iteration rests, in pixels
+    double accuracy_ = 0; ///< the error within which an iteration rests, in pixels
     std::vector<l3d_scan_edge> edges_;
     std::vector<border> borders_;
     std::vector<beginning> beginnings_;

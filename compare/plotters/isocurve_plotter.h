@@ -7,13 +7,14 @@
 #include "dice/normal_columns.h"
 #include "compare/plotters/plot_task.h"
 
-/// Curves of constant u, walked by adaptive forward differences in T. Steps longer than the spacing
-/// are halved before they are taken, and steps shorter than half of it are doubled.
+/// Draws curves of constant u so close that no pixel is left between them. Adaptive forward
+/// differences in T walk each curve. Steps longer than the spacing are halved before they are
+/// taken, and steps shorter than half of it are doubled.
 ///
-/// Between two curves a third is drawn where they may be farther apart than the spacing, and only
-/// there. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are narrow
-/// enough are left out, so most curves end early. With points and curves half a pixel apart, in the
-/// larger of both coordinates, the points of a fold free piece leave no pixel out. A pixel gets the
+/// Where two curves may be farther apart than the spacing, and only there, a third curve is drawn
+/// between them. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are
+/// narrow enough are left out, so most curves end early. With points and curves half a pixel apart,
+/// in the larger of both coordinates, a piece without folds leaves no pixel out. A pixel gets the
 /// depth and normal of the point that fell into it, which may be half a pixel from its centre. So
 /// there is no bound, and outlines are up to a pixel fat.
 /// Cost:    some 30 points a pixel and layer.
@@ -22,11 +23,11 @@
 ///          Based Rendering for Freeform Surfaces, TOG 15, 1996.
 template <class T> class l3d_isocurve_plotter {
 public:
-    /// Sets the number of points and curves a pixel. With one, pixels may be left out. Expects: >=
-    /// 1.
+    /// Sets the number of points and curves along a pixel. With one, pixels may be left out.
+    /// Expects: >= 1.
     explicit l3d_isocurve_plotter(int points_a_pixel = 2) : spacing_(1.0 / points_a_pixel) {}
 
-    /// Expects: l3d_needs_no_clipping(net, of.view).
+    /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
 private:

@@ -8,7 +8,7 @@
 #include "geom/normal_net.h"
 #include "compare/plotters/point_canvas.h"
 
-/// Lives: borrows everything.
+/// The input of a plotter beside a patch's net. Lives: borrows everything.
 struct l3d_plot_task {
     const l3d_normal_net& normals;
     const l3d_dice_view& view;

@@ -17,8 +17,8 @@
 /// Lives: borrows picture and depth from begin on.
 class l3d_point_canvas {
 public:
-    /// Starts drawing on top of the picture.
-    /// Expects: target and depth of one size; not mode `error`, of which points know nothing.
+    /// Starts to draw on top of the picture.
+    /// Expects: target and depth of one size; not mode `error`, since points have no bound.
     void begin(l3d_pixels target, l3d_depth_buffer& depth, const l3d_shading& shading) {
         target_ = target;
         depth_ = &depth;
@@ -27,12 +27,12 @@ public:
         counts_ = {};
     }
 
-    /// Sets the colour of the next points' material; at first white.
+    /// Sets the material colour of the next points; at first white.
     void set_color(std::uint32_t color) { color_ = color; }
 
     l3d_size size() const { return target_.size(); }
 
-    /// Whether a point at `inv_w` would be seen in the pixel; counts it as tested.
+    /// Whether a point at `inv_w` would be seen in the pixel. It counts the point as tested.
     /// Expects: (x, y) in the picture.
     bool is_nearest(int x, int y, float inv_w) {
         ++counts_.samples;

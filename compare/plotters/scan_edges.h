@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-/// First pixel centre, x + 1/2, at or after a position.
+/// The column of the first pixel whose centre, x + 1/2, is at or after a position.
 inline int l3d_first_centre(double position) {
     return static_cast<int>(std::ceil(position - 0.5));
 }
@@ -21,7 +21,7 @@ inline l3d_scan_root l3d_between(const l3d_scan_root& a, const l3d_scan_root& b,
 /// A stretch of a curve that goes down from end to end, so that it has one point on a scan line.
 struct l3d_scan_edge {
     l3d_image_curve curve;
-    double top, bottom; ///< in the picture
+    double top, bottom; ///< the scan lines' y of its ends
     l3d_scan_root from, to;
 
     bool meets(double y) const { return top <= y && y < bottom; }
@@ -37,17 +37,19 @@ struct l3d_scan_crossing {
 void l3d_add_scan_edges(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to,
                         std::vector<l3d_scan_edge>& edges);
 
-/// The crossing by Newton's iteration, with halving where it would leave the edge: it always finds
-/// one. Expects: edge.meets(y).
+/// The crossing of an edge and a scan line, which is always found. Newton's iteration gives it,
+/// with halving where it would leave the edge.
+/// Expects: edge.meets(y).
 l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y);
 
-/// The parameter of the crossing by Newton's iteration alone, from a start that the scan line
-/// before has left. Adds the number of evaluations to `rounds`. Nothing if the iteration does not
-/// come to rest within `accuracy` pixels, or leaves the edge.
+/// The parameter of the crossing by Newton's iteration alone, from `start`, which the scan line
+/// before gives. Adds the number of evaluations to `rounds`. Nothing if the iteration does not come
+/// to rest within `accuracy` pixels, or leaves the edge.
 std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, double start,
                                           double accuracy, int& rounds);
 
-/// The parameter where Newton's iteration begins on an edge's first scan line: on the chord.
+/// The parameter of the chord's crossing, where Newton's iteration begins on an edge's first scan
+/// line.
 double l3d_chord_start(const l3d_scan_edge& edge, double y);
 
 /// The part of a curve between two parameters.

@@ -9,12 +9,13 @@
 #include <cstdint>
 #include <optional>
 
-/// Parameters of a point of a piece, each from 0 to 1, and w there.
+/// The parameters of a point of a piece, each from 0 to 1, and its w.
 struct l3d_scan_root {
     double u = 0.5, v = 0.5, w = 0;
 };
 
-/// The effort of Newton's iterations: rounds are evaluations of the surface, or of a curve of it.
+/// The effort of Newton's iterations. A round is one evaluation of the surface, or of a curve on
+/// it.
 struct l3d_scan_effort {
     std::int64_t solved = 0, failed = 0;               ///< iterations
     std::int64_t solved_rounds = 0, failed_rounds = 0; ///< rounds of these iterations
@@ -25,10 +26,11 @@ struct l3d_scan_effort {
     }
 };
 
-/// A piece in power form, for points and derivatives by Horner's scheme.
+/// A piece in power form, which Horner's scheme evaluates: points and derivatives.
 class l3d_scan_piece {
 public:
-    /// Newton's iteration doubles the digits in each round; one that needs more rounds goes astray.
+    /// Newton's iteration doubles the number of right digits in each round. An iteration that needs
+    /// more rounds goes astray.
     static constexpr int most_rounds = 10;
 
     explicit l3d_scan_piece(const l3d_image_patch& net);
@@ -36,15 +38,15 @@ public:
     /// The parameters at which the piece is seen at (x, y), by Newton's iteration from `start`.
     /// Nothing if it does not converge within `accuracy` pixels, or converges outside the piece.
     ///
-    /// Source: Blinn's way in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
-    ///         Parametrically Defined Surfaces, CACM 23, 1980.
+    /// Source:  Blinn in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
+    ///          Parametrically Defined Surfaces, CACM 23, 1980.
     std::optional<l3d_scan_root> find(double x, double y, l3d_scan_root start,
                                       double accuracy) const {
         int rounds = 0;
         return find(x, y, start, accuracy, rounds);
     }
 
-    /// The same; adds the number of evaluations to `rounds`.
+    /// Finds the parameters as above, and adds the number of evaluations to `rounds`.
     std::optional<l3d_scan_root> find(double x, double y, l3d_scan_root start, double accuracy,
                                       int& rounds) const;
 
@@ -63,11 +65,13 @@ public:
     std::array<std::array<l3d_image_point, 4>, 4> powers_; ///< [power of v][power of u]
 };
 
-/// Whether the image of a net is proved to be one to one: no silhouette, no fold, no overlap.
+/// Whether the image of a net is proved to be one to one. Then it has no silhouette, fold or
+/// overlap.
 ///
-/// Let c be any point of its box. The derivatives of (x, y) - c w are means of the net's
-/// differences. Let those along u lie within a right angle, and those along v, and let each pair of
-/// them turn the same way. Then so do all derivatives, whatever c.
+/// Let c be any point of the image's box. The derivatives of (x, y) - c w are means of the net's
+/// differences. Let the differences along u lie within a right angle, and those along v, too. Let
+/// each pair of one along u and one along v turn the same way. Then all derivatives turn that way,
+/// whatever c is.
 /// Expects: every w > 0.
 bool l3d_is_one_to_one(const l3d_image_patch& net, const l3d_image_box& hull);
 

@@ -9,12 +9,12 @@
 
 #include <vector>
 
-/// A patch is cut into pieces that are seen one to one, that is, between its silhouettes; pieces
-/// with a silhouette are cut down to a pixel's size. The borders of a piece are cut into stretches
-/// that rise or fall from end to end, so that each has one point on a scan line. A guarded Newton's
-/// iteration finds these points, and they pair up into spans. A span's pixels are found one from
-/// the other: the parameters of the last pixel are the next one's start. In a pixel's size around
-/// silhouettes the iteration is started from several places instead.
+/// Draws a patch scan line by scan line. It is cut into pieces whose image is one to one, that is,
+/// which lie between its silhouettes. Pieces with a silhouette are cut down to a pixel's size. The
+/// borders of a piece are cut into stretches that rise or fall from end to end, so that each has
+/// one point on a scan line. A guarded Newton's iteration finds these points, and they pair up into
+/// spans. Along a span, the parameters of each pixel start the iteration of the next. In pieces of
+/// a pixel's size around silhouettes, the iteration is started from several places instead.
 ///
 /// The iteration stops within an eighth of the tolerance. A pixel of a span for which it does not
 /// converge is left out and counted as a failure; so there is no bound.
@@ -23,7 +23,7 @@
 ///         Surfaces, CACM 23, 1980.
 class l3d_scanline_plotter {
 public:
-    /// Expects: l3d_needs_no_clipping(net, of.view).
+    /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
 private:
@@ -38,7 +38,7 @@ private:
     static void put(const piece& p, int column, int row, const l3d_scan_root& root,
                     const l3d_plot_task& of);
 
-    double accuracy_ = 0; ///< within which the iteration stops
+    double accuracy_ = 0; ///< the error within which the iteration stops, in pixels
     std::vector<l3d_scan_edge> edges_;
     std::vector<l3d_scan_crossing> crossings_;
 };

@@ -11,10 +11,11 @@
 #include <array>
 #include <vector>
 
-/// Polygons with curved edges. A patch is cut into pieces whose depth is nearly a plane's. The
-/// edges of a piece are its borders and, if a silhouette runs through it, a cubic that joins its
-/// two ends with their directions. On each scan line, Newton's iteration finds the edges from where
-/// the line before met them. Between two edges, depth and normal are interpolated.
+/// Draws a patch as polygons with curved edges. It is cut into pieces whose depth is nearly a
+/// plane's. The edges of a piece are its borders. If a silhouette runs through the piece, a cubic
+/// is an edge, too: it joins the silhouette's two ends with their directions. On each scan line,
+/// Newton's iteration finds the edges from where the line before met them. Between two edges, depth
+/// and normal are interpolated.
 ///
 /// A failure is an iteration that does not come to rest, an edge without partner, or a piece that
 /// keeps a third end of a silhouette after all cuts. A silhouette that meets no border of its piece
@@ -23,7 +24,7 @@
 ///         1978; Lane, Carpenter, Whitted, Blinn, CACM 23, 1980.
 class l3d_whitted_plotter {
 public:
-    /// Expects: l3d_needs_no_clipping(net, of.view).
+    /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).
     void plot(const l3d_image_patch& net, const l3d_plot_task& of);
 
     /// The effort of all iterations since the plotter was made.
@@ -31,13 +32,13 @@ public:
 
 private:
     using piece = l3d_patch_part;
-    /// An edge of a side of a piece, and its crossing with the line before.
+    /// An edge on one side of a piece, and its crossing with the line before.
     struct tracked {
         l3d_scan_edge edge;
         double t;
         bool is_new = true;
     };
-    /// A line's crossing with an edge, and the values to interpolate from there.
+    /// The crossing of a line with an edge, and the values from which the line is interpolated.
     struct end {
         double x, inv_w;
         std::array<float, 3> normal;
@@ -54,7 +55,7 @@ private:
     static void fill(int row, const end& left, const end& right, const l3d_plot_task& of);
     void fail(const l3d_plot_task& of, int rounds);
 
-    double accuracy_ = 0; ///< within which an iteration rests, in pixels
+    double accuracy_ = 0; ///< the error within which an iteration rests, in pixels
     std::vector<l3d_scan_edge> found_;
     std::vector<tracked> edges_[2]; ///< for the back, for the front
     std::vector<end> ends_;

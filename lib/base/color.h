@@ -9,11 +9,11 @@
 #include <cstdint>
 
 /// A colour, as the pixels of every picture hold it.
-/// Units: 0x00RRGGBB, encoded as sRGB. Where l3d_pixels says so, the highest byte is a
-/// transparency.
+/// Units:   0x00RRGGBB, encoded as sRGB. The highest byte is a transparency in pictures without
+///          background; see l3d_pixels.
 using l3d_color = std::uint32_t;
 
-/// The colour of these levels. Units: 0 to 255; others are clamped.
+/// The colour with these levels of red, green and blue. Units: 0 to 255; others are clamped.
 constexpr l3d_color l3d_rgb(int red, int green, int blue) {
     const auto level = [](int value) { return static_cast<l3d_color>(std::clamp(value, 0, 255)); };
     return level(red) << 16 | level(green) << 8 | level(blue);

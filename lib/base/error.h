@@ -23,7 +23,7 @@ enum class L3D_PUBLIC l3d_exit : int {
 /// Thrown when a program cannot go on; the text names the file, line, option or value at fault.
 class L3D_PUBLIC l3d_error : public std::runtime_error {
 public:
-    /// An error for this reason, and the exit code that the program ends with.
+    /// An error with this text, and the exit code that the program ends with.
     l3d_error(l3d_exit code, const std::string& text) : std::runtime_error(text), code_(code) {}
     /// The exit code that main returns.
     l3d_exit code() const { return code_; }

@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Takes a host's locale from this thread while it lives, so that decimal points are points.
+/// While it lives, this thread uses the locale "C", so that decimal points are points in every host
+/// program.
 class without_locale {
 public:
     without_locale() : before_(uselocale(newlocale(LC_ALL_MASK, "C", locale_t{}))) {}

@@ -10,11 +10,11 @@
 
 namespace l3d_detail {
 
-/// A hash of an array of doubles or of whole numbers. Equal arrays have equal ones: -0 is 0.
+/// Hashes an array of doubles or of whole numbers. Equal arrays have equal hashes; -0 counts as 0.
 struct number_hash {
     template <class Numbers> std::size_t operator()(const Numbers& of) const {
-        // 2^64 by the golden ratio, odd. Products mix upwards only, so they are turned by about
-        // half of their bits, an odd number.
+        // 2^64 divided by the golden ratio, made odd. A product carries bits upwards only, so it is
+        // rotated by about half its width, an odd number.
         constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
         constexpr int about_half = 29;
         std::uint64_t result = 0;

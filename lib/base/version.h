@@ -3,8 +3,9 @@
 #ifndef L3D_BASE_VERSION_H
 #define L3D_BASE_VERSION_H
 
-/// Versions compare as these three numbers do, the first one first. From 1.0.0 on, a program that
-/// compiles with one version compiles with every later one of the same major number.
+/// The first number of the version. Versions are compared by the first number, then the second,
+/// then the third. From 1.0.0 on, a program that compiles with one version compiles with every
+/// later one of the same first number.
 #define L3D_VERSION_MAJOR 0
 /// The second number: counted up when something is added or, before 1.0, changed.
 #define L3D_VERSION_MINOR 1

@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// The rows of the table, each asked at most once whether it can serve. A display that did not
-/// answer one row is not tried for the next: a silent one costs seconds.
+/// Asks each row of the table at most once whether it can serve. A display that did not answer one
+/// row is not tried for the next, since a silent display costs seconds.
 ///
 /// Lives:   borrows the rows.
 class backend_survey {
@@ -23,16 +23,17 @@ public:
     explicit backend_survey(std::span<const l3d_backend> rows)
         : rows_(rows), services_(rows.size()) {}
 
-    /// One line per row, and per variant if these are wanted: its name, whether it can serve, and
-    /// why not.
+    /// Writes one line per row, and per variant if these are wanted: its name, whether it can
+    /// serve, and why not.
     void list(std::ostream& out, bool with_variants);
 
-    /// A line for each thing that the rows depend on, with what to do about it; then the rows.
+    /// Writes a line for each thing that the rows depend on, with what to do about it. A line for
+    /// each row follows.
     void diagnose(std::ostream& out);
 
-    /// The row of that name; `named_by` is the option or variable that holds it.
+    /// The row of that name; `named_by` is the option or variable that holds the name.
     ///
-    /// Errors:  l3d_error: usage if there is none; as fail if it cannot serve.
+    /// Errors:  l3d_error: usage if no row has the name; as fail if the row cannot serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// The first automatic row that serves fully, else the first that serves. A display that was
@@ -41,8 +42,8 @@ public:
     /// Errors:  l3d_error: no_display, or no_backend with all reasons.
     const l3d_backend& automatic();
 
-    /// The row that the user takes from a numbered list; null for q, which ends the program.
-    /// Nonsense is asked again; an empty line and the end of the input take the default.
+    /// The row that the user takes from a numbered list; null for q, which ends the program. A
+    /// wrong answer is asked again; an empty line and the end of the input take the default.
     ///
     /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
     const l3d_backend* asked(std::istream& in, std::ostream& out);
@@ -50,7 +51,7 @@ public:
     /// Throws the error of a program that wanted `what` and got this answer.
     [[noreturn]] static void fail(const std::string& what, const l3d_service& answer);
 
-    /// Whether somebody sees the pictures of a row. Expects: one of the table.
+    /// Whether somebody sees the pictures of a row. Expects: a row of the table.
     bool is_seen(const l3d_backend& row) {
         return service(static_cast<std::size_t>(&row - rows_.data())).is_seen;
     }

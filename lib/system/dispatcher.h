@@ -16,10 +16,12 @@
 #include <utility>
 #include <vector>
 
-/// The event loop of a program, which plugs in its pipeline and its screen and starts it.
+/// The event loop of a program. The program plugs in its pipeline and its screen, and starts the
+/// loop.
 ///
-/// Lives:   borrows pipeline and screen. Made before them (step 3 of 5), so it dies after them;
-///          a signal that ended the loop is delivered then, when everything is closed.
+/// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it
+///          dies after them. A signal that ended the loop is delivered then, when everything is
+///          closed.
 class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;
@@ -27,7 +29,8 @@ public:
     l3d_dispatcher& operator=(const l3d_dispatcher&) = delete;
     virtual ~l3d_dispatcher() = default;
 
-    /// Names the application and the screen it draws into, which is also the source of events.
+    /// Names the pipeline to drive and the screen that it draws into. The screen is also the source
+    /// of events.
     void plug(l3d_pipeline& pipeline, l3d_screen& screen);
 
     /// Sets the caption that windows show on their pictures, for some seconds and when help is
@@ -42,8 +45,8 @@ public:
     l3d_exit start();
 
 protected:
-    /// Calls the pipeline as the event asks; a close event sets `done`. The caller looks after
-    /// expose, resize (of its own state) and display_lost.
+    /// Calls the pipeline as the event asks; a close event sets `done`. The caller handles expose
+    /// and display_lost, and for resize its own state.
     static void deliver(const l3d_event& event, l3d_pipeline& pipeline);
 
 private:
@@ -74,10 +77,10 @@ private:
     virtual std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const = 0;
 };
 
-/// Once it knows the screen, it works as the dispatcher of windows or as the one without a display.
+/// The dispatcher for a window if the screen turns out to be one, else the one without a display.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_fitting(const l3d_frame_settings& settings);
 
 private:
@@ -90,22 +93,23 @@ private:
 /// Makes dispatchers for a back-end whose screens are windows where there is a display.
 class L3D_PUBLIC l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
 private:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 
-/// An event and the frame (from 0) before which it happens.
+/// An event, and the frame before which it happens.
 struct L3D_PUBLIC l3d_script_event {
     int frame = 0;   ///< the number of the frame, from 0
     l3d_event event; ///< the event
 };
 
-/// Makes frames as fast as it can, each a fixed step of time after the one before; one frame if
-/// the settings say none. The same script gives the same pictures every time.
+/// Makes frames as fast as it can, each a fixed step of time after the one before. It makes one
+/// frame if the settings give no number. The same script gives the same pictures every time.
 class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
 public:
+    /// Takes a script of events to replay.
     /// Expects: the script in the order of its frames.
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_script(const l3d_frame_settings& settings,
                                    std::vector<l3d_script_event> script = {});
 
@@ -117,10 +121,10 @@ private:
     l3d_frame_writer writer_;
 };
 
-/// Makes dispatchers that have no events to replay.
+/// Makes dispatchers that have no script to replay.
 class L3D_PUBLIC l3d_dispatcher_factory_script final : public l3d_dispatcher_factory {
 private:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 

@@ -12,11 +12,11 @@
 /// Handles all pending events, then makes a frame when one is due, and sleeps in between. A frame
 /// is drawn and shown only if the pipeline needs it or the window has a new size. The window must
 /// be visible, too, unless frames are counted or written. A window that was uncovered gets its last
-/// picture again. Escape gives a window that covers the display its place back before it reaches
-/// the program. The signals of l3d_signal_watch end the loop within 0.2 s.
+/// picture again. Escape first gives a window that covers the display its place back; only another
+/// one reaches the program. The signals of l3d_signal_watch end the loop within 0.2 s.
 class l3d_dispatcher_window final : public l3d_dispatcher {
 public:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_window(const l3d_frame_settings& settings);
 
 private:
@@ -32,7 +32,7 @@ private:
 /// Makes dispatchers for programs with a window.
 class l3d_dispatcher_factory_window final : public l3d_dispatcher_factory {
 private:
-    /// Errors:  as l3d_frame_writer.
+    /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 

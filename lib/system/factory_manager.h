@@ -24,7 +24,8 @@ struct L3D_PUBLIC l3d_backend {
     bool on_display = false;   ///< it needs a display
     bool unseen = false;       ///< nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< it writes its pictures to files itself
-    /// Another row with a wish added: lists show it, and the prompt does not.
+    /// Whether the row only adds a wish to another row, as mesa:egl does to mesa. Lists show such a
+    /// row, and the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
@@ -34,23 +35,24 @@ struct L3D_PUBLIC l3d_backend {
 
 /// Knows every back-end, asks each whether it can serve here, and takes one.
 ///
-/// The only place that names concrete kinds. Not a global: each program has one in main.
+/// No other place names concrete kinds of back-ends. The manager is not a global: each program has
+/// one in main.
 class L3D_PUBLIC l3d_factory_manager {
 public:
-    /// The rows of the library: xshm, ximage, mesa and its variants mesa:egl and mesa:osmesa,
+    /// Makes the rows of the library: xshm, ximage, mesa and its variants mesa:egl and mesa:osmesa,
     /// memory.
     l3d_factory_manager();
     l3d_factory_manager(const l3d_factory_manager&) = delete;
     l3d_factory_manager& operator=(const l3d_factory_manager&) = delete;
     ~l3d_factory_manager();
 
-    /// One more row, at the end. Expects: all three factories; a name that no row has.
+    /// Adds a row at the end. Expects: all three factories; a name that no row has.
     void add(l3d_backend row);
 
     /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND, else by the
     /// program itself. If none is named, it asks at a terminal, and elsewhere takes the first
     /// automatic row that can serve. If nobody would see the pictures, stderr gets a line about it.
-    /// The output then becomes `program`.png, unless a back-end was named that shows nothing.
+    /// Then the output becomes `program`.png, unless the back-end was named and shows nothing.
     ///
     /// Returns: false if the program ends well without pictures: --list-backends or --diagnose was
     ///          answered, or the answer at the prompt was q.
@@ -66,11 +68,13 @@ public:
     const l3d_backend& chosen() const;
 
     /// Makes a screen of the chosen back-end.
-    /// Errors: l3d_error(no_backend) with the reason. Expects: choose() was true.
+    /// Expects: choose() was true.
+    /// Errors:  l3d_error with the reason: display_lost or no_backend.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
     /// Makes a dispatcher of the chosen back-end.
-    /// Errors: as l3d_dispatcher_factory::create. Expects: choose() was true.
+    /// Expects: choose() was true.
+    /// Errors:  as l3d_dispatcher_factory::create.
     std::unique_ptr<l3d_dispatcher> create_dispatcher(const l3d_frame_settings& settings) const;
 
 private:

@@ -6,21 +6,22 @@
 #include <algorithm>
 #include <chrono>
 
-/// Deadlines on a fixed grid of times, so that one late frame does not make all others late.
-/// A deadline that was missed is dropped, not caught up with.
+/// Sets deadlines on a fixed grid of times, so that one late frame does not make all others late. A
+/// deadline that was missed is dropped, not caught up with.
 class l3d_frame_pacer {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// Units:   frames per second; 0: no limit. The first frame is due at `start`.
+    /// Takes the rate of frames, of which the first is due at `start`.
+    /// Units:   frames per second; 0: no limit.
     l3d_frame_pacer(double fps, clock::time_point start)
         : period_(fps > 0 ? seconds(std::min(1 / fps, longest_period)) : clock::duration::zero()),
           due_(start) {}
 
     clock::time_point due() const { return due_; }
 
-    /// Notes a frame that is done at `now`. After one that drew nothing (`idle`), the next does not
-    /// come at once even without a limit: waiting must not cost a whole processor.
+    /// Notes a frame that is done at `now`. If the frame drew nothing (`idle`), the next one comes
+    /// after 1/60 s even without a limit: waiting must not cost a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;

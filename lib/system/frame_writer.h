@@ -16,34 +16,40 @@
 #include <string>
 #include <string_view>
 
-/// Writes the files that a name asks for. "" means nothing; name.png or .ppm the last frame;
-/// name%04d.png every frame, numbered from 0 (as by %d, %5d, %05d);
-///   -               every frame, as a stream of PPM pictures on the standard output.
-/// Any other percent sign is a part of the name, and so is %%, as one.
+/// Writes the frames of a program to files. Their name says which frames:
+/// - "" writes nothing;
+/// - name.png or name.ppm gets the last frame;
+/// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d);
+/// - "-" gives every frame, as a stream of PPM pictures on the standard output.
+///
+/// Any other percent sign is a part of the name, and %% stands for one.
 class L3D_PUBLIC l3d_frame_writer {
 public:
-    /// Errors:  l3d_error: usage for a name that is none of these, failure if its folder is not
-    ///          there; nothing is opened yet.
-    ///          Only .png goes with alpha.
+    /// Opens nothing yet.
+    /// Errors:  l3d_error: usage for a name of none of these kinds, and with alpha for any name but
+    ///          .png; failure for a missing folder.
     explicit l3d_frame_writer(const std::string& name, l3d_alpha alpha = l3d_alpha::none);
 
     /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
     void frame(const l3d_pixels& pixels);
 
-    /// Takes no picture of this frame.
+    /// Counts the next frame, whose picture is not wanted.
     void skip_frame() { ++next_number_; }
 
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether a frame goes into the file of this name, or into its link's target.
+    /// Whether a frame goes into the file of this name, or into the file that a link of this name
+    /// leads to.
     bool has_frame_in(const std::string& file) const;
 
-    /// Whether this frame's file is there, whole and of that size. A disk may have lost a part of
-    /// it, and a picture of another size is no frame of this sequence.
+    /// Whether the next frame's file is there, whole and of this size. A disk may have lost a part
+    /// of the file, and a picture of another size is no frame of this sequence.
     bool has_frame(l3d_size size) const;
 
-    /// Takes the last picture once more, when no other will follow. Errors: as frame().
+    /// Writes the last frame, if the name asks for that alone. Call it when no other frame will
+    /// follow.
+    /// Errors:  as frame().
     void finish(const l3d_pixels& pixels);
 
 private:
@@ -60,11 +66,11 @@ private:
     int next_number_ = 0;
 };
 
-/// Writes lines as they come, so that a program that is stopped leaves whole lines behind.
+/// Writes a report line by line, so that a program that is stopped leaves whole lines behind.
 class L3D_PUBLIC l3d_report_writer {
 public:
-    /// Opens the file of this name. The name - is the standard output as it is: earlier output
-    /// stays, and the output of others comes in between.
+    /// Opens the file of this name. The name - is the standard output as it is. Earlier output
+    /// stays, and the output of others may come in between.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;
@@ -83,12 +89,12 @@ private:
 
 /// The settings with which a dispatcher is made.
 struct L3D_PUBLIC l3d_frame_settings {
-    /// The number of frames; 0: until the pipeline is done (with a window), one (without a
-    /// display).
+    /// The number of frames. 0 means one frame without a display; with a window, frames go on until
+    /// the pipeline is done.
     int frames = 0;
 
-    /// The first frame whose picture is wanted; of those before it, only the time passes. Expects:
-    /// less than `frames`, or 0.
+    /// The first frame whose picture is wanted. For frames before it, only the time passes.
+    /// Expects: less than `frames`, or 0.
     int first_frame = 0;
 
     /// Whether frames whose file is there already are left out, too.
@@ -97,30 +103,31 @@ struct L3D_PUBLIC l3d_frame_settings {
     /// Frames per second; 0: as many as possible; empty: the screen's choice.
     std::optional<double> fps;
 
-    /// Whether update_event gets 1 / fps instead of the time measured. Always so without a
-    /// display; with a window it makes the pictures repeatable.
+    /// Whether update_event gets 1 / fps instead of the measured time, which makes the pictures of
+    /// a window repeatable. Without a display, update_event always gets this.
     bool fixed_step = false;
 
     /// A name for l3d_frame_writer; empty: nothing is written.
     std::string output;
 
-    /// The meaning of the highest bytes of pixel words in the files that are written.
+    /// Whether the written files have alpha.
     l3d_alpha alpha = l3d_alpha::none;
 
-    /// The beginning of lines on stderr.
+    /// The text that lines on stderr begin with.
     std::string program = "l3d";
 
     /// The time from frame to frame where it is not measured, in seconds. It is the same for every
-    /// screen, so that their pictures are.
+    /// screen, so that all screens show the same pictures.
     double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };
 
-/// Writes l3d-0001.png, or the first such name that is free, and never over an existing file.
-/// Returns a line that says where it is, or why it could not be done: a full disk must not end a
-/// program.
+/// Writes a picture as l3d-0001.png, or as the first such name that is free. An existing file is
+/// never replaced. Returns a line that says where the file is, or why there is none: a full disk
+/// must not end a program.
 L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
 
-/// Writes surfaces as l3d-0001.obj (l3d_write_obj_surfaces), or the first such name that is free.
+/// Writes surfaces as l3d-0001.obj, or as the first such name that is free
+/// (l3d_write_obj_surfaces).
 /// Returns a line as l3d_save_screenshot does.
 L3D_PUBLIC std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 

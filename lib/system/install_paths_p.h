@@ -7,9 +7,10 @@
 
 namespace l3d_detail {
 
-/// The folder `below` beside the folder of `program`, if that is there, else below the prefix which
-/// l3d was built for. A program whose place is not known, or is no whole path, counts for nothing:
-/// code from the folder that the user happens to be in must not run.
+/// Finds a folder of the installation that a program belongs to. The result is `below` beside the
+/// folder of `program`, if that is there, else `below` in the prefix that l3d was built for. A
+/// program whose path is unknown or relative is not used: code from the folder that the user
+/// happens to be in must not run.
 std::filesystem::path folder_beside(const std::filesystem::path& program, const char* below);
 
 } // namespace l3d_detail

@@ -19,16 +19,16 @@
 
 namespace l3d_detail {
 
-/// While it lives, writes "reading a.obj", then "reading a.obj, 1 s" and so on over itself. It
-/// takes the line away at the end. Work of less than half a second writes nothing.
+/// While it lives, writes "reading a.obj", then "reading a.obj, 1 s" and so on over the same line,
+/// and erases the line at the end. Work of less than half a second writes nothing.
 ///
-/// The work itself knows nothing of this: a thread of its own counts the seconds. Where the system
-/// makes no more threads, nothing is written.
+/// The work needs no calls for this: a thread of its own counts the seconds. Where the system makes
+/// no more threads, nothing is written.
 /// Lives:   borrows the stream, which nobody else writes to meanwhile.
 class long_work {
 public:
-    /// `is_shown`: whether the stream is a terminal. Units: milliseconds until the first line, and
-    /// from each to the next.
+    /// `is_shown`: whether the stream is a terminal.
+    /// Units:   milliseconds until the first line, and from each line to the next.
     long_work(std::ostream& out, bool is_shown, std::string what,
               std::chrono::milliseconds first = std::chrono::milliseconds(500),
               std::chrono::milliseconds period = std::chrono::seconds(1))
@@ -73,7 +73,7 @@ private:
     std::jthread teller_;
 };
 
-/// The same on the standard error, for what is done to a file: "reading" and its name.
+/// Tells on the standard error what is done to a file: "reading" and the file's name.
 inline long_work tell_work(const std::string& doing, const std::string& file) {
     return {std::cerr, isatty(STDERR_FILENO) != 0, doing + ' ' + printable(file)};
 }

@@ -13,11 +13,11 @@
 #include <string>
 #include <utility>
 
-/// Loads object plug-ins: shared libraries with the interface of object_plugin.h, which is C, has a
-/// version, and does not depend on how l3d itself was built.
+/// Loads object plug-ins: shared libraries with the interface of object_plugin.h. This interface is
+/// C, has a version, and does not depend on how l3d itself was built.
 ///
-/// Lives:   the objects need the loader no more; each holds its library, which is closed with the
-///          last of them.
+/// Lives:   the objects do not need the loader. Each holds its library, which is closed with the
+///          last object that holds it.
 class L3D_PUBLIC l3d_plugin_loader {
 public:
     /// A loader whose lines on stderr begin with `program`. `seed` begins the random numbers of
@@ -25,7 +25,7 @@ public:
     l3d_plugin_loader(std::string program, std::uint64_t seed, std::string folder = ".")
         : program_(std::move(program)), folder_(std::move(folder)), random_(seed) {}
 
-    /// An object that the plug-in in `file` has set up with these parameters.
+    /// Makes an object that the plug-in in `file` has set up with these parameters.
     ///
     /// Errors: null, and `why` = "file: reason". There may be no such file, or it is no shared
     ///         library, or it has no symbol l3d_plugin. The symbol may be of another version, too
@@ -40,15 +40,15 @@ private:
 };
 
 /// The folder of plug-ins. It is ../lib/l3d, seen from the program's own folder, if that exists. So
-/// programs that were built or installed with l3d find it wherever they were moved. Else it is the
-/// folder in the prefix which l3d was built for.
+/// programs that were built or installed with l3d find it wherever they were moved. Otherwise it is
+/// lib/l3d in the prefix that l3d was built for.
 L3D_PUBLIC std::string l3d_plugin_folder();
 
-/// The folder of models and other data, likewise: ../share/l3d.
+/// The folder of models and other data: ../share/l3d, found as l3d_plugin_folder finds its own.
 L3D_PUBLIC std::string l3d_data_folder();
 
-/// The file that a user means by the name of a model: the file of that name, else one in the data
-/// folder, with or without its ending. If there is neither, the name as it is.
+/// The file that a user means by the name of a model. It is the file of that name, else the one in
+/// the data folder, with or without its ending. If there is neither, the name is returned as it is.
 L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

@@ -11,9 +11,10 @@
 
 namespace l3d_detail {
 
-/// Draws a picture if there is a reason to: the pixels are stale, or the pipeline says so. Shows
-/// the changed pixels. Hands the pixels to the writer in any case: a numbered sequence has a file
-/// for every frame. Returns whether there was a reason.
+/// Makes a frame once the pipeline is up to date. It draws a picture if there is a reason: the
+/// pixels are stale, or the pipeline says so. It shows the changed pixels. The writer gets the
+/// pixels in any case, since a numbered sequence has a file for every frame. Returns whether there
+/// was a reason.
 ///
 /// Errors:  as l3d_frame_writer::frame.
 inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer& writer,
@@ -42,7 +43,7 @@ inline bool only_passes(int frame, const l3d_frame_settings& settings,
     return frame < settings.first_frame || (settings.resume && writer.has_frame(size));
 }
 
-/// Lets a frame pass whose picture is not wanted. Returns whether the pixels are stale now.
+/// Lets a frame pass whose picture is not wanted. Returns whether the pixels are stale afterwards.
 inline bool skip(l3d_pipeline& pipeline, l3d_frame_writer& writer, bool stale) {
     writer.skip_frame();
     if (pipeline.skip_event())

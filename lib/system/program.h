@@ -16,7 +16,8 @@
 #include <string>
 #include <utility>
 
-/// A program's command line and factory manager, and the way from one to the other.
+/// A program's command line and its factory manager, which chooses a back-end as the command line
+/// says.
 ///
 ///     int main(int argc, char** argv) {
 ///         l3d_program program("drawdot", "A dot leaves a trail.", {320, 200});
@@ -31,17 +32,17 @@
 /// Lives:   a local object of main, which outlives what it creates.
 class L3D_PUBLIC l3d_program {
 public:
-    /// A program of this name. --help begins with `purpose`, which should list the keys, too.
+    /// Makes a program of this name. --help begins with `purpose`, which should list the keys, too.
     l3d_program(std::string name, const std::string& purpose, l3d_size default_size);
 
-    /// The same with a caption, which --help begins with. Windows show it, unless their frames are
-    /// counted or written.
+    /// Makes a program with a caption, which --help begins with. Windows show the caption, unless
+    /// their frames are counted or written.
     l3d_program(std::string name, const l3d_caption& caption, l3d_size default_size);
 
-    /// Takes the program's own options, which are added before run().
+    /// The command line. A program adds its own options to it before run().
     l3d_options& options() { return options_; }
 
-    /// Takes the program's own back-ends, likewise.
+    /// The factory manager. A program adds its own back-ends to it before run().
     l3d_factory_manager& factories() { return factories_; }
 
     /// Sets a function that is called once the command line has been read, for work without a
@@ -54,7 +55,7 @@ public:
     /// Errors:  none: each exception becomes a line on stderr, and its exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
 
-    /// All five steps for a program of one pipeline, which gets a canvas and these arguments.
+    /// Does all five steps for a program of one pipeline, which gets a canvas and these arguments.
     /// Returns main's exit code. A program whose arguments depend on the command line calls run().
     /// Errors:  as run().
     template <class Pipeline, class... Arguments>
@@ -67,16 +68,20 @@ public:
         });
     }
 
-    /// Errors:  as l3d_factory_manager::create_dispatcher. Expects: called by the steps.
+    /// Makes a dispatcher of the back-end that was chosen.
+    /// Expects: called by the steps.
+    /// Errors:  as l3d_factory_manager::create_dispatcher.
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
 
-    /// `shows` names what the window shows, in UTF-8, such as a model; its title begins with that,
-    /// unless it is the program's name.
-    /// Errors:  as l3d_factory_manager::create_screen. Expects: called by the steps.
+    /// Makes a screen and the rasterizers that draw into it. `shows` names the thing that the
+    /// window shows, such as a model, in UTF-8. The title begins with it, unless it is the
+    /// program's name.
+    /// Expects: called by the steps.
+    /// Errors:  as l3d_factory_manager::create_screen.
     l3d_canvas create_canvas(const std::string& shows = {}) const;
 
-    /// Checks that pictures without background can be made: no window shows them, and GL draws
-    /// no smooth lines into them.
+    /// Refuses pictures without background where they cannot be made: no window shows them, and the
+    /// GL back-end does not draw them.
     ///
     /// Errors: l3d_error(usage) that names the option and the obstacle.
     /// Expects: called by the steps.
@@ -88,7 +93,7 @@ public:
     /// Whether a lesson draws as the book does: --classic.
     bool is_classic() const { return is_classic_; }
 
-    /// Where random numbers start: --seed.
+    /// The number with which random numbers start: --seed.
     std::uint64_t seed() const { return options_.common().seed; }
 
 private:
@@ -100,9 +105,9 @@ private:
 };
 
 /// Shows a finished picture until the user closes its window or presses q or Escape. The picture
-/// fills as much of the window as its shape allows. L3D_BACKEND names the back-end; without it the
-/// first that can serve is taken. Where nobody would see it, it is written to `name`.png, and a
-/// line on stderr says so.
+/// fills as much of the window as its shape allows. L3D_BACKEND names the back-end; otherwise the
+/// first one that can serve is taken. Where nobody would see the picture, it is written to
+/// `name`.png, and a line on stderr says so.
 ///
 /// Shape:   `name` is the window's title and a file's name without its end.
 /// Returns: the exit code that main should return.

@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// Writes "program: frame 120 of 5000" over itself once a second, and takes the line away at the
+/// Writes "program: frame 120 of 5000" over the same line once a second, and erases the line at the
 /// end. A run of less than a second writes nothing.
 ///
 /// Lives:   borrows the stream.
@@ -29,7 +29,7 @@ public:
             out_ << erase << std::flush;
     }
 
-    /// So many frames are done at the time `now`.
+    /// Notes that this number of frames is done at the time `now`.
     void done(int frames, clock::time_point now) {
         if (!is_shown_ || now < next_)
             return;

@@ -7,13 +7,14 @@
 #include <csignal>
 #include <thread>
 
-/// While one lives, the first of the signals is only noted; a second one of that kind acts as
-/// it did before, for a program that hangs. When it dies, the signals' old actions are restored,
-/// and the noted signal is raised: the parent process sees a death by that signal. A signal that
-/// was ignored (as by nohup) stays ignored.
+/// While a watch lives, the first signal of each kind is only noted. A second one of the same kind
+/// acts as it did before, for a program that hangs. When the watch dies, the signals' old actions
+/// are restored, and the noted signal is raised: the parent process sees a death by that signal. A
+/// signal that was ignored (as by nohup) stays ignored.
 ///
 /// The watching program has five seconds to end in good order. After that the signal acts as a
-/// second one would, whatever loop the program is in: files have no names before they are complete.
+/// second one would, whatever loop the program is in. Unfinished files do no harm, since files have
+/// no names before they are complete.
 ///
 /// Signal handlers are a property of the process: this is the library's only such state.
 /// Expects: at most one at a time.
@@ -27,8 +28,9 @@ public:
     /// Whether one of the signals came.
     bool caught() const;
 
-    /// A file that can be read once one of the signals came, to sleep until then; -1 if the system
-    /// has no more files. Lives: as long as the watch.
+    /// A file that can be read once one of the signals came, so that a loop can sleep until then.
+    /// It is -1 if the system has no more files.
+    /// Lives:   as long as the watch.
     int waker() const { return waker_; }
 
 private:

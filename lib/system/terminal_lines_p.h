@@ -9,16 +9,17 @@
 
 namespace l3d_detail {
 
-/// The lines that are typed at a terminal, for a std::istream. A terminal hands over whole lines
-/// and hides whether somebody types, so keys are read one by one here. They can be taken back as
-/// usual.
+/// The lines that a user types at a terminal, for a std::istream. A terminal hands over whole lines
+/// and hides whether somebody types, so keys are read one by one here. The user can erase them
+/// as usual.
 ///
-/// Before the first key, a countdown stands at the end of the question. When it is over, the input
-/// ends. The first key ends it for good.
+/// Before the first key, a countdown stands at the end of the question. When the countdown is over,
+/// the input ends. The first key ends the countdown for good.
 /// Lives:   borrows the terminal and the stream.
 class terminal_lines : public std::streambuf {
 public:
-    /// Units: `seconds` of the countdown. Expects: a terminal; a stream that shows what is typed.
+    /// Expects: a terminal, and a stream that shows what is typed. Units: `seconds` of the
+    ///          countdown.
     terminal_lines(int terminal, std::ostream& out, int seconds)
         : terminal_(terminal), out_(out), seconds_(seconds) {}
 

@@ -22,16 +22,16 @@
 #include <string>
 #include <utility>
 
-/// A `Pipeline` with l3d_viewer_controls and a report of each frame, for which --turntable,
-/// --report, --explain, --statistics, --depth-output and --error-output do what they say. Without
-/// --eye and --target it frames its model.
+/// Adds to a `Pipeline` l3d_viewer_controls and a report of each frame. It serves --turntable,
+/// --report, --explain, --statistics, --depth-output and --error-output. Without --eye and --target
+/// it frames its model.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
 public:
-    /// `arguments` are those of the Pipeline's constructor.
-    /// Errors:  as l3d_report_writer, and as the Pipeline's constructor; l3d_error(usage) for a
-    ///          picture without background that nothing can hold.
+    /// The `arguments` are those of the Pipeline's constructor.
+    /// Errors:  as l3d_report_writer, and as the Pipeline's constructor; l3d_error(usage) as
+    ///          l3d_program::check_transparency.
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
         : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked),
@@ -53,7 +53,7 @@ public:
             reports_.emplace(asked.report());
     }
 
-    /// Counts what --statistics tells.
+    /// Draws a frame, and counts its polygons and time for --statistics.
     void draw_event() override {
         Pipeline::draw_event();
         if (!asked_.statistics())
@@ -107,8 +107,8 @@ public:
     }
 
 private:
-    /// Adds a word about the help, which onlookers of a window like. Pictures that are counted are
-    /// the same in windows and files.
+    /// Adds a line about the help for people at a window. Frames that are counted get none, so that
+    /// windows and files have the same pictures.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -123,7 +123,8 @@ private:
             this->controls().show_hint(seconds);
     }
 
-    /// Nobody takes processors' work for GL's.
+    /// Tells the user if processors draw although GL was chosen, so that nobody takes their work
+    /// for GL's.
     void tell_who_draws(const std::string& gl) {
         if (gl.empty())
             std::cerr << command_
@@ -132,7 +133,7 @@ private:
         wants_gl_ = false; // it has been told
     }
 
-    /// The view as options, which are also printed: people copy them from a terminal.
+    /// The view as options, which are also printed, so that people can copy them from a terminal.
     std::string told_view() {
         std::string text = asked_.view_options(this->camera());
         if constexpr (requires { this->settings().rotation; })
@@ -141,7 +142,7 @@ private:
         return text;
     }
 
-    /// The name - is the standard output.
+    /// Writes values as a PFM file; the name - is the standard output.
     static void write(const std::string& file, l3d_size size, std::span<const float> values) {
         if (file == "-")
             l3d_write_pfm(stdout, "standard output", size.width, size.height, values);
@@ -149,8 +150,8 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// Tells how to undo the option that emptied the picture; nothing mends an area or a model too
-    /// small.
+    /// Tells how to undo the option that emptied the picture. The text is empty for a model that is
+    /// too small or has no area, since no option mends that.
     std::string way_to_mend(const std::string& reason) const {
         if (reason == l3d_without_area || reason == l3d_too_small)
             return "";
@@ -162,6 +163,7 @@ private:
                                       : "; press f in a window";
     }
 
+    /// Prints the thing at the place of --pick.
     /// Errors:  l3d_error(failure) if the standard output cannot be written to.
     void tell_pick() const {
         if (!asked_.pick())
@@ -172,9 +174,9 @@ private:
     }
 
     const l3d_afd_options& asked_;
-    bool wants_gl_ = false; ///< and was not told yet whether it is used
+    bool wants_gl_ = false; ///< GL was chosen, and nothing was told about its use yet
     bool in_window_ = false;
-    std::int64_t frames_ = 0, polygons_ = 0; ///< drawn
+    std::int64_t frames_ = 0, polygons_ = 0; ///< totals of frames and polygons drawn
     double seconds_ = 0;                     ///< time of drawing
     std::string command_;
     std::optional<l3d_report_writer> reports_;

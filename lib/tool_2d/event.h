@@ -9,7 +9,7 @@
 #include <chrono>
 #include <string>
 
-/// Keys that have no printable character. Printable keys are their ASCII code.
+/// Keys that have no printable character. A printable key is its ASCII code.
 enum l3d_key : int {
     l3d_key_backspace = 8,
     l3d_key_tab = 9,
@@ -24,11 +24,11 @@ enum l3d_key : int {
     l3d_key_page_down,
     l3d_key_home,
     l3d_key_end,
-    l3d_key_f1, ///< up to l3d_key_f1 + 9; F11 is the event `fullscreen`
+    l3d_key_f1, ///< F1. F2 to F10 follow it; F11 is the event `fullscreen`
     l3d_key_insert = l3d_key_f1 + 10,
-    l3d_key_shift,   ///< either of them, alone; only l3d_pipeline::any_event tells of it
-    l3d_key_control, ///< likewise
-    l3d_key_alt,     ///< likewise
+    l3d_key_shift,   ///< either Shift key, alone; only l3d_pipeline::any_event tells of it
+    l3d_key_control, ///< either Control key, told as l3d_key_shift is
+    l3d_key_alt,     ///< either Alt key, told as l3d_key_shift is
 };
 
 /// The things that can happen to a window.
@@ -41,19 +41,20 @@ enum class L3D_PUBLIC l3d_event_type {
     button_press,
     /// A button of the mouse came up.
     button_release,
-    /// The pointer has moved, with a button held unless l3d_screen::set_pointer asked for more.
+    /// The pointer moved while a button was held, or at any time if l3d_screen::set_pointer asked
+    /// for that.
     pointer_motion,
     /// The wheel turned.
     wheel,
-    /// The picture, or l3d_screen::text_scale, has another size now.
+    /// The picture has a new size, or l3d_screen::text_scale has changed.
     resize,
-    /// Part of the window can be seen and lost its picture: it has to be shown again.
+    /// A visible part of the window lost its picture, which has to be shown again.
     expose,
     /// Nothing of the window can be seen until the next expose or reveal.
     hide,
     /// Part of the window can be seen again. If it lost its picture, expose follows.
     reveal,
-    /// The user wants the whole display, or no longer: F11, Alt+Enter.
+    /// The user wants the window to cover the whole display, or to end that: F11, Alt+Enter.
     fullscreen,
     /// The user wants the end, or somebody destroyed the window.
     close,
@@ -65,8 +66,8 @@ enum class L3D_PUBLIC l3d_event_type {
 struct L3D_PUBLIC l3d_event {
     /// The kind of event.
     l3d_event_type type{};
-    /// key_*: the key's ASCII code or l3d_key. 0 for a key that only types, as a letter of another
-    /// script may; it comes without a release.
+    /// key_*: the key's ASCII code or l3d_key. It is 0 for a press that only types text, such as a
+    /// letter of another script; no release follows.
     int key = 0;
     /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held, 0 for none.
     int button = 0;
@@ -76,33 +77,36 @@ struct L3D_PUBLIC l3d_event {
     int y = 0;
     /// resize: the new size.
     l3d_size size{};
-    /// wheel: its turn in notches, positive away from the user. Fine wheels and touchpads turn by
-    /// parts of a notch.
+    /// wheel: how far it turned, in notches; positive away from the user. Fine wheels and touchpads
+    /// turn by parts of a notch.
     double turn = 0;
-    /// wheel: the notches that are full now, for programs that count whole steps; 0 while a fine
-    /// wheel is on its way to the next.
+    /// wheel: the whole notches that this turn completes, for programs that count steps. It is 0
+    /// while a fine wheel is on its way to the next notch.
     int notches = 0;
-    /// button_press: 2 if another one came shortly before at the same place, else 1.
+    /// button_press: 2 for the second press of a double click, else 1.
     int clicks = 0;
-    /// key_*, button_*, pointer_motion, wheel: the key Shift was held before.
+    /// key_*, button_*, pointer_motion, wheel: whether Shift was held just before the event.
     bool shift = false;
-    /// The key Ctrl was held, for the same types.
+    /// Whether Ctrl was held, for the same types.
     bool control = false;
-    /// The key Alt was held, for the same types.
+    /// Whether Alt was held, for the same types.
     bool alt = false;
-    /// The key with the sign of a system or a maker was held, for the same types.
+    /// Whether the key with the sign of a system or a maker was held, for the same types.
     bool logo = false;
-    /// key_press: the key was down already, and repeats.
+    /// key_press: whether the key was down already, and repeats.
     bool repeat = false;
-    /// key_press: the text that it types, in UTF-8; empty for keys that type nothing, and with
-    /// Ctrl, Alt or the logo. A dead key types nothing itself, and changes the next one's text.
+    /// key_press: the text that it types, in UTF-8. It is empty with Ctrl, Alt or the logo key, and
+    /// for keys that type nothing. A dead key types nothing itself, but changes the text of the
+    /// next key.
     std::string text{};
     /// pointer_motion: how far a held pointer has moved to the right since the last such event;
     /// 0 if the pointer is not held. Units: pixels.
     double right = 0;
-    /// pointer_motion: the held pointer's way downwards, likewise.
+    /// pointer_motion: how far a held pointer has moved down since the last such event; 0 if the
+    /// pointer is not held. Units: pixels.
     double down = 0;
-    /// key_*, button_*, pointer_motion, wheel: when it happened, since some moment of the display.
+    /// key_*, button_*, pointer_motion, wheel: the time of the event by the display's clock, whose
+    /// zero is any moment.
     std::chrono::milliseconds time{};
 };
 
@@ -118,7 +122,7 @@ public:
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
     /// Sleeps until an event is pending or the time is over, whichever is first. It may wake up
-    /// earlier. Something to read in the file `waker` wakes it, too, unless that is -1.
+    /// earlier. Data to read from the file descriptor `waker` wakes it, too; -1 stands for no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

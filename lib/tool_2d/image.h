@@ -17,21 +17,23 @@
 #include <string>
 #include <utility>
 
-/// A stride for rows of `width` words: an odd number of cache lines of 64 bytes, from one word to
-/// two lines longer. If rows were 4096 bytes apart, a column's pixels would share a set of the
-/// cache. A row's loads would wait for stores to the row above, since processors tell addresses
-/// apart by their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
+/// The stride to use for rows of `width` words: an odd number of cache lines of 64 bytes. It
+/// exceeds the row by one word to two lines. If rows were 4096 bytes apart, a column's pixels would
+/// share a set of the cache. A row's loads would wait for stores to the row above, since processors
+/// tell addresses apart by their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
 inline std::ptrdiff_t l3d_padded_stride(int width) {
     constexpr std::ptrdiff_t words_per_line = 16;
     return ((width / words_per_line + 1) | 1) * words_per_line;
 }
 
-/// Owns the words that l3d_pixels views; black at first.
+/// Owns the words of a picture, which is black at first. l3d_pixels is a view of them.
 class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
 
-    /// A black image with rows as long as they are wide. Expects, Errors: likewise.
+    /// A black image whose rows follow each other without padding.
+    /// Expects: width and height not negative.
+    /// Errors:  std::bad_alloc.
     explicit l3d_image(l3d_size size) : l3d_image(size, size.width) {}
 
     /// A black image with rows of `stride` words.
@@ -43,15 +45,16 @@ public:
         assert(size.width >= 0 && size.height >= 0 && stride >= size.width);
     }
 
-    /// A copy of the picture; its words are its own. Errors: std::bad_alloc.
+    /// A copy of the picture, with words of its own. Errors: std::bad_alloc.
     l3d_image(const l3d_image& other) : l3d_image(other.size_, other.stride_) {
         std::copy_n(other.words_.get(), word_count(size_, stride_), words_.get());
     }
-    /// Takes the words over; the other image is empty then.
+    /// Takes the words of the other image over, and leaves that empty.
     l3d_image(l3d_image&& other) noexcept
         : words_(std::move(other.words_)), size_(std::exchange(other.size_, {})),
           stride_(std::exchange(other.stride_, 0)) {}
-    /// Copies or takes over another picture. Errors: std::bad_alloc; the image keeps its words.
+    /// Copies or takes over another picture.
+    /// Errors:  std::bad_alloc, which leaves this image as it was.
     l3d_image& operator=(l3d_image other) noexcept {
         words_.swap(other.words_);
         std::swap(size_, other.size_);
@@ -63,11 +66,13 @@ public:
     /// Width and height, in pixels.
     l3d_size size() const { return size_; }
 
-    /// A view of the words. Lives: it ends when the image does, or is assigned to.
+    /// A view of the words. The view is valid until the image is destroyed or assigned to.
     l3d_pixels pixels() { return {words_.get(), size_.width, size_.height, stride_}; }
 
 private:
-    /// Compilers differ in whether `new` refuses what no address space holds.
+    /// The number of words of an image.
+    /// Errors:  std::bad_alloc if no address space holds them. Compilers differ in whether `new`
+    ///          refuses so large a size.
     static std::size_t word_count(l3d_size size, std::ptrdiff_t stride) {
         constexpr std::ptrdiff_t most = PTRDIFF_MAX / sizeof(std::uint32_t);
         if (size.height > 0 && stride > most / size.height)
@@ -84,18 +89,21 @@ private:
 // nor a power failure costs the old picture or leaves half a new one. The same pixels give the same
 // bytes: no time and no program name is stored.
 
-/// The meaning of a pixel word's highest byte in a file.
+/// Whether a picture file has alpha. In memory, the highest byte of a pixel word is its
+/// transparency.
 enum class L3D_PUBLIC l3d_alpha {
-    none,         ///< nothing: the file has red, green and blue
-    transparency, ///< how transparent a pixel is (l3d_pixels): the file has an alpha channel
+    none,         ///< no: the file has red, green and blue only
+    transparency, ///< yes: alpha is 255 less the transparency of the words
 };
 
-/// Writes an 8-bit RGB or RGBA PNG. Alpha is the share of the pixel that is covered.
+/// Writes an 8-bit PNG: RGB, or RGBA with l3d_alpha::transparency. Alpha is the share of the pixel
+/// that is covered.
 /// Errors:  l3d_error(failure) that names the path and the system's or libpng's reason.
 L3D_PUBLIC void l3d_write_png(const std::string& path, const l3d_pixels& pixels,
                               l3d_alpha alpha = l3d_alpha::none);
 
-/// The bytes of such a PNG file. Errors: std::bad_alloc; l3d_error(failure) with libpng's reason.
+/// The bytes of the PNG file that l3d_write_png would write.
+/// Errors:  std::bad_alloc; l3d_error(failure) with libpng's reason.
 L3D_PUBLIC std::string l3d_encoded_png(const l3d_pixels& pixels, l3d_alpha alpha = l3d_alpha::none);
 
 /// Writes a binary PPM (P6) into an open file, for streams; pictures may follow each other.
@@ -112,43 +120,46 @@ L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels)
 L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
                               std::span<const float> values);
 
-/// The same into an open file, for streams.
+/// Writes a grey PFM, as the function above does, into an open file, for streams.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
 L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int height,
                               std::span<const float> values);
 
-/// Writes PNG or PPM, by the end of the path: .png or .ppm, in either case.
-/// Errors:  l3d_error(usage) that names the path if it ends otherwise, or in .ppm although there is
-///          alpha; else as l3d_write_png.
+/// Writes PNG or PPM, as the path's ending says: .png or .ppm, in capital or small letters.
+/// Errors:  l3d_error(usage) that names the path if the ending is another one, or .ppm with
+///          l3d_alpha::transparency; else as l3d_write_png.
 L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixels,
                                 l3d_alpha alpha = l3d_alpha::none);
 
-/// Reads any PNG as 8-bit RGB, rows without padding. Values of 8 and of 16 bits are levels, unless
-/// the file says otherwise (gAMA, sRGB). With l3d_alpha::transparency, the words' highest bytes say
-/// how transparent they are, as l3d_write_png takes them; else the picture is laid on black, in
-/// linear light.
-/// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is too
-///          short for its picture, before memory is taken for it.
+/// Reads any PNG as 8-bit RGB, rows without padding. Values of 8 and of 16 bits are sRGB levels,
+/// unless the file says otherwise (gAMA, sRGB). With l3d_alpha::transparency, the words' highest
+/// bytes say how transparent the pixels are, as l3d_write_png takes them. Otherwise the picture is
+/// laid on black, in linear light.
+/// Errors:  l3d_error(bad_input) that names the path and the reason. A file too short for its
+///          picture is refused before memory is taken for it.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// The most pixels that are read unless somebody says otherwise: 8 GB of words.
+/// The limit on the number of pixels of pictures that are read, unless the caller gives another: 8
+/// GB of words.
 inline constexpr std::int64_t l3d_most_image_pixels = std::numeric_limits<std::int32_t>::max();
 
-/// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, by what the file holds. Rows have no
-/// padding. The words' highest bytes say how transparent they are, as l3d_read_png has them with
-/// l3d_alpha::transparency; of PPM and JPEG they are 0.
+/// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, whichever the contents are. Rows have no
+/// padding. The words' highest bytes say how transparent the pixels are, as from l3d_read_png with
+/// l3d_alpha::transparency. For PPM and JPEG they are 0.
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is cut
-///          off or damaged, and for one of more pixels, before memory is taken for them.
+///          off or damaged. A picture of more than `most_pixels` is refused before memory is taken
+///          for it.
 L3D_PUBLIC l3d_image l3d_read_image(const std::string& path,
                                     std::int64_t most_pixels = l3d_most_image_pixels);
 
-/// The picture that such a file's bytes hold. Errors: the same, with `name` in place of the path.
+/// Decodes the bytes of a file that l3d_read_image would read.
+/// Errors:  as l3d_read_image, with `name` in place of the path.
 L3D_PUBLIC l3d_image l3d_decoded_image(const std::string& bytes, const std::string& name,
                                        std::int64_t most_pixels = l3d_most_image_pixels);
 
-/// Whether a file holds a whole PNG or PPM of that size. Its name says which kind, as for
-/// l3d_write_image. False, without a reason, if there is no file, or one that was cut off or
-/// damaged on the disk.
+/// Whether a file holds a whole PNG or PPM of that size. The ending of its name says which kind, as
+/// for l3d_write_image. The result is false, without a reason, for a file that is missing, cut off
+/// or damaged.
 /// Cost:    reads and unpacks the file.
 L3D_PUBLIC bool l3d_is_whole_image(const std::string& path, l3d_size size);
 

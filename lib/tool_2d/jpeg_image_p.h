@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Errors:  l3d_error(bad_input) that names the path, if there are more pixels.
+/// Refuses a picture that is too large.
+/// Errors:  l3d_error(bad_input) that names the path, if width * height exceeds `most_pixels`.
 void check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
                       std::int64_t most_pixels);
 

@@ -20,9 +20,9 @@ using unique_file = std::unique_ptr<std::FILE, file_closer>;
 /// A file being written. It gets its name in commit(), when it is on the disk.
 ///
 /// Until then it has no name at all where the system permits that (O_TMPFILE), so that nothing is
-/// left behind, however the program ends. Elsewhere it has one of its own in the same folder, that
-/// nobody can guess and that follows no link. Several threads or processes may write one path: the
-/// last one's file stays, whole.
+/// left behind, however the program ends. Elsewhere it has a temporary name in the same folder,
+/// which nobody can guess and which follows no link. Several threads or processes may write one
+/// path: the file committed last stays, whole.
 ///
 /// A name that leads to a device or a pipe is written directly, since it cannot be replaced. So is
 /// a file in a folder in which no other file can be made. A file that is replaced leaves its
@@ -31,6 +31,7 @@ using unique_file = std::unique_ptr<std::FILE, file_closer>;
 /// Lives:   a file that was not committed is removed.
 class output_file {
 public:
+    /// Opens a file that will replace the one at this path.
     /// Errors:  l3d_error(failure) with the path and the system's reason.
     explicit output_file(const std::string& path);
     output_file(const output_file&) = delete;
@@ -39,7 +40,7 @@ public:
 
     std::FILE* get() const { return file_.get(); }
 
-    /// Sees the file to the disk, and gives it its name there. Errors: as the constructor.
+    /// Writes the file to the disk, then gives it its name. Errors: as the constructor.
     void commit();
 
 private:
@@ -51,7 +52,7 @@ private:
 
     std::string path_;      ///< as the user wrote it, for messages
     std::string target_;    ///< the file that `path_` leads to through links
-    std::string temporary_; ///< the name that the file has before its own; empty: none
+    std::string temporary_; ///< the name before commit(); empty: the file has none
     unique_file file_;
     bool is_direct_ = false;
 };

@@ -11,8 +11,8 @@
 #include <limits>
 #include <span>
 
-/// Disjoint boxes that hold all that was added. They are so few that each may have a cost of its
-/// own. Most of the space between things far apart is left out.
+/// A few disjoint boxes that together hold all boxes added. Each box that a caller handles has a
+/// fixed cost, so near boxes are united. Most of the space between distant ones is left out.
 class l3d_pixel_boxes {
 public:
     static constexpr std::size_t most = 4;
@@ -37,7 +37,7 @@ public:
         return sum;
     }
 
-    /// The smallest box that holds all.
+    /// The smallest box that holds all boxes.
     l3d_pixel_box around() const {
         l3d_pixel_box result;
         for (const l3d_pixel_box& box : boxes())
@@ -46,12 +46,13 @@ public:
     }
 
 private:
-    /// Needless pixels that are worth one box less: the smallest part costs as much as some 2000 of
-    /// a whole picture (tests/bench/still_bench).
+    /// Two boxes are united if that adds fewer needless pixels than this. The smallest part of a
+    /// picture costs as much as some 2000 pixels of a whole one (tests/bench/still_bench).
     static constexpr std::int64_t cost = 2048;
 
-    /// Unites the two boxes that lose least by it, if they lose little, overlap, or there are too
-    /// many. Returns whether it did.
+    /// Unites the two boxes whose union adds the fewest needless pixels. It does so if these are
+    /// fewer than `cost`, or if there are too many boxes. Boxes that overlap count as adding none.
+    /// Returns whether two were united.
     bool unite_two() {
         std::size_t a = 0, b = 0;
         std::int64_t least = count_ > most ? std::numeric_limits<std::int64_t>::max() : cost;

@@ -14,39 +14,41 @@
 
 namespace l3d_detail {
 
-/// Writes pictures as native pixels. The kind of pixel is chosen once per display, not per row or
+/// Converts pictures to native pixels. The kind of pixel is chosen once per display, not per row or
 /// pixel.
 ///
-/// Each word is shown as a square of scale x scale native pixels. The native picture may end
-/// within a square: ceil(native / scale) words make it.
+/// Each word is shown as a square of scale x scale native pixels. The native picture may end within
+/// a square: along a side, ceil(native / scale) words make it.
 ///
-/// With a palette, and with masks of fewer than eight bits, colours between the levels are mixed
-/// from both by an ordered dither, which stays where it is while the picture moves:
+/// With a palette, and with masks of fewer than eight bits, colours between two levels are mixed
+/// from both by an ordered dither. The pattern stays where it is while the picture moves:
 /// - a channel shows one of the two levels around its value, so it is off by less than a step;
 /// - a value that is a level is shown as that level in every pixel;
-/// - over 8 x 8 words of one colour, whole blocks of the picture or not, the mean of what a channel
-///   shows is off by at most 1/128 of the gap between its two levels;
-/// - where channels have as many levels, greys are mixed from greys.
-/// To all of these comes the palette's deviation. On a ramp they hold for gray_of.
+/// - over 8 x 8 words of one colour, whole blocks of the picture or not, the mean of the shown
+///   channel is off by at most 1/128 of the gap between its two levels;
+/// - where all channels have the same number of levels, greys are mixed from greys.
+/// The palette's deviation adds to all of these errors. On a ramp, the bounds hold for the grey
+/// that l3d_screen_info::gray_of gives.
 ///
 /// Lives:   borrows the info.
 class pixel_writer {
 public:
+    /// Chooses how words become pixels of this display.
     /// Expects: 8, 16, 24 or 32 bits per pixel; scale >= 1.
     explicit pixel_writer(const l3d_screen_info& info, int scale = 1);
 
-    /// Whether words in memory are native pixels as they stand, so that nothing need be written.
+    /// Whether words in memory already are native pixels, so that nothing need be written.
     bool is_identity() const { return scale_ == 1 && info_.native_is_word(); }
 
     int scale() const { return scale_; }
 
-    /// Writes one native row that shows row y of a picture; all rows that show y are alike. It may
-    /// begin at the left end of a part that writable_part has widened.
+    /// Writes one native row that shows row y of a picture. All rows that show y are equal. The row
+    /// may begin at the left end of a part that writable_part has widened.
     /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// The part, widened so that dithering begins at its columns.
+    /// The part, widened to whole columns of the dither's 8 x 8 squares, within the picture.
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
     /// The native pixels that show a part.
@@ -61,11 +63,11 @@ public:
                std::uint8_t* bytes, std::ptrdiff_t bytes_per_line) const;
 
 private:
-    /// For each channel value 64 i + n: on a square of 8 x 8, n pixels show level i + 1, the others
-    /// level i.
+    /// Maps a channel value to 64 i + n. On a square of 8 x 8, n pixels then show level i + 1, the
+    /// others level i.
     using dither_table = std::array<std::uint16_t, 256>;
 
-    // The kinds of pixels: each knows one row, and gives the pixel of a word in it.
+    // Each kind of pixel is made for one row, and converts that row's words.
     struct by_tables;
     struct by_shifts;
     struct by_few_bits;

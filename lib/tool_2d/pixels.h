@@ -18,8 +18,8 @@ struct L3D_PUBLIC l3d_size {
     friend bool operator==(const l3d_size&, const l3d_size&) = default;
 };
 
-/// Largest width and height that a picture may have. 16384 x 16384 pixels of 4 bytes are 1 GiB, X11
-/// counts window sizes in 16 bits, and l3d_guard_band fits the rasterizer's range.
+/// The largest width and height that a picture may have. A picture of this size takes 1 GiB. X11
+/// counts window sizes in 16 bits, and l3d_guard_band, the range of the rasterizer, is as wide.
 inline constexpr int l3d_largest_side = 16384;
 
 /// A view of the pixels that rasterizers write and screens show.
@@ -54,29 +54,29 @@ struct L3D_PUBLIC l3d_pixels {
 
 /// A rectangle of a picture: columns [left, right) of rows [top, bottom).
 struct L3D_PUBLIC l3d_pixel_box {
-    /// The first column and row, and those behind the last ones.
+    /// The first column and row inside, and the first ones beyond.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 
-    /// Whether no pixel lies in it.
+    /// Whether the box holds no pixel.
     bool empty() const { return left >= right || top >= bottom; }
 
-    /// The box with so many more pixels on each side; may leave the picture.
+    /// The box with `by` more pixels on each side. It may reach beyond the picture.
     l3d_pixel_box grown(std::int32_t by) const {
         return {left - by, top - by, right + by, bottom + by};
     }
 
-    /// The number of pixels in it.
+    /// The number of pixels in the box.
     std::int64_t area() const {
         return empty() ? 0 : (std::int64_t{right} - left) * (std::int64_t{bottom} - top);
     }
 
-    /// The box that both share; empty if they do not meet.
+    /// The part that both boxes share; empty if they do not meet.
     l3d_pixel_box intersected(const l3d_pixel_box& other) const {
         return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
                 std::min(bottom, other.bottom)};
     }
 
-    /// The smallest box that holds both.
+    /// The smallest box that holds both boxes.
     l3d_pixel_box united(const l3d_pixel_box& other) const {
         if (empty() || other.empty())
             return empty() ? other : *this;
@@ -84,7 +84,7 @@ struct L3D_PUBLIC l3d_pixel_box {
                 std::max(bottom, other.bottom)};
     }
 
-    /// The box where each pixel is a square of scale x scale.
+    /// The box in a picture that shows each pixel as a square of scale x scale.
     l3d_pixel_box scaled(int scale) const {
         return {scale * left, scale * top, scale * right, scale * bottom};
     }
@@ -92,7 +92,7 @@ struct L3D_PUBLIC l3d_pixel_box {
     friend bool operator==(const l3d_pixel_box&, const l3d_pixel_box&) = default;
 };
 
-/// All of a picture.
+/// The box that holds a whole picture of this size.
 inline l3d_pixel_box l3d_whole(l3d_size size) {
     return {0, 0, size.width, size.height};
 }

@@ -11,14 +11,14 @@
 
 namespace l3d_detail {
 
-/// A picture of numbers.
+/// A picture as numbers, such as heights.
 struct png_levels {
     l3d_size size;
     std::vector<double> means; ///< means of red, green and blue, row by row; white is 1
 };
 
-/// The levels of a PNG file's bytes as they are in the file: alpha and gamma mean nothing.
-/// Errors:  l3d_error(bad_input) that names the path and the reason, as l3d_decoded_image has them.
+/// Decodes a PNG file's bytes into the levels that are stored, without regard to alpha and gamma.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, as l3d_decoded_image.
 png_levels decoded_png_levels(const std::string& bytes, const std::string& path,
                               std::int64_t most_pixels);
 

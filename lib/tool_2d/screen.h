@@ -13,41 +13,41 @@
 #include <utility>
 #include <vector>
 
-/// A thing that --diagnose prints a line about.
+/// One thing that --diagnose checks and prints a line about.
 struct L3D_PUBLIC l3d_probe {
-    /// How far it serves.
+    /// How well the thing serves.
     enum class verdict {
         good,    ///< nothing is missing
         limited, ///< it serves, but not as well as it could
         bad      ///< it does not serve
     };
 
-    std::string what;                ///< "MIT-SHM", "visual"
+    std::string what;                ///< the thing, such as "MIT-SHM" or "visual"
     std::string result;              ///< the finding, or the reason why there is none
-    verdict outcome = verdict::good; ///< how far it serves
+    verdict outcome = verdict::good; ///< how well it serves
     std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
 };
 
-/// The name of the display's own probe: if that is bad, no window can open.
+/// The name of the probe of the display itself. If that probe is bad, no window can open.
 inline constexpr auto l3d_display_probe = "display";
 
-/// All that was found, in the order in which it is printed.
+/// All probes, in the order in which they are printed.
 using l3d_probes = std::vector<l3d_probe>;
 
-/// Chooses which motion of the pointer a program hears of.
+/// The motion of the pointer that a program hears of.
 enum class L3D_PUBLIC l3d_pointer {
     dragged,  ///< its motion while a button is held
     followed, ///< all its motion over the window
-    /// The pointer is hidden and kept in the window, and its motion has no end: l3d_event::right
-    /// and down. First-person views turn by this. A window without the keyboard lets the pointer
-    /// go.
+    /// The pointer is hidden and kept in the window. Its motion, which has no end, is told by
+    /// l3d_event::right and down. First-person views turn by it. A window without the keyboard lets
+    /// the pointer go.
     held,
 };
 
 /// A passive output device: it owns pixels and shows them; it draws nothing itself.
 ///
-/// Expects: all calls from one thread, which for a window owns the connection to the display.
-///          Others may write into the pixels while that one is in no call.
+/// Expects: all calls come from one thread, which for a window owns the connection to the display.
+///          Other threads may write into the pixels while that thread is in no call.
 class L3D_PUBLIC l3d_screen : public l3d_event_source {
 public:
     /// The pixels to draw into. A resize event makes earlier views invalid.
@@ -59,23 +59,23 @@ public:
     /// Makes the pixels visible.
     void show() { do_show(l3d_whole(pixels().size())); }
 
-    /// Makes the pixels of a part visible; changes beside it stay unseen. An empty part shows
-    /// nothing.
+    /// Makes the pixels of a part visible; changes outside of the part stay unseen. An empty part
+    /// shows nothing.
     void show(const l3d_pixel_box& part) {
         const l3d_pixel_box inside = part.intersected(l3d_whole(pixels().size()));
         if (!inside.empty())
             do_show(inside);
     }
 
-    /// Whether a picture that was shown still waits to get to the display: another would only
-    /// take its place.
+    /// Whether the last picture shown has yet to get to the display. Another one would only take
+    /// its place.
     bool is_busy() const { return do_is_busy(); }
 
     /// Whether a close event has come that next_event has not yet given. Unlike next_event, it may
-    /// be called while somebody draws: the pixels stay as they are.
+    /// be called while another thread draws: the pixels stay as they are.
     bool is_to_close() { return do_is_to_close(); }
 
-    /// Whether the screen is a window that somebody sees: then events come, and time is that of the
+    /// Whether the screen is a window that somebody sees. Then events come, and time is that of the
     /// clock.
     bool is_window() const { return do_is_window(); }
 
@@ -83,8 +83,8 @@ public:
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
-    /// Factor by which text must be larger than on a display of 96 dots an inch to be read as
-    /// easily; at least 1. It is 1.5 where the user has set 144 and our pixels are the display's.
+    /// The factor by which text must be larger than on a display of 96 dots an inch to be read as
+    /// easily; at least 1. It is 1.5 if the user has set 144 dots an inch and the scale is 1.
     double text_scale() const { return do_text_scale(); }
 
     /// Whether pictures travel over a slow line: moving parts are coarse there, and still parts
@@ -92,16 +92,17 @@ public:
     bool is_slow() const { return do_is_slow(); }
 
     /// Tells where text stands, from the next picture on until the next call. Over a slow line
-    /// these parts go first, and exactly.
+    /// these parts are sent first, and exactly.
     void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
 
-    /// Chooses which motion of the pointer is heard from now on; at first `dragged`. A screen that
-    /// is no window has no pointer.
+    /// Chooses which motion of the pointer is told; at first `dragged`. A screen that is no window
+    /// has no pointer.
     void set_pointer(l3d_pointer how) { do_set_pointer(how); }
 
-    /// Covers the whole display, or no longer. A screen that is no window stays as it is.
+    /// Makes the window cover the whole display, or gives it its old place back. A screen that is
+    /// no window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
-    /// Whether it covers the whole display now.
+    /// Whether the window covers the whole display.
     bool is_fullscreen() const { return do_is_fullscreen(); }
 
     /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
@@ -133,9 +134,9 @@ private:
 /// Largest l3d_screen_request::scale. No display is eight times as fine as 96 dots an inch.
 inline constexpr int l3d_largest_scale = 8;
 
-/// Whether pictures travel sparingly, as a slow line wants it.
+/// Whether a screen sends few pixels at the cost of detail, for a slow line.
 enum class L3D_PUBLIC l3d_remote {
-    automatic, ///< if the display is reached over a network
+    automatic, ///< as `on` if the display is reached over a network, else as `off`
     on,        ///< only what changed, coarse while much of it changes; no memory is shared
     off,       ///< whole pictures, as to a display of this machine
 };
@@ -143,12 +144,13 @@ enum class L3D_PUBLIC l3d_remote {
 /// Settings of a screen that a program asks for.
 struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
-    std::string title = "l3d"; ///< UTF-8, for people
+    std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// Display pixels along the side of one of the picture's. 0: one, and the picture is larger
-    /// than `size` by as much as the display is finer than 96 dots an inch.
+    /// The side of the square of display pixels that shows a pixel of the picture. With 0 it is
+    /// one. The picture then exceeds `size` by the factor by which the display is finer than 96
+    /// dots an inch.
     int scale = 0;
-    /// The way of pictures to a display. Screens that are no windows ignore it.
+    /// How pictures travel to a display. Screens that are no windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
 };
 
@@ -164,7 +166,7 @@ struct L3D_PUBLIC l3d_service {
     };
 
     level how = level::fully; ///< the answer in one word
-    std::string why{};        ///< one line, naming values, if not `fully`
+    std::string why{};        ///< the reason in one line, naming values; empty if `fully`
     bool is_seen = true;      ///< whether somebody sees pictures that are not written to files
 
     /// Whether pictures can be shown, this way or another.
@@ -179,7 +181,7 @@ public:
     l3d_screen_factory& operator=(const l3d_screen_factory&) = delete;
     virtual ~l3d_screen_factory() = default;
 
-    /// Whether this kind can serve here and now. Errors: says so in its result.
+    /// Whether this kind can serve here and now. The result tells of errors.
     l3d_service service() const { return do_service(); }
 
     /// Makes a screen.
@@ -189,7 +191,7 @@ public:
         return do_create(request, refusal);
     }
 
-    /// Frees resources that service() kept for create(): another kind was chosen.
+    /// Frees resources that service() kept for create(). Call it if another kind was chosen.
     void release() const { do_release(); }
 
     /// Adds a probe for each thing that this kind depends on, with outcome and remedy.

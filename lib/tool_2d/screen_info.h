@@ -30,16 +30,16 @@ L3D_PUBLIC const char* l3d_name_of(l3d_color_class color_class);
 
 /// The description that a display gives of its pixels. The defaults are those of l3d_pixels itself.
 ///
-/// Expects: each mask one run of ones, at most 16 wide, none overlapping another; all 0 if pixels
+/// Expects: each mask is one run of ones, at most 16 wide, and no two overlap. All are 0 if pixels
 ///          only count the cells of a map.
 struct L3D_PUBLIC l3d_pixel_layout {
-    int depth = 24;                               ///< bits that mean something
-    int bits_per_pixel = 32;                      ///< bits that are stored
+    int depth = 24;                               ///< bits of a pixel that mean something
+    int bits_per_pixel = 32;                      ///< bits that a pixel takes in memory
     std::uint32_t red_mask = 0xFF0000;            ///< the bits of red in a pixel
     std::uint32_t green_mask = 0x00FF00;          ///< the bits of green in a pixel
     std::uint32_t blue_mask = 0x0000FF;           ///< the bits of blue in a pixel
     std::endian byte_order = std::endian::native; ///< order of a stored pixel's bytes
-    int scanline_pad = 32; ///< every row starts at a multiple of so many bits
+    int scanline_pad = 32; ///< bits; every row starts at a multiple of this number
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
     /// One phrase: class, depth, bits per pixel, byte order, masks.
@@ -54,21 +54,22 @@ struct L3D_PUBLIC l3d_channel {
     int width = 0; ///< bits; 0 if pixels have no channels
 };
 
-/// The pixels of a display with few colours: a cube of them, or a ramp of grays.
+/// The native pixels that show our colours on a display with few: a cube of colours, or a ramp of
+/// grays.
 ///
 /// Shape:   pixels[(r * green + g) * blue + b] shows level r of `red` levels, g of `green`, b of
 ///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
-/// Expects: 2 to 256 levels each; on a ramp, of `red` alone.
+/// Expects: 2 to 256 levels in each channel, or in `red` alone on a ramp.
 struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp
     int blue = 0;                      ///< levels of blue; 1 on a ramp
     std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
-    /// The display's error: the largest difference between a channel that a pixel shows and its
-    /// level, 0..255. Other programs' colours, borrowed from a full map, need not be ours.
+    /// The largest difference, in any channel and 0..255, between the colour that a pixel shows and
+    /// its level's value. It is not 0 where the display's map had no room for exact colours.
     int deviation = 0;
 
-    /// Whether it has grays only.
+    /// Whether the palette has grays only.
     bool is_ramp() const { return green == 1; }
 
     /// The channel value, 0..255, of a level: level * 255 / (levels - 1), to nearest.
@@ -80,16 +81,18 @@ struct L3D_PUBLIC l3d_palette {
 
 /// The format of one display's native pixels. A value: copy it freely.
 ///
-/// Cost:    three tables of 256 words, so that converting a pixel is three loads, or four.
+/// Cost:    three tables of 256 words. Converting a pixel takes three loads, or four with a
+///          palette.
 /// Source:  the scaling of few bits is that of Lin, Linux 3D Graphics Programming, chapter 2.
 class L3D_PUBLIC l3d_screen_info final {
 public:
+    /// Makes the tables for this layout or palette.
     /// Expects: masks or a palette; with both, pixels are those of the palette.
     explicit l3d_screen_info(const l3d_pixel_layout& layout = {}, l3d_palette palette = {});
 
     /// The display's own description.
     const l3d_pixel_layout& layout() const { return layout_; }
-    /// The cells of the display's map that show our colours; without pixels if masks do.
+    /// The cells of the display's map that show our colours; it has no pixels if masks are used.
     const l3d_palette& palette() const { return palette_; }
     /// Whether pixels are cells of a map.
     bool has_palette() const { return !palette_.pixels.empty(); }
@@ -102,18 +105,18 @@ public:
     /// Where blue sits; no bits if pixels have no channels.
     l3d_channel blue() const { return blue_; }
 
-    /// The bits set in every native pixel: on a 32-bit deep display those that no colour uses,
-    /// since a compositor takes them for opacity; otherwise 0.
+    /// The bits that are set in every native pixel. On a 32-bit deep display these are the bits
+    /// that no colour uses, since a compositor takes them for opacity; otherwise 0.
     std::uint32_t opaque_bits() const { return opaque_bits_; }
 
-    /// Whether a pixel word, stored by this machine, is already the native pixel.
+    /// Whether a pixel word, as this machine stores it, already is the native pixel.
     bool native_is_word() const;
 
     /// One phrase: the layout, and the palette if there is one.
     std::string describe() const;
 
-    /// A word's colour in less light: black at intensity 0, itself at 255; each channel times
-    /// intensity / 255, to nearest.
+    /// Darkens a word's colour: multiplies each channel by intensity / 255, and rounds to nearest.
+    /// The colour becomes black at 0, and stays itself at 255.
     ///
     /// Expects: 0 <= intensity <= 255.
     /// Cost:    two products for three channels. The book's tables do the same; a load for each
@@ -128,13 +131,14 @@ public:
         return scaled(word & 0xFF00FF) | scaled(word >> 8 & 0xFF) << 8;
     }
 
-    /// A word's colour in fog: itself at intensity 0, white at 255.
-    /// Expects: as light_native.
+    /// Blends a word's colour with white fog. The colour stays itself at 0, and becomes white at
+    /// 255.
+    /// Expects: 0 <= intensity <= 255.
     static std::uint32_t fog_native(std::uint32_t word, std::uint32_t intensity) {
         return 0xFFFFFF - light_native(0xFFFFFF - word, 255 - intensity);
     }
 
-    /// The grey, 0..255, that is as bright as a word's colour; that of a grey is its own value.
+    /// The grey, 0..255, that is as bright as a word's colour. A grey gives its own value.
     /// Source:  the weights of ITU-R BT.601; the sum is rounded to nearest.
     static std::uint32_t gray_of(std::uint32_t word) {
         return ((word >> 16 & 255) * 299 + (word >> 8 & 255) * 587 + (word & 255) * 114 + 500) /
@@ -143,19 +147,21 @@ public:
 
     /// The display's own pixel value for a word.
     ///
-    /// By masks, a channel value v becomes v * max / 255, where max is the display's largest. Below
-    /// 8 bits it is rounded down, as in the book, so that each level stands for an equal share of
-    /// the 256. At 8 bits it is the same number. Above, it is rounded to nearest, so that 0 and 255
-    /// stay the ends. In a cube it becomes the nearest level, the lower of two. The shown colour
-    /// differs by at most half the gap between two levels, and the palette's deviation. On a ramp,
-    /// this holds for the grey that gray_of gives.
+    /// With masks, a channel value v becomes v * max / 255, where max is the display's largest.
+    /// Below 8 bits it is rounded down, as in the book, so that each level stands for an equal
+    /// share of the 256. At 8 bits it is the same number. Above 8 bits it is rounded to nearest, so
+    /// that 0 and 255 stay the ends.
+    ///
+    /// With a cube, a channel value becomes the nearest level, or the lower of two equally near.
+    /// The shown colour differs by at most half the gap between two levels, plus the palette's
+    /// deviation. On a ramp, this holds for the grey that gray_of gives.
     std::uint32_t to_display(std::uint32_t word) const {
         if (!has_palette())
             return by_masks(word);
         return palette_.pixels[sum_of_tables(palette_.is_ramp() ? gray_of(word) << 16 : word)];
     }
 
-    /// As to_display, for callers that have found out once that there is no palette.
+    /// Converts as to_display does, for callers that have found out once that there is no palette.
     /// Expects: no palette.
     std::uint32_t by_masks(std::uint32_t word) const { return sum_of_tables(word) | opaque_bits_; }
 
@@ -171,8 +177,8 @@ private:
     l3d_palette palette_;
     l3d_channel red_, green_, blue_;
     std::uint32_t opaque_bits_;
-    /// The amount that each channel adds to the pixel or, if there is a palette, to the place in
-    /// it.
+    /// The amount that each channel value adds to the native pixel or, if there is a palette, to
+    /// the index in its pixels.
     table red_parts_, green_parts_, blue_parts_;
 };
 

@@ -20,13 +20,13 @@ class pixel_writer;
 /// Shape:   height rows, each `pitch` bytes after the one above it.
 /// Lives:   borrows the bytes.
 struct L3D_PUBLIC l3d_packed_pixels {
-    std::uint8_t* bytes = nullptr; ///< the first one of the top row
+    std::uint8_t* bytes = nullptr; ///< the first byte of the top row
     l3d_size size{};               ///< in pixels
     std::ptrdiff_t pitch = 0;      ///< bytes from one row to the next
     l3d_pixel_layout layout{}; ///< 8, 16, 24 or 32 bits for each pixel, and the masks of colours
 };
 
-/// Pixels in memory. There are no events, and wait returns at once.
+/// A screen that only has pixels in memory. It has no events, and wait returns at once.
 ///
 /// Shape:   its own rows are longer than the picture, so that nobody comes to rely on stride ==
 ///          width.
@@ -57,7 +57,7 @@ private:
     void do_wait(std::chrono::nanoseconds, int) override {}
 
     l3d_image image_;  ///< empty around given words
-    l3d_pixels words_; ///< its words, or the given ones
+    l3d_pixels words_; ///< the words of image_, or the given ones
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;
     std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them

@@ -5,8 +5,9 @@
 
 #include <string>
 
-/// Reads a file for every reader of formats, so that none waits or grows without end. A file may
-/// have 4 GB, a pipe or a device 256 MB. A pipe waits two seconds for its writer.
+/// Reads a whole file for all readers of formats, and limits its size and the wait, so that no
+/// reader hangs or grows without end. A file may have 4 GB, a pipe or a device 256 MB. If nobody
+/// has opened a pipe to write, it is given up after two seconds.
 /// Errors: l3d_error(bad_input) that names the path, and the system's reason or the limit.
 std::string l3d_read_text_file(const std::string& path);
 

@@ -11,17 +11,17 @@
 
 namespace reference {
 
-/// Every patch evaluated in powers of u and v on a grid of cells x cells, every cell filled as two
-/// triangles; the nearest wins.
+/// Evaluates every patch in powers of u and v on a grid of cells x cells, and fills every cell as
+/// two triangles. The nearest surface is kept.
 ///
 /// Expects: all control points at w > 0. The near plane is ignored.
-/// Cost:    50 ns per cell; wrong by the cells' chord error.
+/// Cost:    50 ns per cell. The error is the cells' chord error.
 class dense_image {
 public:
     dense_image(std::span<const patch> patches, const camera& view, picture_size size, int cells);
 
     bool covered(int x, int y) const { return inverse_w(x, y) > 0; }
-    /// 1 / distance along the axis; 0 where nothing is.
+    /// 1 / distance along the view axis; 0 where nothing is seen.
     double inverse_w(int x, int y) const { return depth_[place(x, y)]; }
 
 private:

@@ -13,17 +13,18 @@
 
 namespace reference {
 
-/// Part of the pixels that the exact picture covers. The rest is at outlines, jumps, sharp bends
-/// and the picture's border, or is not drawn at all.
+/// The share of the pixels covered exactly whose depth is compared. Other pixels are at outlines,
+/// jumps, sharp bends or the picture's border, or are not drawn at all.
 inline double judged_share(std::int64_t compared, std::int64_t covered) {
     return covered > 0 ? static_cast<double>(compared) / static_cast<double>(covered) : 0;
 }
 
-/// Units: counts in pixels of the picture; distances in pixels; relative = |w - w'| / w'.
+/// How a product's picture compares with the exact one. Units: counts in pixels of the picture;
+/// distances in pixels; relative = |w - w'| / w'.
 struct measurement {
     std::int64_t covered_product = 0, covered_exact = 0;
-    std::int64_t holes = 0;   ///< uncovered although it and its 8 neighbours are covered exactly
-    std::int64_t missing = 0; ///< covered exactly, not by the product (holes included)
+    std::int64_t holes = 0;   ///< not drawn although it and its 8 neighbours are covered exactly
+    std::int64_t missing = 0; ///< covered exactly, but not by the product (holes included)
     std::int64_t extra = 0;   ///< covered by the product only
 
     double max_extra_distance = 0;   ///< of an extra pixel's centre from the exact surface
@@ -37,48 +38,52 @@ struct measurement {
     int worst_depth_x = -1, worst_depth_y = -1; ///< where max_depth_px was found
 };
 
-/// How far the exact point of pixel (i, j) is from the tangent plane at that of pixel (x, y).
+/// The distance of the exact point of pixel (i, j) from the tangent plane at that of pixel (x, y).
 /// Units:   pixels at the depth of (i, j); infinite if (x, y) has no normal.
-/// Expects: both covered.
+/// Expects: both pixels are covered.
 double tangent_distance_px(const exact_sample& plane, int x, int y, const camera_frame& frame,
                            const exact_sample& other, int i, int j);
 
-/// The shortest displacement, in pixels, that explains a depth error: the distance of the product's
-/// point from the exact tangent plane, in a space where depth is measured in pixels too
-/// (one pixel = w / focal).
+/// The shortest displacement, in pixels, that explains a depth error. It is the distance of the
+/// product's point from the exact tangent plane, where depth is measured in pixels, too (one pixel
+/// = w / focal).
 double depth_error_px(const exact_sample& exact, const camera_frame& frame, int x, int y, double w);
 
+/// Compares the depths and the coverage of a product's picture with the exact picture.
 /// Shape:   product_depth row by row, distance along the view axis, +inf (or 0) where nothing is.
 /// Expects: product_depth of the exact picture's size; region of the same patches and camera.
 measurement measure(std::span<const float> product_depth, const exact_image& exact,
                     const exact_region& region, int most_distances = 20000);
 
-/// How far off each pixel is. Shape: row by row; NaN where there is nothing to compare. Units:
+/// The error of each pixel. Shape: row by row; NaN where there is nothing to compare. Units:
 /// pixels.
 struct error_map {
-    std::vector<float> depth; ///< as `measure` takes it: away from outlines and jumps of depth
+    std::vector<float> depth; ///< away from outlines and jumps of depth, as `measure` compares it
     std::vector<float>
-        outline;             ///< of a centre that only one of both covers: from the exact outline
-    std::vector<bool> holes; ///< not covered, although exactly all around, and by most neighbours
+        outline; ///< distance from the exact outline, if only one picture covers the centre
+    std::vector<bool> holes; ///< covered exactly all around, but not drawn as most neighbours are
     std::int64_t covered = 0, compared = 0; ///< pixels: by the exact picture; those with a depth
     double depth_share() const { return judged_share(compared, covered); }
 };
 
-/// At most some `most_distances` of the centres covered or uncovered falsely are measured, evenly
-/// spread. Shape and what is expected: as for measure.
-/// Errors: as exact_region, and std::runtime_error if told to stop.
+/// Maps the errors of a product's picture. If more than some `most_distances` centres are covered
+/// or uncovered falsely, an evenly spread part of them is measured.
+/// Shape, Expects: as for measure.
+/// Errors:  as exact_region, and std::runtime_error if told to stop.
 error_map map_errors(std::span<const float> product_depth, const exact_image& exact,
                      const exact_region& region, int most_distances,
                      const std::stop_token& stop = {});
 
-/// Differences of grey levels on the pixels that `measure` compares the depth of.
+/// Differences of grey levels, on the pixels whose depth `measure` compares.
 struct shade_difference {
-    std::int64_t covered = 0, compared = 0; ///< pixels: by the exact picture; of them, judged
+    std::int64_t covered = 0, compared = 0; ///< pixels that the exact picture covers, and those
+                                            ///< among them that are judged
     int max = 0;
     double mean = 0, rms = 0;
     double share() const { return judged_share(compared, covered); }
 };
-/// Shape: product_grey row by row, one byte per pixel; product_depth as for measure.
+/// Compares grey levels with the exact picture's. Shape: product_grey row by row, one byte per
+/// pixel; product_depth as for measure.
 shade_difference measure_lambert(std::span<const unsigned char> product_grey,
                                  std::span<const float> product_depth, const exact_image& exact,
                                  vec3 light);

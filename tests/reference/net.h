@@ -14,8 +14,8 @@ struct hpoint {
     double x = 0, y = 0, w = 0;
 };
 
-/// A piece of a patch: the control points of its own parameters (0 to 1), and where it lies in the
-/// whole patch: u = u0 + du * own u.
+/// A piece of a patch: control points for its own parameters, 0 to 1, and its place in the whole
+/// patch. The patch's u is u0 + du * own u; v likewise has v0 and dv.
 struct net {
     std::array<hpoint, 16> points;
     double u0 = 0, v0 = 0, du = 1, dv = 1;
@@ -26,11 +26,11 @@ net make_net(const patch& surface, const camera_frame& frame);
 std::pair<net, net> halves_u(const net& whole);
 std::pair<net, net> halves_v(const net& whole);
 
-/// Halves along the parameter that is longer in the picture; along the one that changes w more if
-/// the piece reaches behind the eye and has no picture.
+/// Halves a piece along the parameter that is longer in the picture. If the piece reaches behind
+/// the eye and has no picture, that is the parameter along which w changes more.
 std::pair<net, net> halves(const net& whole);
 
-/// A point with its derivatives by the own parameters, all before the division.
+/// A point with its derivatives by the piece's own parameters, all before the division.
 struct jet {
     hpoint value, by_u, by_v;
 };
@@ -53,10 +53,10 @@ range depth_range(const net& piece);
 /// Expects: all w > 0.
 rect bounding_box(const net& piece);
 
-/// True if no surface point with w > 0 can lie inside the rectangle. Any sign of the w allowed.
+/// Whether no surface point with w > 0 can lie inside the rectangle. The signs of w may be any.
 bool is_outside(const net& piece, const rect& window);
 
-/// True if the projected control points lie within `width` pixels of one straight line.
+/// Whether the projected control points lie within `width` pixels of one straight line.
 /// Expects: all w > 0.
 bool is_line(const net& piece, double width);
 

@@ -16,22 +16,22 @@ namespace reference {
 /// A part of a patch's boundary: four control points before the division.
 struct border_part {
     std::array<hpoint, 4> points;
-    bool first = true, last = true; ///< its ends are corners of the patch
+    bool first = true, last = true; ///< whether the ends are corners of the patch
 };
 
-/// A piece, an eighth of a pixel wide at most, where a surface may fold over or be cut by the near
-/// plane.
+/// A piece, an eighth of a pixel wide at most, in which a surface may fold over or be cut by the
+/// near plane.
 struct fold_piece {
     rect box;
     std::array<border_part, 4> sides; ///< they lie on the surface
 };
 
-/// Every outline of the exact picture lies on a border, in the piece of a fold, or where two
-/// surfaces cross.
+/// The places where outlines may be: every outline of the exact picture lies on a border, in a fold
+/// piece, or where two surfaces cross.
 ///
-/// A piece that make_chart proves to map one to one has no fold. What cannot be proved is halved
-/// down to an eighth of a pixel. So a pixel without borders and folds has sheets that each cover
-/// all of its square.
+/// A piece that make_chart proves to map one to one has no fold. Pieces without proof are halved
+/// down to an eighth of a pixel. So in a pixel without borders and folds, each sheet covers the
+/// whole square.
 ///
 /// Errors: std::runtime_error after 20 million pieces.
 class outline_map {
@@ -39,7 +39,7 @@ public:
     /// Expects: as exact_image does.
     outline_map(std::span<const patch> patches, const camera& view, picture_size size);
 
-    /// Those that may pass the pixel, nearer than w.
+    /// The borders or folds that may pass the pixel, nearer than w.
     std::vector<border_part> borders(int x, int y, double w) const;
     std::vector<fold_piece> folds(int x, int y, double w) const;
     bool any(int x, int y, double w) const;
@@ -58,11 +58,11 @@ private:
     std::vector<std::vector<std::uint32_t>> borders_at_, folds_at_; ///< by pixel, row by row
 };
 
-/// The places where a border meets the line y = c (`along_x`) or x = c: their other coordinate.
+/// The places where a border meets the line y = c (`along_x`) or x = c, by their other coordinate.
 std::vector<double> crossings(const border_part& of, bool along_x, double c);
 
-/// Where the border is farthest in the other direction, and where corners end it: its coordinates
-/// y (`along_x`) or x.
+/// The coordinates y (`along_x`) or x at which the border turns back in that direction, or ends in
+/// a corner of the patch.
 std::vector<double> turns(const border_part& of, bool along_x);
 
 } // namespace reference

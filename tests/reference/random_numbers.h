@@ -23,7 +23,8 @@ public:
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
     }
-    /// Every order of magnitude alike. Expects: 0 < low <= high.
+    /// A number whose logarithm is uniform, so that every order of magnitude is alike. Expects: 0 <
+    /// low <= high.
     double of_any_size(double low, double high) {
         return std::exp(between(std::log(low), std::log(high)));
     }

@@ -14,9 +14,9 @@ namespace reference {
 enum class patch_kind {
     moderate,   ///< gently curved, a twentieth to half of the picture wide
     thin,       ///< one side up to 1e6 times the other
-    folded,     ///< control points thrown about: folds, loops, several layers
-    coincident, ///< control points that coincide, edges collapsed into points
-    stiff,      ///< parametric speed changes up to 1e6 times within the patch
+    folded,     ///< control points at random places: folds, loops, several layers
+    coincident, ///< control points that coincide, and edges that are collapsed into points
+    stiff,      ///< parametric speed that changes up to 1e6 times within the patch
 };
 
 /// All kinds, with the names that test output gives them.
@@ -27,19 +27,20 @@ inline constexpr std::pair<patch_kind, const char*> patch_kinds[] = {
     {patch_kind::coincident, "coincident"},
     {patch_kind::stiff, "stiff"}};
 
-/// All control points lie at w >= 2 near. The same seed gives the same patches everywhere (own
-/// generator, no library distribution).
+/// Makes random patches of one kind. All control points lie at w >= 2 near. The same seed gives the
+/// same patches everywhere, since the generator is our own.
 std::vector<patch> random_patches(std::uint64_t seed, patch_kind kind, int count,
                                   const camera& view, picture_size size);
 
-/// k x k patches that share their edges bit for bit and together cover the whole window.
+/// Makes k x k patches that share their edges bit for bit and together cover the whole window.
 ///
-/// Each patch's parameters are turned and mirrored at random (all eight ways). `fold` scales the
-/// displacement of inner control points in cells of the control lattice: below 0.3 hardly any fold,
-/// 2 folds everywhere. The depth of neighbouring control points differs by up to 1 : 1 + depth.
+/// Each patch's parameters are turned and mirrored at random, in all eight ways. `fold` is the
+/// displacement of inner control points, in cells of the control lattice. Below 0.3 there is hardly
+/// any fold, at 2 folds are everywhere. The depths of neighbouring control points differ by up to 1
+/// : 1 + depth.
 ///
-/// They surely cover the window. The outer control points, hence the hulls of the outer edges, stay
-/// beyond the window's sides, so the outer boundary runs round it once.
+/// The patches surely cover the window. The outer control points, hence the hulls of the outer
+/// edges, stay beyond the window's sides, so the outer boundary runs round it once.
 std::vector<patch> random_tiling(std::uint64_t seed, int k, double fold, double depth,
                                  const camera& view, picture_size size);
 

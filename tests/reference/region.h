@@ -13,12 +13,12 @@
 
 namespace reference {
 
-/// The part of the picture plane that the patches cover (union of the images of all surface points
-/// with w >= near), also outside the window.
+/// The part of the picture plane that the patches cover, also outside of the window. It is the
+/// union of the images of all surface points with w >= near.
 ///
-/// Errors: distances throw std::runtime_error if they need more than 200000 pieces, as they may
-///         where the near plane cuts what reaches a million times as far. So they do if told to
-///         stop.
+/// Errors:  distances throw std::runtime_error if they need more than 200000 pieces, or if told to
+///          stop. They may need so many if the near plane cuts a surface that reaches a million
+///          times as far.
 /// Shape: holds the patches cut into pieces of about 32 pixels.
 class exact_region {
 public:
@@ -27,27 +27,30 @@ public:
 
     bool covers(double x, double y) const;
 
-    /// Least distance from the picture point to the image of any patch; 0 if covered; infinite if
-    /// there is none. Units: pixels; too large by 1e-4 at most.
+    /// The least distance from the picture point to the image of any patch; 0 if the point is
+    /// covered, infinite if there is no image. Units: pixels; too large by 1e-4 at most.
     double distance_to_exact_surface(double x, double y) const;
 
-    /// A proved lower bound of the distance to the nearest point of any outline (patch boundary,
-    /// silhouette, near plane), seams inside the region included; short of it by at most 2e-3.
+    /// A proved lower bound of the distance to the nearest point of any outline: patch boundary,
+    /// silhouette or near plane. Seams inside the region count, too. The bound is short of the
+    /// distance by at most 2e-3.
     double distance_to_outline(double x, double y) const;
 
-    /// lower is that of distance_to_outline. upper is witnessed by an uncovered point; it is
-    /// about 1 % above the distance itself unless the uncovered part is a sliver.
+    /// Bounds of a distance. `lower` is that of distance_to_outline. `upper` is the distance of an
+    /// uncovered point that was found. It is about 1 % too large unless the uncovered part is a
+    /// sliver.
     struct interval {
         double lower = 0, upper = std::numeric_limits<double>::infinity();
     };
-    /// Both 0 if the point is not covered. upper is infinite if nothing was found within `limit`.
+    /// The distance to the nearest uncovered point. Both bounds are 0 if the point itself is
+    /// uncovered; `upper` is infinite if no uncovered point was found within `limit`.
     interval distance_to_uncovered(double x, double y, double limit = 32) const;
 
 private:
     struct piece {
         net surface;
         rect box;
-        bool bounded; ///< false: reaches w <= 0, has no box
+        bool bounded; ///< false: the piece reaches w <= 0, and has no box
     };
     void add(const net& surface, const rect& window, int depth);
     double nearest_gap(double x, double y, double radius) const;

@@ -15,8 +15,9 @@ namespace reference {
 
 /// The nearest surface on a line of sight.
 struct second_sample {
-    double w = std::numeric_limits<double>::infinity(); ///< distance along the axis
-    /// The depth of the next surface behind it, at least 1e-3 px behind: seams are met twice.
+    double w = std::numeric_limits<double>::infinity(); ///< distance along the view axis
+    /// The depth of the next surface behind this one. It is at least 1e-3 px behind, since seams
+    /// are met twice.
     double behind = std::numeric_limits<double>::infinity();
     vec3 normal; ///< unit, not turned to the eye; zero where there is none
     int patch = -1;
@@ -24,41 +25,44 @@ struct second_sample {
     bool covered() const { return patch >= 0; }
 };
 
-/// The way in which a surface ends in the picture.
+/// The way in which a surface ends in the picture, or changes abruptly.
 enum class outline_kind {
     none,
     border, ///< nothing is seen beyond it
-    jump,   ///< another surface is seen far behind: where one ends or folds over
-    crease, ///< another normal: where two sheets cross, or one bends sharply
-    close   ///< none is seen, but another sheet lies close behind
+    jump,   ///< another surface is seen far behind, where one surface ends or folds over
+    crease, ///< the normal changes, where two sheets cross, or one bends sharply
+    close   ///< no outline is seen, but another sheet lies close behind
 };
 
-/// Follows single lines of sight into the world, and clips each patch there to where it meets them.
+/// Finds the surface on single lines of sight: it clips each patch there to where it meets the
+/// line.
 ///
 /// It shares with exact_image only the types patch, camera and vec3. exact_image divides by w,
-/// looks for charts of the picture and iterates in them. Here nothing is projected but boxes, and
-/// nothing is iterated. What both find is true unless both are wrong in the same way.
+/// looks for charts of the picture and iterates in them. Here only boxes are projected, and nothing
+/// is iterated. If both agree, they are right unless both are wrong in the same way.
 class second_judge {
 public:
     /// Expects: pictures as exact_image does.
     second_judge(std::span<const patch> patches, const camera& view, picture_size size);
 
-    /// Units: pixels; any place within 4 pixels of the picture. Good to 1e-9 px.
+    /// The nearest surface at a place in the picture. Units: pixels; any place within 4 pixels of
+    /// the picture. Good to 1e-9 px.
     second_sample look(double x, double y) const;
 
-    /// Lambert's grey level of what is seen there. Expects: light of any length but zero.
+    /// Lambert's grey level of the surface that is seen there. Expects: light of any length but
+    /// zero.
     unsigned char grey(const second_sample& seen, double x, double y, vec3 light) const;
 
-    /// Whether, and how, what is seen changes abruptly within the radius. It may change from
-    /// surface to nothing, by 0.05 px of depth, or by a normal that is 3 degrees off. If it does
-    /// not change: whether another sheet is nearer than `close_px` behind, along the normal.
+    /// Whether, and how, the picture changes abruptly within the radius. Abrupt is a change from
+    /// surface to nothing, by 0.05 px of depth, or by 3 degrees of the normal. If nothing changes,
+    /// it tells whether another sheet is nearer than `close_px` behind, along the normal.
     ///
-    /// Along 16 straight ways from the middle: each is halved 18 times towards where the change is
-    /// larger. An outline that is crossed twice within one of them may be missed.
+    /// It looks along 16 straight ways from the middle. Each is halved 18 times towards where the
+    /// change is larger. An outline that is crossed twice within one of these ways may be missed.
     outline_kind outline_within(double x, double y, double radius, double close_px = 0) const;
 
 private:
-    /// How much two samples differ; 1 is abrupt.
+    /// The difference of two samples; 1 is abrupt.
     struct change {
         double size = 0;
         outline_kind kind = outline_kind::none;
@@ -70,8 +74,8 @@ private:
     /// A part of a patch, with its control points in the camera's axes.
     struct part {
         std::array<vec3, 16> points;
-        double x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< its box in the picture, pixels
-        double u0 = 0, v0 = 0, du = 1, dv = 1; ///< where it lies in the patch
+        double x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< the part's box in the picture, in pixels
+        double u0 = 0, v0 = 0, du = 1, dv = 1; ///< its place in the patch
         int patch = 0;
     };
 
@@ -86,7 +90,7 @@ private:
     vec3 eye_, right_, up_, forward_;
     std::vector<part> parts_;
     int columns_, rows_;
-    std::vector<std::vector<std::size_t>> tiles_; ///< parts whose boxes touch it
+    std::vector<std::vector<std::size_t>> tiles_; ///< for each tile, the parts whose boxes touch it
 };
 
 } // namespace reference

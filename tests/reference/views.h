@@ -16,10 +16,10 @@ struct view {
     camera eye;
 };
 
-/// full, closeup, top, inside, near_cut, tiny, grazing.
+/// The project's views: full, closeup, top, inside, near_cut, tiny, grazing.
 const std::vector<view>& project_views();
 
-/// Errors: std::out_of_range if there is no such view.
+/// The project's view of this name. Errors: std::out_of_range if there is no such view.
 const view& project_view(std::string_view name);
 
 inline constexpr vec3 project_light{0.4, 0.8, 0.45};

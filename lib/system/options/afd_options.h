@@ -14,9 +14,9 @@
 #include <optional>
 #include <string>
 
-/// Options for model, accuracy, camera and shading, added to a program's own.
+/// Adds options for model, accuracy, camera and shading to a program's own.
 ///
-/// Lives:   borrowed by the l3d_options until parse() is done, and borrows them.
+/// Lives:   borrows the l3d_options, which borrows this object until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
 public:
     /// Declares the options.
@@ -26,44 +26,45 @@ public:
 
     /// The camera that --eye, --target and the others ask for. Values not given come from
     /// --file-camera, or else from teapot_view(), turned to the direction that is up.
-    /// Errors: l3d_error(usage) that names the option if the values do not make a camera, or if the
-    ///         file has none of that name; l3d_error(bad_input) as file().
+    /// Errors:  l3d_error(usage) that names the option if the values do not make a camera, or if
+    ///          the file has no camera of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
-    /// The same if places_camera(), else what `framed` makes of it, with the planes
-    /// that --near and --far ask for. If `framed` does not leave it alone, the model of a file is
+    /// The same camera if places_camera(). Otherwise `framed` makes another one of it, with the
+    /// planes that --near and --far ask for. If `framed` changes the camera, the model of a file is
     /// seen from higher up than the teapot.
-    /// Errors: as the other.
+    /// Errors:  as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
-    /// The options that place a camera where this one is, with blanks between. Values that options
-    /// need not change are left out, but for the places.
+    /// The options that place a camera where this one is, with blanks between. It always has --eye
+    /// and --target, and other options only where they differ from their defaults.
     static std::string view_options(const l3d_camera& camera);
 
     /// The settings that the options ask for. Errors: l3d_error(usage) for a light of no direction.
     l3d_afd_settings settings() const;
 
-    /// The model asked for, or the teapot; notes on what is skipped go to stderr.
-    /// Errors: l3d_error(bad_input) with file and line, or for a file without patches.
+    /// The model asked for, or the teapot. Notes on skipped parts of a file go to stderr.
+    /// Errors:  l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
-    /// Lays the picture of --texture on all of a scene. One that cannot be read is told on stderr,
+    /// Lays the picture of --texture on all of a scene. If it cannot be read, stderr gets a line,
     /// and the scene stays as it is.
     void lay_picture(l3d_patch_scene& scene) const;
 
     /// Whether --texture was given.
     bool gives_texture() const { return !texture_.empty(); }
 
-    /// The model's surfaces, for programs that change control points: NURBS surfaces as an exact
-    /// shape or an .obj file has them, else each piece. Their pieces are those of the model.
+    /// The model's surfaces, for programs that change control points. An exact shape or an .obj
+    /// file gives its NURBS surfaces; other models give a surface for each patch. The surfaces'
+    /// patches are those of the model.
     /// Expects: the result of model().
     /// Errors:  l3d_error(bad_input) with file and line.
     std::vector<l3d_nurbs_surface> surfaces(const l3d_patch_model& model) const;
 
-    /// The contents of the model's file, which is read once even if camera() has looked into it
+    /// The contents of the model's file. The file is read once, even if camera() has looked into it
     /// before.
-    /// Errors: l3d_error(bad_input) with file and line.
     /// Expects: model_file() is not empty.
+    /// Errors:  l3d_error(bad_input) with file and line.
     l3d_model_file file() const;
 
     /// The name of the model's file, as given; empty for the teapot.
@@ -72,7 +73,8 @@ public:
     /// The model's name for people: the file's without folder and ending, or "Utah teapot".
     std::string model_title() const;
 
-    /// The teapot's camera unless the user says otherwise; the rest is l3d_camera's.
+    /// The camera of the teapot unless the user says otherwise. Other values are the defaults of
+    /// l3d_camera.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
     /// Whether --eye, --target or --file-camera was given.
@@ -88,22 +90,22 @@ public:
 
     /// The angle of --turntable: degrees from frame to frame, 0 for none.
     double turntable() const { return turntable_; }
-    /// Factor by which keys and the mouse turn more than usual: --turn-speed.
+    /// The factor by which keys and the mouse turn more than usual: --turn-speed.
     double turn_speed() const { return turn_speed_; }
-    /// The file that the last frame's distances go to; empty for none.
+    /// The file that gets the distances of the last frame's pixels; empty for none.
     const std::string& depth_output() const { return depth_output_; }
-    /// The file that the last frame's bounds of pixels go to; empty for none.
+    /// The file that gets the error bounds of the last frame's pixels; empty for none.
     const std::string& error_output() const { return error_output_; }
     /// The file that gets a line of JSON for each frame; empty for none, "-" for the standard
     /// output.
     const std::string& report() const { return report_; }
-    /// Whether --explain asks what the last frame did not need.
+    /// Whether --explain asks which work the last frame could skip.
     bool explain() const { return explain_; }
-    /// Whether --statistics asks for polygons and seconds of the whole run.
+    /// Whether --statistics asks for the number of polygons and the seconds of the whole run.
     bool statistics() const { return statistics_; }
 
-    /// The place of the picture that --pick names, in pixels from its left upper corner; nothing
-    /// if it was not given.
+    /// The place in the picture that --pick names, in pixels from the upper left corner; nothing if
+    /// the option was not given.
     const std::optional<l3d_vector<double, 2>>& pick() const { return pick_; }
 
     /// Refuses a place of --pick outside a picture of that size.
@@ -122,7 +124,7 @@ private:
 
     const l3d_options& options_;
     std::string model_file_, file_camera_, texture_;
-    mutable std::optional<l3d_model_file> file_; ///< looked into, and not yet handed out
+    mutable std::optional<l3d_model_file> file_; ///< read for camera(), and not yet handed out
     mutable std::optional<l3d_model_camera> camera_of_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;

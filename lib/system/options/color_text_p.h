@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// The kind of value that --help names, and the forms that messages and --help list for it.
+/// The kind of value that --help names, and the forms of a colour that messages and --help list.
 inline constexpr const char* color_kind = "COLOR";
 inline constexpr const char* color_forms =
     "a colour: R,G,B from 0 to 255, #RGB, #RRGGBB or a name such as orange";
@@ -24,10 +24,10 @@ std::optional<std::array<double, 3>> read_color(std::string_view text);
 /// Reads a colour as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
 
-/// "; did you mean 'red'?" for a name that is almost one, else nothing.
+/// "; did you mean 'red'?" for a text that is almost a colour's name, else nothing.
 std::string meant_color(std::string_view text);
 
-/// All names, with blanks between them.
+/// All names of colours, with blanks between them.
 std::string color_names();
 
 } // namespace l3d_detail

@@ -11,15 +11,17 @@
 
 namespace l3d_detail {
 
-/// The names of l3d's own models: those of their files without the ending, in order.
+/// The names of l3d's own models, sorted: of files without their ending, and of exact shapes.
 std::vector<std::string> model_names();
 
-/// Reads the model that a user means by its name, as l3d_data_file finds it. Errors: as
-/// l3d_load_model; for an unknown plain name, the folders that were searched.
+/// Reads the model that a user means by its name, as l3d_data_file finds it.
+/// Errors:  as l3d_load_model; for an unknown plain name, the message has the folders that were
+///          searched.
 l3d_model_file load_named_model(const std::string& name);
 
-/// The NURBS surfaces of a model that load_named_model has read: of an exact shape, or of an .obj
-/// file. None if the model has other patches. Errors: as load_named_model.
+/// The NURBS surfaces of a model that load_named_model has read: those of an exact shape or of an
+/// .obj file. There are none if the model has other patches.
+/// Errors:  as load_named_model.
 std::vector<l3d_nurbs_surface> load_named_surfaces(const std::string& name);
 
 } // namespace l3d_detail

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
-/// Reads a number that is the whole text.
+/// Reads a number that takes up the whole text.
 /// Errors: false for anything else, for NaN and infinity, and for numbers that T cannot hold.
 template <class T> bool l3d_read_number(std::string_view text, T& number) {
     const char* const end = text.data() + text.size();

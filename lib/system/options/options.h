@@ -34,22 +34,22 @@ struct L3D_PUBLIC l3d_common_options {
     bool diagnose = false;             ///< tell what the choice of a back-end depends on, and end
     bool verbose = false;              ///< tell what was chosen
     l3d_size size{};                   ///< size of the picture, in pixels
-    int scale = 0;                     ///< 0: not given
+    int scale = 0;                     ///< display pixels along the side of a pixel; 0: not given
     std::string title{};               ///< title of the window; empty: the program's choice
     l3d_remote remote{};               ///< whether pictures travel sparingly
-    int first_frame = 0;               ///< number of the first one that is drawn
+    int first_frame = 0;               ///< number of the first frame that is drawn
     int frames = 0;                    ///< number of frames, the end of a range; 0: go on
     bool resume = false;               ///< leave out frames whose file is there
     std::optional<double> fps;         ///< frames per second, 0: no limit; nothing: not given
-    std::uint64_t seed = 1;            ///< where random numbers start
+    std::uint64_t seed = 1;            ///< the number that random numbers start with
     l3d_alpha alpha = l3d_alpha::none; ///< whether files hold transparency
     std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
 };
 
 /// A command line: declared with add(), then read once with parse().
 ///
-/// Every add() borrows a variable: what it holds now is the default that --help prints, and
-/// parse() replaces it. `name` is "--long" or "-s,--long".
+/// Every add() borrows a variable. Its present value is the default that --help prints, and parse()
+/// replaces it. `name` is "--long" or "-s,--long".
 /// Expects: the variables outlive parse(); names are not used twice.
 class L3D_PUBLIC l3d_options {
 public:
@@ -74,7 +74,7 @@ public:
     /// A whole number from `least` to `most`.
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
-    /// A whole number whose default is found out later, if at all.
+    /// A whole number that may be absent, since its default is found out later, if at all.
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
@@ -82,8 +82,8 @@ public:
     void add(const std::string& name, std::optional<double>& value, double preset,
              const std::string& help, double least, double most);
 
-    /// Any text but the empty one; --help calls it `kind`, such as FILE. A name that begins with
-    /// "FILE," lets the user leave out the option before one such text.
+    /// Any text but the empty one; --help calls it `kind`, such as FILE. If the name begins with
+    /// "FILE,", the user may give one such text without the option's name.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);
 
@@ -92,22 +92,22 @@ public:
 
     /// Three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// An option that may be given several times. `take` gets each text in turn; it throws an
-    /// l3d_error that names what it refuses. --help prints `preset`.
+    /// An option that may be given several times. `take` gets each text in turn. It throws an
+    /// l3d_error that names the text if it refuses that. --help prints `preset`.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
-    /// A background: "gradient", "none", or a colour: R,G,B of whole numbers from 0 to 255, #RGB,
-    /// #RRGGBB or a name of CSS. The value is empty unless given; `help` tells the meaning of that.
-    /// With "none", written files have alpha.
+    /// A background: "gradient", "none", or a colour. A colour is R,G,B of whole numbers from 0 to
+    /// 255, #RGB, #RRGGBB or a name of CSS. The value stays empty unless given, and `help` says
+    /// what that means. With "none", written files have alpha.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
-    /// Three numbers whose default is found out later.
+    /// Three numbers that may be absent, since their default is found out later.
     void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
              const std::string& help);
 
-    /// Two finite numbers X,Y.
+    /// Two finite numbers X,Y, which may be absent.
     void add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
              const std::string& help);
 
@@ -115,36 +115,37 @@ public:
     void add(const std::string& name, l3d_size& value, const std::string& help);
 
     /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
-    /// kind::exact}}. Expects: `value` is among them.
+    /// kind::exact}}.
+    /// Expects: `value` is among them.
     template <class T>
     void add_choice(const std::string& name, T& value, const std::string& help,
                     const std::vector<std::pair<std::string, T>>& choices);
 
-    /// Reads the command line. False: --help or --version was printed, and the program ends well.
-    /// Standard streams that were closed are opened on /dev/null first: else a socket would get
-    /// their number, and all that is printed.
+    /// Reads the command line. Returns false if --help or --version was printed, and the program
+    /// should end well. Standard streams that are closed are first opened on /dev/null. Otherwise a
+    /// socket would get the number of a standard stream, and all that is printed.
     ///
-    /// Errors: l3d_error(usage) that names the option and the value; also if two options name one
-    ///         file, or the standard output.
+    /// Errors:  l3d_error(usage) that names the option and the value; also if two options name one
+    ///          file, or the standard output.
     bool parse(int argc, const char* const* argv);
-    /// As above; prints --help and --version on `out`.
+    /// Reads the command line, and prints --help and --version on `out`.
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
-    /// Says that an option has a result of its own beside pictures, such as a report.
-    /// Expects: it was added.
+    /// Says that an option has a result beside pictures, such as a report. Expects: the option was
+    /// added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
 
-    /// As has_result(), for a result on the standard output, where no file may go then.
-    /// Expects: it was added.
+    /// As has_result(), for a result on the standard output. Then no file may go there.
+    /// Expects: the option was added.
     void prints_result(const std::string& name) {
         has_result(name);
         printed_.push_back(name);
     }
 
-    /// Whether the command line asked for such a result.
+    /// Whether the command line has an option that has_result() named.
     bool wants_result() const;
 
-    /// The name that titles and files get.
+    /// The program's name, for titles and files.
     const std::string& program() const { return program_; }
 
     /// The command that the user typed, without its folder, for --help and messages.
@@ -152,16 +153,16 @@ public:
     /// The values of the options that all programs have. Expects: parse() is done.
     const l3d_common_options& common() const { return common_; }
 
-    /// Replaces --output, for a program (or factory manager) that has a better default.
+    /// Replaces --output, for a program or factory manager that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
 
     /// Sets the back-end that is taken unless the user names one.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// The request for a screen. Unless the user gives a title, it is the program's name.
+    /// The request for a screen. Its title is the program's name unless the user gives another.
     l3d_screen_request screen_request() const;
 
-    /// The settings of a dispatcher. Given --frames, time goes by fixed steps, so that window and
+    /// The settings of a dispatcher. With --frames, time goes by fixed steps, so that windows and
     /// memory show the same pictures.
     l3d_frame_settings frame_settings() const;
 
@@ -194,11 +195,12 @@ private:
     std::unique_ptr<parser> parser_;
 };
 
-/// One line on stderr, "program: text", and the exit code that main returns: that of an
+/// Prints one line on stderr, "program: text". Returns the exit code for main: that of an
 /// l3d_error, or l3d_exit::failure.
 L3D_PUBLIC int l3d_report(std::string_view program, const std::exception& error);
 
-/// Reports the code that l3d_dispatcher::start returned; says nothing if all went well.
+/// Reports the code that l3d_dispatcher::start returned, and returns it. Says nothing if all went
+/// well.
 L3D_PUBLIC int l3d_report(std::string_view program, l3d_exit code);
 
 template <class T>
@@ -216,14 +218,15 @@ void l3d_options::add_choice(const std::string& name, T& value, const std::strin
     add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
 }
 
-/// A row of a table of options: its option is refused if it was given where nothing takes it.
+/// A row of a table of options. Its option is refused if it was given where nothing uses it.
 struct l3d_refusal {
     const char* option;
     bool is_refused;
     std::string why; ///< begins in small letters, for it follows the option's name and a colon
 };
 
-/// Errors: l3d_error(usage) that names the first option refused, and why.
+/// Throws if an option of the table is to be refused.
+/// Errors:  l3d_error(usage) that names the first such option, and why.
 inline void l3d_refuse(std::initializer_list<l3d_refusal> table) {
     for (const l3d_refusal& row : table)
         if (row.is_refused)

@@ -11,19 +11,21 @@ namespace l3d_detail {
 /// The ending of a name, in small letters, with its dot: ".png"; empty without one.
 std::string ending_of(const std::string& name);
 
-/// The place at which a file with this name would be written. A link may lead to a missing file.
+/// The place at which a file with this name would be written: where a link leads, even to a missing
+/// file.
 std::filesystem::path place_of(const std::string& name);
 
-/// Whether two names lead to one place that can hold only one thing. A device, such as /dev/null,
-/// takes anything.
+/// Whether two names lead to the same file, or both to the standard output. A device, such as
+/// /dev/null, takes anything.
 bool mean_one_file(const std::string& a, const std::string& b);
 
 /// Checks the folder early: a run of frames should not end with the news that it never existed.
 /// Errors:  l3d_error(failure) that names the option, its value and the folder of `file`.
 void check_folder(const std::string& option, const std::string& name, const std::string& file);
 
-/// Checks names for --depth-output and its like. Errors: l3d_error: usage for another format's
-/// ending, failure for a missing folder.
+/// Checks a name for --depth-output and similar options.
+/// Errors:  l3d_error: usage for another ending than that of the format, failure for a missing
+///          folder.
 void check_pfm(const std::string& option, const std::string& name);
 
 } // namespace l3d_detail

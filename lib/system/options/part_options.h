@@ -30,20 +30,21 @@ public:
     /// Whether --list-parts asks for the list instead of a picture.
     bool lists() const { return lists_; }
 
-    /// Prints the name of each part, a line each, with the number of its things: "8 patches".
+    /// Prints a line for each part: its name and the number of its things, such as "8 patches".
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
-    /// The model as --color, --hide, --show-only and --opacity have it: an instance of each part
-    /// that has an opacity, and one for each opacity that materials of the rest have.
-    /// Errors: as applied().
+    /// The model as --color, --hide, --show-only and --opacity ask. Each part that --opacity names
+    /// becomes an instance. The rest becomes an instance for each opacity that its materials have.
+    /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_model& model) const;
 
-    /// The model as --color, --hide and --show-only have it.
-    /// Errors: l3d_error(usage) that names the option, for a name that is no part; it lists the
-    ///         parts.
+    /// The model as --color, --hide and --show-only ask.
+    /// Errors:  l3d_error(usage) that names the option, for a name that is no part; it lists the
+    ///          parts.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// The polygons as these options have them. Errors: as the other; if --opacity is given, too.
+    /// The polygons as these options ask. Errors: as for patches; l3d_error(usage) also for
+    /// --opacity.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:

@@ -19,7 +19,8 @@ enum class L3D_PUBLIC l3d_pipeline_kind {
     mesa     ///< triangles by OpenGL in memory
 };
 
-/// Options for pipeline, projection and style, beside those that patches and polygons share.
+/// Adds options for pipeline, projection and style. l3d_afd_options has those that patches and
+/// polygons share.
 ///
 /// Lives:   both options are borrowed until parse() is done.
 class L3D_PUBLIC l3d_polygon_options {
@@ -32,9 +33,9 @@ public:
     /// The pipeline that --pipeline names.
     l3d_pipeline_kind pipeline() const { return pipeline_; }
 
-    /// The polygons of the model asked for, its patches as triangles; the teapot if none was.
-    /// Skipped parts of a file are reported on stderr.
-    /// Errors: l3d_error(bad_input) with file and line.
+    /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
+    /// parts of a file are reported on stderr.
+    /// Errors:  l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
     /// The settings that the options ask for.
@@ -42,12 +43,12 @@ public:
     ///         --depth-output and --net.
     l3d_polygon_settings settings() const;
 
-    /// The options that turn and project a model as these settings do, each with a blank before
-    /// it; "" for none.
+    /// The options that turn and project a model as these settings do, each after a blank; "" for
+    /// none.
     static std::string view_options(const l3d_polygon_settings& settings);
 
-    /// For a program that draws patches, as --pipeline afd asks.
-    /// Errors: l3d_error(usage) if an option of polygons says anything else than its default.
+    /// Checks the options of a program that draws patches, as --pipeline afd asks.
+    /// Errors:  l3d_error(usage) if an option of polygons has another value than its default.
     void refuse_for_patches() const;
 
 private:

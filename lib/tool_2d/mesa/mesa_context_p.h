@@ -14,19 +14,19 @@
 
 namespace l3d_detail {
 
-/// The ways to a context, in the order in which they are tried: EGL first, as Mesa has no OSMesa
-/// from 25.1 on.
+/// The ways to open a context, in the order in which they are tried. EGL comes first, as Mesa has
+/// no OSMesa from 25.1 on.
 enum class mesa_way { egl_surfaceless, egl_device, osmesa };
 inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_device,
                                       mesa_way::osmesa};
 
 const char* name_of(mesa_way way);
 
-/// Whether a wish lets a way be tried. A wish is auto, egl or osmesa; an empty one stands for
-/// L3D_MESA, where unset and empty are auto.
+/// Whether the user's wish permits this way. The wish is auto, egl or osmesa. An empty wish stands
+/// for the variable L3D_MESA, and for auto if that is empty or unset, too.
 bool may_try(mesa_way way, const std::string& wish);
 
-/// Whether a GL_RENDERER draws on the CPU.
+/// Whether the renderer with this GL_RENDERER text draws on the CPU.
 bool is_software_renderer(std::string_view renderer);
 
 /// The packages to install for a way, by Debian's names.
@@ -34,20 +34,21 @@ const char* packages_of(mesa_way way);
 
 /// A GL context that belongs to the thread that made it.
 ///
-/// Each has objects and state of its own. One that is made current stays so until another is, or
-/// until it ends.
+/// Each context has GL objects and state of its own. A context that is made current stays so until
+/// another one is made current, or until it ends.
 class mesa_context {
 public:
-    /// Opens a context by the first way that serves and that the wish of may_try allows.
-    /// Errors:  null, with one line in `why` that has all reasons and the packages, or says that
-    ///          the wish, or L3D_MESA, has an unknown value.
+    /// Opens a context by the first way that serves and that `wish` permits, as may_try defines it.
+    /// Errors:  null, with one line in `why`. The line has all reasons and the packages, or says
+    ///          that the wish, or L3D_MESA, has an unknown value.
     /// Cost:    10 to 60 ms.
     static std::unique_ptr<mesa_context> open(const std::string& wish, std::string& why);
 
+    /// Opens a context by this way.
     /// Errors:  null, with the reason in `why`: no library, no context, a graphics card, no GL 3.
     static std::unique_ptr<mesa_context> open(mesa_way way, std::string& why);
 
-    /// GL, for calls into this context.
+    /// Makes the context current in this thread, and gives the GL calls to use.
     const mesa_gl& make_current() {
         platform_->make_current();
         return gl_;
@@ -55,10 +56,10 @@ public:
 
     mesa_way way() const { return way_; }
 
-    /// GL_RENDERER.
+    /// GL's text GL_RENDERER.
     const std::string& renderer() const { return renderer_; }
 
-    /// The renderer, and by which way it was found.
+    /// The renderer, and the way by which it was found.
     std::string describe() const {
         return "GL by " + std::string(name_of(way_)) + ": " + renderer_;
     }
@@ -67,7 +68,7 @@ private:
     mesa_context(std::unique_ptr<mesa_platform> platform, mesa_way way)
         : platform_(std::move(platform)), way_(way) {}
 
-    /// Errors:  as open.
+    /// Finds the GL calls and the renderer. Errors: false, with the reason in `why`.
     bool load(std::string& why);
 
     std::unique_ptr<mesa_platform> platform_;

@@ -8,7 +8,7 @@
 
 namespace l3d_detail {
 
-/// A library that the program runs without, if need be.
+/// A shared library that the program can do without.
 ///
 /// Lives:   stays loaded until the program ends: Mesa has threads and destructors of its own,
 ///          which must not lose their code.
@@ -20,7 +20,7 @@ public:
     /// Why none was loaded, in one line; empty if one was.
     const std::string& problem() const { return problem_; }
 
-    /// Errors:  null if there is no such symbol, or no library.
+    /// The address of a symbol. Errors: null if there is no such symbol, or no library.
     void* find(const char* name) const;
 
     /// Finds a function by name. Errors: false if there is none.

@@ -8,7 +8,7 @@
 
 namespace l3d_detail {
 
-/// Owns one GL context without a window; there is a picture only once one is made in GL.
+/// Owns one GL context without a window. GL itself has to make the framebuffers to draw into.
 class mesa_platform {
 public:
     mesa_platform() = default;
@@ -16,10 +16,11 @@ public:
     mesa_platform& operator=(const mesa_platform&) = delete;
     virtual ~mesa_platform() = default;
 
-    /// GL calls of this thread go to this context from now on. Errors: false if it refuses.
+    /// Makes this the context of this thread's GL calls. Errors: false if it refuses.
     bool make_current() { return do_make_current(); }
 
-    /// Errors:  null for some names of no GL call; a pointer that must not be called for others.
+    /// The address of a GL call. Errors: for other names, null or a pointer that must not be
+    /// called.
     void* find(const char* name) { return do_find(name); }
 
 private:
@@ -27,15 +28,15 @@ private:
     virtual void* do_find(const char* name) = 0;
 };
 
-/// EGL's platform for pictures without any window system.
+/// Opens a context on EGL's platform for pictures without any window system.
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_mesa_egl_surfaceless(std::string& why);
 
-/// The EGL device that says of itself that it is software.
+/// Opens a context on the EGL device that declares itself to be software.
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_mesa_egl_device(std::string& why);
 
-/// The library that Mesa had for this until 25.1.
+/// Opens a context by OSMesa, a library that Mesa had for this until 25.1.
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_mesa_osmesa(std::string& why);
 

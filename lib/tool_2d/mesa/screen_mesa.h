@@ -16,17 +16,20 @@
 /// GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 public:
-    /// Asks for the GL of this library: auto, egl or osmesa; empty: the value of L3D_MESA.
+    /// Asks for the GL of this library: auto, egl or osmesa. If it is empty, L3D_MESA names the
+    /// library.
     explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
+    /// Opens GL for a try, and asks for windows.
     /// Errors:  not_here, with one line of all reasons and of the packages to install;
     ///          display_lost.
-    /// Cost:    a GL context, closed again, and what windows cost.
+    /// Cost:    opens and closes a GL context, and asks as l3d_screen_factory_xshm does.
     l3d_service do_service() const override;
 
-    /// Errors:  null: no memory, display lost. Whether there is GL is not asked again: the
-    ///          rasterizers need contexts of their own.
+    /// Errors:  null: no memory, display lost. This function does not look for GL, since
+    ///          do_service() did. Each rasterizer opens its own GL context, and throws if it
+    ///          cannot.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 

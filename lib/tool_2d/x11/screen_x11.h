@@ -12,8 +12,8 @@ namespace l3d_detail {
 class x11_connection;
 }
 
-/// Makes windows. It keeps the connection on which service() asked, and create() goes on with it if
-/// DISPLAY still names that display: connecting takes as long as all else together.
+/// Makes windows. service() keeps its connection, and create() uses it if DISPLAY still names that
+/// display. Connecting takes as long as all other steps together.
 ///
 /// A screen belongs to the thread that made it.
 class l3d_screen_factory_x11 : public l3d_screen_factory {
@@ -24,6 +24,7 @@ protected:
     explicit l3d_screen_factory_x11(bool shares_memory);
 
 private:
+    /// Connects to the display, and looks for a usable visual and for shared memory.
     /// Errors:  no_display, with one line that gives the value of DISPLAY; not_here if the display
     ///          has no usable visual; display_lost; partly if memory cannot be shared as it should.
     /// Cost:    one connection; one small segment where memory is shared.
@@ -47,9 +48,9 @@ struct l3d_screen_factory_ximage final : l3d_screen_factory_x11 {
     l3d_screen_factory_ximage() : l3d_screen_factory_x11(false) {}
 };
 
-/// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): a
-/// local display, the fast way. Where sharing fails, now or later, the same window gets its pixels
-/// over the connection, and the screen has a remark.
+/// Makes windows whose pixels the server reads from memory that it shares with us (MIT-SHM): the
+/// fast way to a local display. If sharing fails, at once or later, the same window gets its pixels
+/// over the connection, and l3d_screen::take_remark tells.
 struct l3d_screen_factory_xshm final : l3d_screen_factory_x11 {
     l3d_screen_factory_xshm() : l3d_screen_factory_x11(true) {}
 };

@@ -16,7 +16,8 @@
 
 namespace l3d_detail {
 
-/// The levels of a cube, or of a ramp: then green and blue are 1.
+/// The number of levels in each channel of a palette. A ramp has its grays in `red`; green and blue
+/// are 1.
 struct palette_shape {
     int red = 0;
     int green = 0;
@@ -28,19 +29,19 @@ struct palette_shape {
     bool is_ramp() const { return green == 1; }
     int size() const { return red * green * blue; }
 
-    /// The colour of a place in the palette, as a pixel word.
+    /// The colour at an index of the palette, as a pixel word.
     std::uint32_t color(int place) const;
 
     /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
-    /// Whether no channel is off by more than half a step, so that a dither still mixes colours of
-    /// both sides.
+    /// Whether no channel differs by more than half a step. Then a dither still mixes colours from
+    /// a level on each side.
     bool is_near(std::uint32_t one, std::uint32_t other) const {
         return distance(one, other) <= 255;
     }
 
-    /// Expects: pixels of shape size().
+    /// Makes a palette of this shape. Expects: size() pixels.
     l3d_palette palette(std::vector<std::uint32_t> pixels, int deviation) const {
         return {red, green, blue, std::move(pixels), deviation};
     }
@@ -49,12 +50,14 @@ struct palette_shape {
 /// The largest difference of two words in a channel, 0..255.
 int channel_difference(std::uint32_t one, std::uint32_t other);
 
-/// The largest palette that an unchangeable map allows; each place has the nearest cell.
-/// Errors: nothing, if the map lacks cells near black and white, or, but for a ramp, near the six
-///         other corners of the cube.
+/// The largest palette that a map with these unchangeable cells allows. Each of its colours has the
+/// nearest cell.
+/// Errors:  nothing if the map lacks cells near black or white or, except for a ramp, near one of
+///          the other six corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
-/// The palette whose pixels masks make: its dither hides how few bits they have.
+/// The palette of all pixels that masks of few bits can make. Palettes are dithered, which hides
+/// how few levels there are.
 l3d_palette palette_of_masks(const l3d_screen_info& info);
 
 /// A colormap, our cells in it, and the format of its pixels.
@@ -64,22 +67,23 @@ l3d_palette palette_of_masks(const l3d_screen_info& info);
 /// - StaticColor, StaticGray: the largest palette_of_cells.
 /// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
 ///   shared with programs that ask for the same colours: 6x6x6 of them, or 64 grays. If there is no
-///   room, fewer levels, down to 4x4x4 or 16 grays. If there is none for those either, the same
-///   once more, now with cells of other programs where no channel is off by more than half a step.
+///   room, fewer levels, down to 4x4x4 or 16 grays. If even these have no room, all are tried once
+///   more. Then cells of other programs serve, too, if no channel is off by more than half a step.
 /// - If that fails, too, or the visual is another one: a map of our own with an exact palette. On a
 ///   display with one map in its hardware, other windows show wrong colours while ours has the
 ///   focus. So cells that are left over get the colours of the default map, which are those of
 ///   menus and borders.
 class x11_colormap {
 public:
+    /// Makes the colormap for windows of this visual.
     /// Errors:  null, with `refusal` filled: a map that nobody can change has too few colours, or
     ///          the server went away.
     /// Lives:   the connection outlives the colormap.
     /// Cost:    with masks nothing, or one request; with static maps one round trip. A shared map
-    ///          gives cells singly: a round trip for each, and four to look. That is at most 220 if
-    ///          there is room, 5 ms locally and 4 s on a line of 20 ms. If there is none, it is
-    ///          three times as many: 216 + 125 + 64 tries for the three cubes, and one for each of
-    ///          256 cells that turn out to be private.
+    ///          gives cells singly: a round trip for each, and four to read the map. That is at
+    ///          most 220 if there is room: 5 ms locally, and 4 s on a line of 20 ms. If there is no
+    ///          room, it is three times as many: 216 + 125 + 64 tries for the three cubes, and one
+    ///          for each of 256 cells that turn out to be private.
     static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
                                               const x11_visual& visual, l3d_service& refusal);
 
@@ -90,10 +94,10 @@ public:
     Colormap id() const { return id_; }
     const l3d_screen_info& info() const { return info_; }
 
-    /// Whether it is the default one, which other programs use too.
+    /// Whether this is the default map, which other programs use too.
     bool is_shared() const { return !owned_; }
 
-    /// Shows a map of our own, as a window manager does for the window that has the focus.
+    /// Installs a map of our own, as a window manager does for the window that has the focus.
     void install() const {
         if (owned_)
             XInstallColormap(connection_.display(), id_);

@@ -14,10 +14,10 @@
 
 namespace l3d_detail {
 
-/// The reason for no screen if the display was lost during the question.
+/// The reason that a factory gives if the display is lost while it is asked.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
-/// The owner of a reply that xcb read; these come from malloc.
+/// Frees a reply that xcb read; replies come from malloc.
 struct x11_reply_freer {
     void operator()(void* reply) const { std::free(reply); }
 };
@@ -25,7 +25,7 @@ template <class Reply> using unique_reply = std::unique_ptr<Reply, x11_reply_fre
 
 /// The way in which the server gets our memory.
 enum class x11_sharing {
-    unproven, ///< nobody knows
+    unproven, ///< not known yet
     files,    ///< as files that are handed over
     segments, ///< as segments of System V
 };
@@ -34,8 +34,8 @@ enum class x11_sharing {
 ///
 /// Xlib's two error handlers belong to the whole process, and its own ones end it. While
 /// connections of this class exist, our handlers stand in front. They keep errors of these
-/// connections and hand all others to the previous handlers, which come back with the end of the
-/// last connection. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
+/// connections and hand all others to the previous handlers, which come back when the last
+/// connection ends. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
 /// unless the program handles or ignores it.
 class x11_connection {
 public:
@@ -52,19 +52,19 @@ public:
     int screen() const { return DefaultScreen(display_); }
     Window root() const { return RootWindow(display_, screen()); }
 
-    /// The display's name, as DISPLAY has it.
+    /// The display's name, as in DISPLAY.
     std::string name() const { return DisplayString(display_); }
 
     /// Whether the server is reached without a network, so that it can share memory with us.
     bool is_local() const { return local_; }
 
     using extension_query = Bool (*)(Display* display);
-    /// Whether the server has an extension, as this first function of its library says. False if
-    /// the server goes away meanwhile.
+    /// Whether the server has an extension. `query` is the function of the extension's library that
+    /// asks the server for it. False if the server goes away meanwhile.
     /// Cost:    one round trip, the first time.
     bool has(extension_query query) const;
 
-    /// The proven way by which the server attaches our memory, and not others'.
+    /// The way that was proven to give the server our memory, and not a stranger's.
     x11_sharing sharing() const { return sharing_; }
     void set_sharing(x11_sharing sharing) { sharing_ = sharing; }
 
@@ -77,17 +77,16 @@ public:
     ///          no file.
     bool wait_readable(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
-    /// Sleeps until so much can be sent at once that a request with writable_size() bytes of data
-    /// does not block.
-    /// Errors:  likewise.
+    /// Sleeps until a request with writable_size() bytes of data can be sent without blocking.
+    /// Errors:  false when the time is over or a signal came.
     bool wait_writable(std::chrono::steady_clock::time_point deadline) const;
 
-    /// Sleeps until the connection is readable or writable. Expects, Errors: likewise.
+    /// Sleeps until the connection is readable or writable. Expects, Errors: as wait_readable.
     bool wait_ready(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
     std::size_t writable_size() const { return writable_size_; }
 
-    /// The error code of a request made outside any trap; 0 if none was reported. The last few
+    /// The error code of a request made outside any trap; 0 if none was reported. Only the last few
     /// errors are remembered, so ask soon.
     int error_of(unsigned long serial) const;
 
@@ -119,9 +118,10 @@ private:
     std::size_t failure_count_ = 0; ///< in all; the array is a ring
 };
 
-/// Whether a window manager looks after the windows of this display.
+/// Whether a window manager looks after the windows of this display. After the call, the errors of
+/// all earlier requests are known.
 /// Errors:  false if the server goes away meanwhile.
-/// Cost:    one round trip; the errors of all requests before are known then.
+/// Cost:    one round trip.
 bool has_x11_manager(const x11_connection& connection);
 
 /// The meaning of the error code, in words. No request is made.
@@ -141,7 +141,8 @@ public:
     /// Cost:    one round trip.
     int sync();
 
-    /// The error code of the requests before the last one that waited for a reply.
+    /// As sync() without a round trip: covers the requests before the last one that waited for a
+    /// reply.
     int error() const { return connection_.trapped_error_; }
 
 private:

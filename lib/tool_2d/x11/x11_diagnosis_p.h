@@ -13,7 +13,7 @@ namespace l3d_detail {
 /// False if DISPLAY names another host ("host:7", "[::1]:7.0") and nobody there takes a TCP
 /// connection in time. Xlib itself would wait as long as the kernel does, two minutes.
 ///
-/// A name without a host is true: what listens on this machine answers or refuses at once.
+/// The result is true for a name without a host, since this machine answers or refuses at once.
 /// Cost:    besides `longest`, the time that looking up the host's name takes.
 bool can_reach_x11_host(const std::string& display, std::chrono::milliseconds longest);
 
@@ -21,19 +21,19 @@ bool can_reach_x11_host(const std::string& display, std::chrono::milliseconds lo
 struct x11_refusal {
     std::string why;         ///< one line that gives the value of DISPLAY
     std::string remedy;      ///< one line: what to do about it
-    bool is_certain = false; ///< Xlib could not connect, either
+    bool is_certain = false; ///< whether Xlib could not connect, either
 };
 
-/// Finds out why Xlib cannot open a display: knocks at it, and hears what the server says. Xlib
-/// does not tell the reason; the library below it prints the server's words and forgets them.
+/// Finds out why Xlib cannot open a display: connects to it, and hears the server's words. Xlib
+/// does not tell the reason; the library below it prints those words and forgets them.
 ///
 /// Shape:   `display` is the value of DISPLAY; null: it is not set.
 /// Cost:    a connection; no more than `longest` for each of its two steps.
 /// Source:  X Window System Protocol, chapter 8 (connection setup).
 x11_refusal x11_refusal_of(const char* display, std::chrono::milliseconds longest);
 
-/// Adds the display, its visual and its window manager, unless they are there already; and whether
-/// memory can be shared with the display's server, if that is asked for.
+/// Adds probes of the display, its visual and its window manager, unless they are there already. If
+/// `with_shared_memory` is set, it adds a probe of memory that the display's server shares.
 void diagnose_x11(l3d_probes& probes, bool with_shared_memory);
 
 } // namespace l3d_detail

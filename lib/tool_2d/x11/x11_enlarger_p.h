@@ -11,14 +11,14 @@
 
 namespace l3d_detail {
 
-/// Enlarges parts of a picture in the server, by core requests alone: untrusted clients have no
-/// others.
+/// Enlarges parts of a picture in the server. It uses core requests alone, since untrusted clients
+/// have no others.
 ///
-/// The columns of a small picture are moved apart, and the gaps are filled by copies of the whole,
-/// each shifted by twice as much as the one before. Rows are enlarged in the same way.
+/// The columns of a small picture are moved apart. The gaps are filled by copies of the whole, each
+/// shifted by twice as much as the copy before. Rows are enlarged in the same way.
 /// Lives:   the window outlives it.
-/// Cost:    the server keeps not quite two pictures. A part of w x h cells takes w + h requests of
-///          28 bytes beside its pixels.
+/// Cost:    memory in the server for almost two large pictures. A part of w x h cells takes w + h
+///          requests of 28 bytes beside its pixels.
 class x11_enlarger {
 public:
     /// The side of the square that shows a cell: a power of two, and at most this.
@@ -36,11 +36,12 @@ public:
     /// The pixmap that small pictures are put into.
     Pixmap small() const { return small_; }
 
-    /// Adds the steps that enlarge these cells of small().
+    /// Adds the steps that enlarge these cells of small() by `factor`.
     /// Lives:   the steps borrow this.
     void add_steps(const l3d_pixel_box& cells, int factor, std::vector<step>& steps) const;
 
-    /// Shows a part of the large picture. Expects: the steps of its cells are done.
+    /// Copies a box of the large picture to the window.
+    /// Expects: the steps from add_steps() for the cells in this box have run.
     void show(const l3d_pixel_box& box) const;
 
 private:
@@ -52,7 +53,7 @@ private:
     void copy_rows(const l3d_pixel_box& cells, int factor) const;
 
     const x11_window& window_;
-    Pixmap small_, wide_, large_; ///< cells, cells with their columns enlarged, and the picture
+    Pixmap small_, wide_, large_; ///< the cells; those with enlarged columns; the large picture
     GC copier_;
     std::array<GC, doublings> column_fillers_{}, row_fillers_{};
 };

@@ -28,8 +28,7 @@ struct ximage_freer {
 };
 using unique_ximage = std::unique_ptr<XImage, ximage_freer>;
 
-/// An image of the display's own pixels that has none yet.
-///
+/// Makes an XImage in the display's pixel layout, without memory for its pixels.
 /// Shape:   rows as short as the server allows, which Xlib sends uncopied.
 /// Errors:  std::bad_alloc.
 inline unique_ximage make_ximage(Display* display, Visual* visual, const l3d_pixel_layout& layout,
@@ -61,12 +60,13 @@ public:
     x11_image& operator=(const x11_image&) = delete;
     virtual ~x11_image() = default;
 
-    /// Whether a buffer is free: the server still reads the others, and unread pictures must not
-    /// pile up.
+    /// Whether a buffer is free for a picture. The server still reads the others, and pictures that
+    /// it has not read must not pile up.
     bool is_free() const { return do_is_free(); }
 
-    /// Sends a part of the picture, and asks the server for an event once it has it. Requests that
-    /// Xlib still buffers go out when events are next asked for. The words may change afterwards.
+    /// Sends a part of the picture, and asks for an event that tells when the server has it.
+    /// Requests that Xlib still buffers go out when events are next asked for. The words may change
+    /// afterwards.
     /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
     ///          is the same as in the put before. The part is not empty, and is the whole picture
     ///          the first time.
@@ -76,16 +76,17 @@ public:
         do_put(picture, part, deadline);
     }
 
-    /// Tells where text stands from the next picture on; an image for a slow line sends it first,
-    /// and exactly. Expects: boxes of words, which do not overlap.
+    /// Tells where text stands from the next picture on. An image for a slow line sends the text
+    /// first, and exactly.
+    /// Expects: boxes in pixel words, which do not overlap.
     void set_text(const std::vector<l3d_pixel_box>& boxes) { do_set_text(boxes); }
 
     /// Sends the rest that put could not send without blocking, makes coarse parts fine, and asks
     /// for overdue answers. To be called now and then before events are read.
     void look_after() { do_look_after(); }
 
-    /// The time at which look_after has something to do even if the server sends nothing. Expects:
-    /// is_idle().
+    /// The time at which look_after has something to do even if the server sends nothing.
+    /// Expects: is_idle().
     time_point next_look() const { return do_next_look(); }
 
     /// Whether part of a picture is still to be sent, as soon as the connection takes it.
@@ -100,12 +101,12 @@ public:
     /// Takes the event if it is an answer to put; false if it is not.
     bool take(const XEvent& event) { return do_take(event); }
 
-    /// Whether this way has turned out not to work. Pictures that were put may not have been seen;
-    /// another x11_image has to go on.
+    /// Whether this way has turned out not to work. Pictures that were put may not have been seen.
+    /// Another x11_image has to go on.
     /// Errors:  true, with one line in `why`.
     bool has_failed(std::string& why) const { return do_has_failed(why); }
 
-    /// One phrase for describe(): the conversion of words on their way.
+    /// One phrase for l3d_screen::describe: how words are converted on their way.
     std::string describe() const { return do_describe(); }
 
 private:

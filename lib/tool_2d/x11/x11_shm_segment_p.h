@@ -16,19 +16,19 @@
 
 namespace l3d_detail {
 
-/// Memory, attached here and, read-only, by the server.
+/// Memory that this process writes and the server reads.
 ///
-/// It is a file without a name, which the server is handed, if the server knows how to take one
-/// (MIT-SHM 1.2). Such memory cannot be mistaken for another's, has no limits of its own, and works
-/// from within a container. Else it is a segment of System V. Nobody else may open that (mode
-/// 0600), and its name is taken away at once. The kernel frees either with the last process that
-/// has it, however that ends.
+/// If the server knows how to take one (MIT-SHM 1.2), the memory is a file without a name, which is
+/// handed to the server. Such memory cannot be mistaken for another's, has no limits of its own,
+/// and works from within a container. Otherwise it is a segment of System V. Nobody else may open
+/// that (mode 0600), and its name is removed at once. The kernel frees either kind with the last
+/// process that has it, however that process ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment. The first one of a connection proves that it works. Proof is the server's
-    /// answer that it has taken the file, or that it reads our pixels in the segment of System V. A
-    /// server in another IPC namespace may find a stranger's memory under our number.
+    /// Makes a segment. With the first one of a connection, it proves that sharing works. The
+    /// server must answer that it has taken the file, or that it reads our pixels in the segment of
+    /// System V. A server in another IPC namespace may find a stranger's memory under our number.
     ///
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors: null, with one line in `why` that gives the reasons of kernel or server;
@@ -48,18 +48,19 @@ public:
 private:
     explicit x11_shm_segment(const x11_connection& connection) : connection_(connection) {}
 
-    /// A file without a name, whose descriptor goes to the server.
+    /// Makes a file without a name, whose descriptor goes to the server.
     /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_file(x11_connection& connection, std::size_t size,
                                                     std::string& why);
-    /// Memory that the server finds by its number.
+    /// Makes memory that the server finds by its number.
     /// Errors:  null, with one line in `why`.
     static std::unique_ptr<x11_shm_segment> by_system_v(x11_connection& connection, Visual* visual,
                                                         const l3d_pixel_layout& layout,
                                                         std::size_t size, std::string& why);
 
-    /// Errors:  false, with one line in `why`.
+    /// Makes and maps the file, and hands it to the server. Errors: false, with one line in `why`.
     bool attach_file(std::size_t size, std::string& why);
+    /// Makes and maps a segment of System V, and asks the server to attach it.
     /// Errors:  false, with one line in `why`.
     bool attach(std::size_t size, std::string& why);
     void forget_name();

@@ -24,21 +24,23 @@ struct x11_visual {
 /// The formats that the screen offers, of all classes.
 std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 
-/// The visual that shows our colours best without disturbing others.
+/// Chooses the visual that shows our colours best without disturbing other windows.
 ///
-/// Served are TrueColor and DirectColor with 8, 16, 24 or 32 bits per pixel, and colormaps of 16 to
-/// 4096 cells with 8 or 16. The preferred one is taken if it has masks of five bits or more, since
-/// it loses nothing, or nearly nothing. Else the best that has such masks is taken. If none has, it
-/// is the preferred one again. On a display so poor all visuals are likely to share one map, and
-/// one of our own would spoil the colours of other windows. The best has no alpha; then the most
-/// bits in its poorest channel, up to our eight; then no map that must be written; then the most
-/// bits.
-/// Errors: nothing, with one line in `why`: class, depth and masks of the preferred one, and the
-///         formats that would serve.
+/// Usable are TrueColor and DirectColor with 8, 16, 24 or 32 bits per pixel. So are colormaps of 16
+/// to 4096 cells with 8 or 16 bits. A visual is good if each of its masks has five bits or more.
+///
+/// The function takes the preferred visual if it is good, else the best visual if that is good. If
+/// none is good, it keeps the preferred one. Another colormap would spoil the colours of other
+/// windows. If the preferred one is unusable, it takes the best.
+///
+/// The best visual has no alpha. Ties go to the most bits in the poorest channel, counted up to 8.
+/// Further ties go to TrueColor, whose colormap needs no writing, then to the greatest depth.
+/// Errors:  nothing, with one line in `why`: class, depth and masks of the preferred one, and the
+///          formats that would serve.
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
                                             const Visual* preferred, std::string& why);
 
-/// The choice among all that the screen offers; its default is preferred. Errors: likewise.
+/// Chooses among all visuals that the screen offers, and prefers its default. Errors: as above.
 std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why);
 
 } // namespace l3d_detail

@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// Names that X knows by number.
+/// The numbers that X has for these names.
 struct x11_atoms {
     Atom wm_protocols = 0;
     Atom wm_delete_window = 0;
@@ -45,17 +45,18 @@ public:
     const l3d_screen_info& info() const { return colormap_->info(); }
     const x11_colormap& colormap() const { return *colormap_; }
 
-    /// Display pixels along the side of one of ours.
+    /// The side, in display pixels, of the square that shows a pixel of ours.
     int scale() const { return scale_; }
 
-    /// Takes the display's present fineness, as x11_fineness has it. True if letters change by
+    /// Notes the display's fineness, as x11_fineness gives it. True if text_scale() changes by
     /// that.
     bool set_fineness(double fineness);
 
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
-    /// A length or place of the display's in our pixels; of a size the last pixel may be cut.
+    /// Converts a length or place from display pixels to ours. A size is rounded up, so that its
+    /// last pixel may be cut.
     int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
     l3d_size ours(l3d_size native) const {
         return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
@@ -66,14 +67,15 @@ public:
 
     void map() { XMapWindow(display(), window_); }
 
-    /// Sets the colour that new parts of a growing window show until their picture comes: a pixel
-    /// word.
+    /// Sets the colour, a pixel word, that new parts of a growing window show until their picture
+    /// comes.
     void set_ground(std::uint32_t word);
 
-    /// Those who may want to hear of the pointer at all times.
+    /// The parts of this program that may want all motion of the pointer.
     enum class watcher : unsigned { fullscreen = 1, program = 2 };
 
-    /// Hears of the pointer at all times, or for this one only while a button is held.
+    /// Says whether `who` needs all motion of the pointer, or only motion while a button is held.
+    /// The server tells all of it as long as one of them needs it.
     void watch_pointer(watcher who, bool always);
 
     /// A cursor without any pixel. Lives: until it is freed, or the connection ends.
@@ -83,7 +85,7 @@ public:
     /// Expects: the window is on the screen.
     void take_focus();
 
-    /// Sets properties that need not precede the first picture, which so comes sooner.
+    /// Sets the properties that can wait until the first picture is shown, which then comes sooner.
     void set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const;
 
     /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
@@ -107,7 +109,7 @@ private:
     int scale_;
     double text_scale_ = 1;
     bool managed_ = false;
-    unsigned watchers_ = 0; ///< the bits of those who hear of the pointer at all times
+    unsigned watchers_ = 0; ///< the bits of those who need all motion of the pointer
     Window window_ = 0;
     GC graphics_ = nullptr;
     unsigned long ground_ = 0; ///< the window's background, a pixel of the display's

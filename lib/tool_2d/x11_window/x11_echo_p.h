@@ -20,7 +20,7 @@ class x11_echo {
 public:
     explicit x11_echo(const x11_window& window) : window_(window) {}
 
-    /// Asks, and forgets an earlier question. Nothing is sent before Xlib next flushes.
+    /// Asks the question, and forgets an earlier one. Nothing is sent before Xlib next flushes.
     void ask() {
         if (window_.connection().lost())
             return;

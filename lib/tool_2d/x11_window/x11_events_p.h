@@ -23,8 +23,8 @@ namespace l3d_detail {
 /// pressed is told released, by the time the window loses the keyboard at the latest.
 ///
 /// Xlib reads the keymap when it looks up the first key, and after each change. It then waits for
-/// the server, deaf to a first signal. So we have it read right after an answer of the server, and
-/// later events of the user wait for that.
+/// the server, and cannot hear a first signal. So the keymap is read right after an answer of the
+/// server, and later events of the user wait until then.
 class x11_events {
 public:
     /// `size` is the window's first size.
@@ -40,19 +40,19 @@ public:
     /// Asks for an answer of the server if the keymap is to be read. To be called now and then.
     void look_after();
 
-    /// A fine wheel turned, with the pointer at this place.
+    /// Notes that a fine wheel turned with the pointer at this place.
     void take_turn(const XMotionEvent& place, double notches);
 
-    /// The server is gone: the last event of all.
+    /// Adds the last event of all: the server is gone.
     void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
 
-    /// Whether the window is out of sight for a reason that no event of its own tells.
+    /// Notes whether the window is out of sight for a reason that none of its events tells.
     void set_away(bool away) {
         away_ = away;
         look();
     }
 
-    /// Tells the size again, although it is the same.
+    /// Tells the size again, although it has not changed.
     void tell_size() {
         push_instead_of({l3d_event_type::resize}, {.type = l3d_event_type::resize, .size = size_});
     }
@@ -103,17 +103,17 @@ private:
     x11_text text_;
     std::deque<l3d_event> queue_;
     bool mapped_ = false, exposed_ = false;
-    x11_echo keyboard_echo_; ///< whose answer says that the keyboard can be read
+    x11_echo keyboard_echo_; ///< its answer says that the keyboard can be read
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
-    std::vector<XEvent> waiting_; ///< for the keyboard: a change of its keys, and what came after
+    std::vector<XEvent> waiting_; ///< for the keymap: its change, and all events after it
     bool covered_ = false, unmapped_ = false, away_ = false;
     Time turned_at_ = 0;               ///< time at which a fine wheel last turned
     double turned_ = 0;                ///< notches since the last full one
-    bool hidden_ = false;              ///< hidden for one of these reasons
+    bool hidden_ = false;              ///< whether the program was last told of hide
     bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
     std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
     std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had
-    XButtonEvent last_press_{}; ///< that a next one may make a double click with; button 0: none
+    XButtonEvent last_press_{};        ///< may become a double click; button 0: none
 };
 
 } // namespace l3d_detail

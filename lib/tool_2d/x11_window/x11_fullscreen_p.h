@@ -14,8 +14,9 @@ namespace l3d_detail {
 /// Covers the screen with a window, and gives it back its old place.
 ///
 /// A window manager that can do so is asked. Otherwise the window covers the monitor that it is on.
-/// The manager's word counts, whoever asked it. A manager that comes takes over, and one that goes
-/// leaves the window as it is. While it covers the screen, a pointer that rests is hidden.
+/// The state that the manager tells counts, whoever asked for it. A manager that starts takes over,
+/// and one that ends leaves the window as it is. While the window covers the screen, a pointer that
+/// rests is hidden.
 /// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
@@ -28,7 +29,8 @@ public:
     /// Whether the window covers the screen, or will once all requests are done.
     bool is_on() const;
 
-    /// Asks for the state; it changes as soon as the state of the window is known.
+    /// Asks for the window to cover the screen, or not. This happens as soon as the window's state
+    /// is known.
     void set(bool on);
 
     /// Looks at an event about our window: did the pointer move, or the window?
@@ -59,8 +61,8 @@ private:
     /// The wish of set(), until it is done.
     std::optional<bool> wanted_;
 
-    /// The request to the manager, and until when its answer is waited for: it may refuse, and
-    /// nobody tells.
+    /// The request to the manager, and the time until which we wait for its answer. A manager may
+    /// refuse without telling.
     std::optional<bool> awaited_;
     clock::time_point awaited_until_;
 
@@ -70,7 +72,7 @@ private:
     /// Whether a manager covered the screen, or would do so, at our last look.
     bool granted_ = false;
 
-    /// Whether we made it cover the screen ourselves.
+    /// Whether we made the window cover the screen ourselves.
     bool covers_ = false;
 
     /// The window's place when it does not cover the screen.

@@ -14,15 +14,16 @@ struct xkb_compose_state;
 
 namespace l3d_detail {
 
-/// The key of an event, by its own group and level. Caps Lock makes no other keys. On a Greek or
-/// Cyrillic layout the keys that type letters are Latin letters, even where they type a sign. ASCII
-/// or an l3d_key; 0 for a key that is none of ours.
+/// The key of an event: ASCII or an l3d_key; 0 for a key that is none of ours. It follows the
+/// layout's group and level in use, without regard to Caps Lock. On a Greek or Cyrillic layout,
+/// keys whose place has a Latin letter give that letter, whatever they type.
 int key_of(XKeyEvent event);
 
 /// Turns presses of keys into text, dead keys and the key Compose included.
 ///
-/// Xlib would do that by an input method, which it asks and waits for, and by the locale of the
-/// whole process. This needs neither. How keys are composed is read at the first dead key.
+/// Xlib would need an input method, which it asks and waits for, and the locale of the whole
+/// process. This class needs neither. The rules by which keys are composed are read at the first
+/// dead key.
 class x11_text {
 public:
     x11_text();

@@ -21,8 +21,8 @@ struct x11_way {
 
 /// Holds the pointer for a program that wants it, as long as the window has the keyboard.
 ///
-/// A held pointer is put back to the window's middle whenever it comes far from that, so that its
-/// way has no end. X tells places only: the program gets their differences, without the leaps back.
+/// A held pointer is put back to the window's middle whenever it comes far from it, so that its way
+/// has no end. X tells only places. The program gets their differences, without the leaps back.
 /// This works on servers over a network or nested in others, too.
 /// Lives:   borrows the window.
 /// Cost:    nothing waits for an answer; a leap every quarter of a window.
@@ -36,23 +36,23 @@ public:
     x11_pointer& operator=(const x11_pointer&) = delete;
     ~x11_pointer();
 
-    /// Chooses the motion that the program hears of from now on.
+    /// Chooses the motion that the program hears of.
     void set(l3d_pointer how);
     l3d_pointer how() const { return how_; }
 
-    /// The window has the keyboard now, or no longer.
+    /// Notes whether the window has the keyboard.
     void set_focus(bool has_focus);
 
-    /// Units: pixels of the display's.
+    /// Notes the window's size. Units: display pixels.
     void set_size(l3d_size native) { size_ = native; }
 
-    /// Asks for the pointer if that is due. To be called now and then.
+    /// Asks the server for the pointer if that is due. To be called now and then.
     void look_after();
 
-    /// True if the event was the server's answer to that.
+    /// True if the event was the server's answer to a request of look_after().
     bool take(const XEvent& event);
 
-    /// The pointer's way in this event, 0 if it is not held. Nothing if the motion only put the
+    /// The pointer's way in this event; 0 if it is not held. Nothing if the motion only put the
     /// pointer back.
     std::optional<x11_way> way_of(const XMotionEvent& event);
 

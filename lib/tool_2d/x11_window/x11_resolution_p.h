@@ -12,27 +12,27 @@
 
 namespace l3d_detail {
 
-/// X counts places in a window in 16 bits with sign.
+/// The largest side of a window: X counts places in it in 16 bits with sign.
 inline constexpr int largest_x11_side = 32767;
 
-/// The scale that the request names; else a pixel of ours is one of the display's.
+/// The scale that the request names, else 1.
 inline int x11_scale(const l3d_screen_request& request) {
     return request.scale == 0 ? 1 : request.scale;
 }
 
-/// The size of the picture: the requested one if a scale is requested, too. Else it is larger by
-/// the display's fineness, so that the window has its usual size for people's eyes, within X's
-/// limits.
+/// The size of the picture, in our pixels. If the request names a scale, it is the requested size.
+/// Otherwise it is the requested size times the display's fineness, within X's limits, so that
+/// people see the window in its usual size.
 /// Cost:    none; Xlib has read the resources when it opened the display.
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);
 
 /// The display's dots an inch as the user has set them, in units of 96; at least 1, and no more
-/// than l3d_largest_scale. Cost: as x11_picture_size.
+/// than l3d_largest_scale.
+/// Cost:    as x11_picture_size.
 double x11_fineness(const x11_connection& connection);
 
-/// The fineness by the text of an XSETTINGS manager; by the display's resources if that says
-/// nothing.
+/// The fineness that the text of an XSETTINGS manager gives, else the display's resources.
 double x11_fineness(std::string_view settings, std::string_view resources);
 
 /// The setting Xft/DPI in the text of an XSETTINGS manager, in dots an inch; none if there is none,

@@ -17,17 +17,18 @@ namespace l3d_detail {
 
 /// A turn of a fine wheel.
 struct x11_turn {
-    XMotionEvent motion; ///< the pointer's place, time and modifiers, as X has them without wheels
+    XMotionEvent motion; ///< the pointer's place, time and modifiers, as in an event of X
     double notches = 0;  ///< away from the user; 0: only the pointer moved
 };
 
 /// The fine wheels of a display, by XInput 2.1.
 ///
-/// X counts how far each has turned since it was plugged in. We ask for these numbers after the
-/// first picture, and listen only if there is such a wheel: from then on each motion of the pointer
-/// over the window is told. Without the extension nothing changes, and wheels are buttons 4 and 5.
+/// X counts how far each wheel has turned since it was plugged in. We ask for these numbers after
+/// the first picture, and listen only if there is such a wheel. From then on the server tells each
+/// motion of the pointer over the window. Without the extension nothing changes, and wheels are
+/// buttons 4 and 5.
 /// Lives:   the window outlives it.
-/// Cost:    nothing waits for an answer; each request has to find room on the line.
+/// Cost:    nothing waits for an answer; requests are sent only while the connection has room.
 class x11_scroll {
 public:
     explicit x11_scroll(const x11_window& window);
@@ -36,7 +37,7 @@ public:
     /// picture.
     void look_after();
 
-    /// Looks at an event. Something if it tells of a motion or a turn.
+    /// Looks at an event. Gives the motion or turn that it tells of, else nothing.
     std::optional<x11_turn> take(XEvent& event);
 
 private:

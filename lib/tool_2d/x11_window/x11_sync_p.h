@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// Lives:   borrows the window; the server frees the counter at the end of the connection.
 class x11_sync {
 public:
-    /// Offers this to the manager, if there is one and the server has the extension.
+    /// Offers the protocol to the window manager, if there is one and the server has the extension.
     /// Expects: the window is not on the screen yet.
     /// Cost:    two round trips if there is a manager.
     explicit x11_sync(const x11_window& window);

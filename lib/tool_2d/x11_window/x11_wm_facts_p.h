@@ -20,16 +20,16 @@ namespace l3d_detail {
 struct x11_facts {
     bool managed = false;           ///< a window manager looks after windows
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
-    bool fullscreen = false; ///< the manager says that our window is; without such a manager: false
-    bool away = false; ///< nobody can see ours: minimised, on another workspace, or not viewable
+    bool fullscreen = false; ///< by the manager's word, our window is; false without such a manager
+    bool away = false;       ///< our window is minimised, on another workspace, or not viewable
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
-    double fineness = 1; ///< as x11_fineness has it, by a manager of settings or the resources
+    double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
 };
 
 /// Keeps the facts up to date by properties that others write: of our window, of the root, and of
 /// the windows by which managers of windows and of settings show that they live.
 ///
-/// Each change asks for all of it anew, in one go. The last request is an event to ourselves. So
+/// Each change asks for all facts anew, in one go. The last request is an event to ourselves. So
 /// nobody waits for a reply: when the event comes, the replies are there.
 /// Lives:   borrows the window.
 class x11_wm_facts {
@@ -45,7 +45,7 @@ public:
         net_supported,
         net_supporting_wm_check,
         xsettings,
-        watched_count, ///< others write those above
+        watched_count, ///< others write the properties above
         net_wm_pid = watched_count,
         net_wm_icon,
         xsettings_selection,
@@ -63,8 +63,8 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Asks if that was never done, or if the connection had no room: a server that is slow, or
-    /// stopped, does not take the program with it. To be called now and then.
+    /// Calls ask() if that was never done, or if the connection had no room. So a server that is
+    /// slow, or stopped, does not stop the program. To be called now and then.
     void look_after() {
         if (stage_ == stage::unwatched || is_due_)
             ask();
@@ -89,7 +89,7 @@ private:
         xcb_get_property_cookie_t settings, resources;
         xcb_get_selection_owner_cookie_t settings_owner;
         xcb_randr_get_monitors_cookie_t monitors;
-        Window asked_check = 0; ///< the window whose property `checked` is
+        Window asked_check = 0; ///< the window whose property `checked` asks for
         bool has_randr = false;
     };
 
@@ -113,8 +113,8 @@ private:
     std::array<xcb_intern_atom_cookie_t, name_count> names_{};
     std::array<xcb_atom_t, name_count> atoms_{};
     question question_{};
-    Window check_ = 0;    ///< shows that the manager lives
-    Window settings_ = 0; ///< whose property has the settings; 0: there is none
+    Window check_ = 0;    ///< the window that shows that the manager lives
+    Window settings_ = 0; ///< the window whose property has the settings; 0: there is none
 };
 
 } // namespace l3d_detail
