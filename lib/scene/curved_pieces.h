@@ -56,7 +56,7 @@ public:
     };
     /// The numbers of halvings of all pieces.
     struct cuts {
-        std::vector<int> of_lines; ///< of piece i along u at 2 i, along v at 2 i + 1
+        std::vector<int> of_lines; ///< piece i has 2 i along u, 2 i + 1 along v
         double error = 0;          ///< bound of errors of places, in the pieces' unit
     };
     /// Finds the cuts that a level needs. The search begins with the cuts of a coarser level.
