@@ -57,7 +57,8 @@ public:
     /// The same parts as runs over the things.
     std::vector<l3d_part_run> runs() const;
 
-    /// The message for a name that no part has, with a list of all parts; "" if a part has it.
+    /// The error message for a name that no part has; "" if a part has it. The message lists 40
+    /// parts at most, and suggests a similar name.
     std::string complaint(std::string_view name) const;
 
     /// The index that stands for no part.

@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 using json = nlohmann::ordered_json;
 
-/// A count of things left out for one reason, and the proof that this is right.
+/// A reason for leaving things out: its name, the test that proves it, and their number.
 struct left_out {
     const char* name;
     const char* proof;

@@ -47,8 +47,8 @@ public:
     /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
-    /// The least error at which the nearest sheet may be the wrong one. An error of a sheet is that
-    /// of its place in the picture, or of its distance along normals.
+    /// How far surfaces may be off before another sheet may be the nearest one at this pixel. They
+    /// are off in the picture, or along their normals.
     /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 

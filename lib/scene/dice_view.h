@@ -183,14 +183,15 @@ struct l3d_dice_view {
     /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
     double most_moved() const { return chord_budget(0); }
 
-    /// The largest error that walking may add to a vertex; where it would add more, the vertex is
-    /// evaluated. Balanced chords along edges take up to 1 / (16 l3d_balance) = 0.73 of half their
-    /// budget. With an eighth for walking, that is within the tolerance while all else takes less
-    /// than a half.
+    /// The largest error that walking, by forward differences, may add to a vertex. Where it would
+    /// add more, the vertex is evaluated. Balanced chords along edges take up to 1 / (16
+    /// l3d_balance) = 0.73 of half their budget. With an eighth for walking, that is within the
+    /// tolerance while all else takes less than a half.
     double walk_allowance() const { return tolerance / 8; }
 
-    /// The walk allowance where vertices err by `exact` already. It is at most an eighth of the
-    /// rest, since it makes quads more numerous, and leaves at least a quarter of the tolerance.
+    /// The walk allowance for vertices that are off by `exact` when they are evaluated. Chords get
+    /// what it leaves of the tolerance. So it is at most an eighth of what `exact` leaves, and zero
+    /// where chords would get less than a quarter of the tolerance.
     double walk_allowance(double exact) const {
         const double left = tolerance - exact;
         return std::max(0.0, std::min(left / 8, left - tolerance / 4));

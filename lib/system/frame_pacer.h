@@ -20,8 +20,8 @@ public:
 
     clock::time_point due() const { return due_; }
 
-    /// Notes a frame that is done at `now`. If the frame drew nothing (`idle`), the next one comes
-    /// after 1/60 s even without a limit: waiting must not cost a whole processor.
+    /// Notes a frame that is done at `now`. Without a limit, the next frame is due at once. It is
+    /// due in 1/60 s if this frame drew nothing (`idle`): waiting must not cost a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;

@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-/// The polylines of one patch at a time, kept for their memory.
+/// The edge polylines of one patch. Those of the next patch reuse their memory.
 ///
 /// Shape: outer edges are [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along
-///        v). From 4 on, they are the edges along which the patch is cut.
+///        v). Edges from [4] on are those along which the patch is cut.
 class l3d_edge_polylines {
 public:
     static constexpr std::size_t sides = 4;

@@ -102,7 +102,7 @@ public:
 
     /// An empty world, whose camera makes pictures of this size.
     explicit l3d_world(l3d_size size) : l3d_world(std::make_unique<camera_type>(size)) {}
-    /// An empty world seen by a camera of a class of its own. Expects: not null.
+    /// An empty world that owns this camera, which may be of a subclass. Expects: not null.
     explicit l3d_world(std::unique_ptr<camera_type> seen_by);
     l3d_world(const l3d_world&) = delete;
     l3d_world& operator=(const l3d_world&) = delete;

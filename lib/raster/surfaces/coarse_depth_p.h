@@ -55,13 +55,12 @@ public:
     /// Prepares all depths of a band for reading: sets those of tiles without drawing to 0.
     void open_others(const fill_band& band);
 
-    /// Whether anything in the box, no nearer than `nearest`, would be hidden. It looks at depths
-    /// if the known bounds do not suffice.
+    /// Whether known depths hide every shape in the box that is no nearer than `nearest`, a 1 / w.
+    /// Where the bounds of tiles do not decide, their depths are read.
     /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// Whether the bounds that are known already hide anything in the box, no nearer than
-    /// `nearest`.
+    /// Whether the bounds of tiles alone prove that. No depth is read.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
     /// Finds the farthest depth of each tile of the band into which something was drawn.

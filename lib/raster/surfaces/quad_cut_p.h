@@ -196,8 +196,8 @@ void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& t
     });
 }
 
-/// Calls add(triangle, area2) for the triangles into which a folded or skew quad is cut, as
-/// cut_folded does.
+/// Cuts a quad, and calls add(triangle, area2) for each triangle. A folded quad is cut by
+/// cut_folded, any other one along its diagonal().
 template <class Add>
 void cut_quad(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     if (turns.folded())

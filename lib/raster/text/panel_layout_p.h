@@ -30,7 +30,8 @@ struct panel_line {
     std::size_t row = 0; ///< index of the row that it belongs to
 };
 
-/// Breaks a text into lines no wider than `width`, at spaces if there are any.
+/// Breaks a text into lines no wider than `width`: at spaces and soft hyphens, else between
+/// characters. A line has at least one character, however wide.
 std::vector<std::string> wrapped(const l3d_font& font, std::string_view text, int size, int width);
 
 /// Lays out a panel: wraps rows and puts them into columns.

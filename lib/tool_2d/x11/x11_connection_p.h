@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// The reason that a factory gives if the display is lost while it is asked.
+/// The reason given if the connection to the X server breaks while a screen is set up.
 inline constexpr auto x11_server_went_away = "the X server went away";
 
 /// Frees a reply that xcb read; replies come from malloc.
