@@ -55,6 +55,8 @@ PACKAGES_tidy   := clang-tidy:$(CLANG_TIDY)
 PACKAGES_matrix := clang:clang++ libclang-rt-dev:sanitizer/asan_interface.h
 PACKAGES_stability := gnuplot-nox:gnuplot python3:python3 libboost-dev:boost/multiprecision/cpp_bin_float.hpp
 PACKAGES_faults := python3:python3 strace:strace
+PACKAGES_farm   := slurmctld:/usr/sbin/slurmctld slurmd:/usr/sbin/slurmd slurm-client:sbatch openssh-server:/usr/sbin/sshd \
+    openssh-client:ssh parallel:parallel ffmpeg:ffmpeg iproute2:ip util-linux:unshare python3:python3
 PACKAGES_models := assimp-utils:assimp python3:python3
 PACKAGES_displays := python3:python3 xvfb:Xvfb xdotool:xdotool wmctrl:wmctrl xserver-xephyr:Xephyr \
     tigervnc-standalone-server:Xvnc xserver-xorg-video-dummy:Xorg xwayland:Xwayland weston:weston \

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Tests: each writes a log, and tests/lint/summary.awk judges any set of logs.
 
-.PHONY: test stress matrix golden
+.PHONY: test test-farm stress matrix golden
 
 # TESTS_AT_ONCE tests of a layer are compiled together, as a unit; a last one is compiled as it is. The headers of
 # window systems take common words away from what follows them, so each test that may see them stays alone.
@@ -26,6 +26,7 @@ SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
 SERVER_LOGS := $(STRESS:tests/%=$(OUT)/log/%.log)
 PYTHON_LOGS := $(patsubst tests/%,$(OUT)/log/%.log,$(wildcard tests/python/*_test.py))
+FARM_LOGS   := $(OUT)/log/farm/farm_test.py.log
 STRESS_LOGS := $(SERVER_LOGS) $(patsubst %,$(OUT)/log/%-stress.log,raster dice pipeline)
 # What is tested is made before anything is run, and what runs longest is begun first.
 MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(DATA) \
@@ -38,6 +39,7 @@ TEST_LOGS := $(LONGEST:%=$(OUT)/log/%.log) \
              $(if $(filter stress,$(WITH)),$(STRESS_LOGS)) \
              $(if $(filter servers,$(WITH)),$(SERVER_LOGS)) \
              $(if $(filter python,$(WITH)),$(PYTHON_LOGS)) \
+             $(if $(filter farm,$(WITH)),$(FARM_LOGS)) \
              $(patsubst %,$(OUT)/log/%.log,$(filter-out $(LONGEST),$(tested))) \
              $(if $(filter lab,$(WITH)),$(OUT)/log/stability.log) \
              $(SCRIPTS:tests/%=$(OUT)/log/%.log) $(OUT)/log/layers.log \
@@ -63,13 +65,16 @@ longest_tool_2d := screen_x11_loss.a_server_may_die_at_any_byte
 judge = $(if $(dry_run),: $(1),\
         rm -f $(1); $(MAKE) $(call jobs,2) -k $(2) $(1) || true; awk -f tests/lint/summary.awk $(1))
 
-test: packages-test $(if $(filter install,$(WITH)),packages-install) $(if $(filter python,$(WITH)),packages-python packages-wheel) ## build and run the tests; ends with "N passed, N failed"
+test: packages-test $(if $(filter install,$(WITH)),packages-install) $(if $(filter python,$(WITH)),packages-python packages-wheel) $(if $(filter farm,$(WITH)),packages-farm) ## build and run the tests; ends with "N passed, N failed"
 	+@$(call build,-k $(SLOW_FIRST) $(MADE_FIRST)) || true
 	+@$(if $(filter install,$(WITH)),$(build_other) || true)
 	+@$(call judge,$(TEST_LOGS))
 
 stress: packages-test ## what takes minutes: servers that die, a million shapes (make test WITH="stress lab thorough" adds all)
 	+@$(call judge,$(STRESS_LOGS))
+
+test-farm: packages-test packages-farm ## docs/FARM.md on two nodes with Slurm and ssh, which die and have full disks; as root
+	+@$(call judge,$(FARM_LOGS))
 
 test-%: packages-test ## the tests of one layer: make test-geom
 	+@$(call judge,$(OUT)/log/$*.log,WITH=thorough)
@@ -118,3 +123,9 @@ $(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) $(DATA) FORCE
 	$(call say,TEST,$<)
 	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
 	    timeout --foreground $(TEST_TIMEOUT) $<)
+
+# It is the first process of its namespaces, which SIGTERM does not end.
+$(OUT)/log/farm/%.log: tests/farm/% $(OUT)/bin/teapot_afd FORCE
+	$(call say,TEST,$<)
+	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
+	    timeout --foreground --signal=KILL $(TEST_TIMEOUT) $<)

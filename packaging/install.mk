@@ -57,7 +57,8 @@ install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DAT
 	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man7,docs/l3d.7)
 	$(Q)$(call put,644,$(DOCDIR),README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE)
-	$(Q)$(foreach d,docs docs/pictures docs/report,$(call put,644,$(DOCDIR)/$(d),$(wildcard $(d)/*.md $(d)/*.png)) &&) true
+	$(Q)$(foreach d,docs docs/farm docs/pictures docs/report,$(call put,644,$(DOCDIR)/$(d),\
+	    $(wildcard $(addprefix $(d)/*.,md mk png sh))) &&) true
 	$(Q)$(call put,644,$(SHAREDIR)/bash-completion/completions,$(BASH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/zsh/site-functions,$(ZSH_WORDS))
 	$(Q)$(call put,644,$(SHAREDIR)/applications,packaging/desktop/*.desktop)

@@ -23,6 +23,7 @@ public:
     std::unique_ptr<l3d_rasterizer_2d_imp> imp;
     l3d_rasterizer_2d rasterizer;
     std::optional<l3d_font> font{}; ///< the machine's, once a text wants it
+    bool is_drawing = false;        ///< in another thread
 };
 
 namespace {
@@ -48,23 +49,37 @@ reference make_canvas(arguments& a) {
     return made(std::move(result));
 }
 
-/// A fill, and what it borrows from objects of Python.
-l3d_fill fill_of(const arguments& a) {
-    l3d_fill result;
-    result.color = a.color("color", 0); // black on white, as on paper
-    result.alpha = a.number("alpha", 1, 0, 1);
-    if (a.find("gradient"))
-        result.gradient = &a.object<l3d_gradient>("gradient");
-    if (a.find("clip"))
-        result.clip = &a.object<l3d_path>("clip");
-    read_choice(a, "inside", result.inside, winding_names);
-    read_choice(a, "blending", result.blending, blending_names);
-    return result;
-}
+/// A fill. Other threads may change a path while it is drawn, so this has a copy of the clip. A
+/// gradient never changes.
+class fill {
+public:
+    explicit fill(const arguments& a) {
+        is.color = a.color("color", 0); // black on white, as on paper
+        is.alpha = a.number("alpha", 1, 0, 1);
+        if (a.find("gradient"))
+            is.gradient = &a.object<l3d_gradient>("gradient");
+        if (a.find("clip"))
+            is.clip = &clip_.emplace(a.object<l3d_path>("clip"));
+        read_choice(a, "inside", is.inside, winding_names);
+        read_choice(a, "blending", is.blending, blending_names);
+    }
+    fill(const fill&) = delete;
+    fill& operator=(const fill&) = delete;
+
+    l3d_fill is;
+
+private:
+    std::optional<l3d_path> clip_;
+};
 
 reference draw_path(canvas_owner& self, arguments& a) {
     a.are("Canvas.draw_path", "path color | gradient alpha inside clip blending");
-    self->rasterizer.draw_path(a.object<l3d_path>("path"), fill_of(a));
+    const l3d_path path = a.object<l3d_path>("path");
+    const fill with(a);
+    {
+        const unlocked while_drawing;
+        self->rasterizer.draw_path(path, with.is);
+    }
     return a.self();
 }
 
@@ -126,7 +141,10 @@ reference draw_mesh(canvas_owner& self, arguments& a) {
             for (l3d_point_2d& p : row)
                 p = next();
     }
-    self->rasterizer.draw_mesh(patches);
+    {
+        const unlocked while_drawing;
+        self->rasterizer.draw_mesh(patches);
+    }
     return a.self();
 }
 
@@ -147,7 +165,11 @@ reference draw_image(canvas_owner& self, arguments& a) {
             .then(l3d_placement_2d::turned(a.number("turn", 0, -most_degrees, most_degrees), at));
     placed.transparent = image.is_transparent;
     read_choice(a, "filter", placed.filter, filter_names);
-    self->rasterizer.draw_image(placed, fill_of(a));
+    const fill with(a);
+    {
+        const unlocked while_drawing;
+        self->rasterizer.draw_image(placed, with.is);
+    }
     return a.self();
 }
 
@@ -192,22 +214,28 @@ reference size(const canvas_owner& self) {
     return sides(self->image->size());
 }
 
+/// A method that works alone on its canvas.
+template <auto Call> reference alone(canvas_owner& self, arguments& a) {
+    const busy marked(self->is_drawing, "Canvas");
+    return Call(self, a);
+}
+
 } // namespace
 
 PyTypeObject* add_canvas_type(PyObject* module) {
     using c = canvas_owner;
     static PyMethodDef methods[] = {
-        method<c, clear>("clear", doc("Canvas.clear")),
-        method<c, draw_path>("draw_path", doc("Canvas.draw_path")),
-        method<c, draw_curves>("draw_curves", doc("Canvas.draw_curves")),
-        method<c, draw_line>("draw_line", doc("Canvas.draw_line")),
-        method<c, draw_points>("draw_points", doc("Canvas.draw_points")),
-        method<c, draw_mesh>("draw_mesh", doc("Canvas.draw_mesh")),
-        method<c, draw_image>("draw_image", doc("Canvas.draw_image")),
-        method<c, draw_text>("draw_text", doc("Canvas.draw_text")),
-        method<c, picture_now>("picture", doc("Canvas.picture")),
-        method<c, save>("save", doc("Canvas.save")),
-        method<c, png>("_repr_png_", doc("Canvas._repr_png_")),
+        method<c, alone<clear>>("clear", doc("Canvas.clear")),
+        method<c, alone<draw_path>>("draw_path", doc("Canvas.draw_path")),
+        method<c, alone<draw_curves>>("draw_curves", doc("Canvas.draw_curves")),
+        method<c, alone<draw_line>>("draw_line", doc("Canvas.draw_line")),
+        method<c, alone<draw_points>>("draw_points", doc("Canvas.draw_points")),
+        method<c, alone<draw_mesh>>("draw_mesh", doc("Canvas.draw_mesh")),
+        method<c, alone<draw_image>>("draw_image", doc("Canvas.draw_image")),
+        method<c, alone<draw_text>>("draw_text", doc("Canvas.draw_text")),
+        method<c, alone<picture_now>>("picture", doc("Canvas.picture")),
+        method<c, alone<save>>("save", doc("Canvas.save")),
+        method<c, alone<png>>("_repr_png_", doc("Canvas._repr_png_")),
         {}};
     static PyGetSetDef attributes[] = {attribute<c, size>("size", doc("Canvas.size")), {}};
     return new_type<c>(module, "l3d.Canvas", doc("Canvas"), methods, attributes,

@@ -82,6 +82,23 @@ private:
     PyThreadState* state_;
 };
 
+/// Marks an object as busy while it lives, so that no other thread changes it or draws with it.
+class busy {
+public:
+    /// Errors: value_error, if it is so already.
+    busy(bool& mark, const char* name) : mark_(mark) {
+        if (mark_)
+            throw value_error(std::string(name) + ": it draws already, in another thread");
+        mark_ = true;
+    }
+    busy(const busy&) = delete;
+    busy& operator=(const busy&) = delete;
+    ~busy() { mark_ = false; }
+
+private:
+    bool& mark_;
+};
+
 /// Passes the exception that is being handled on to Python.
 void set_error() noexcept;
 

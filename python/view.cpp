@@ -194,24 +194,8 @@ void add_maps(const l3d_pipeline_afd& pipeline, picture& to) {
 }
 void add_maps(const l3d_pipeline_zbuffer&, picture&) {}
 
-/// Marks a view as drawing, so that no other thread changes it or draws with it.
-class busy {
-public:
-    explicit busy(view& of) : of_(of) {
-        if (of_.is_drawing)
-            throw value_error("View: it draws already, in another thread");
-        of_.is_drawing = true;
-    }
-    busy(const busy&) = delete;
-    busy& operator=(const busy&) = delete;
-    ~busy() { of_.is_drawing = false; }
-
-private:
-    view& of_;
-};
-
 picture frame_of(view& self) {
-    const busy alone(self);
+    const busy alone(self.is_drawing, "View");
     follow(self);
     return std::visit(
         [&](auto& pipeline) {
@@ -252,7 +236,7 @@ reference draw_frame(view_owner& self, arguments& a) {
 
 reference change(view_owner& self, arguments& a) {
     a.are("View.change", "| " + look_names);
-    const busy alone(*self);
+    const busy alone(self->is_drawing, "View");
     if (a.find("threads"))
         throw value_error(a.what("threads") + ": the number is constant in a view");
     if (auto* patches = std::get_if<patches_pipeline>(&self->pipeline)) {
@@ -274,7 +258,7 @@ reference change(view_owner& self, arguments& a) {
 
 reference frame_all(view_owner& self, arguments& a) {
     a.are("View.frame_all", "");
-    const busy alone(*self);
+    const busy alone(self->is_drawing, "View");
     follow(*self);
     std::visit(
         [&](auto& pipeline) {
@@ -330,7 +314,7 @@ reference pick(view_owner& self, arguments& a) {
     a.are("View.pick", "x y |");
     const double x = number_of(a.need("x"), a.what("x"), -farthest_pixel, farthest_pixel);
     const double y = number_of(a.need("y"), a.what("y"), -farthest_pixel, farthest_pixel);
-    const busy alone(*self);
+    const busy alone(self->is_drawing, "View");
     follow(*self);
     return std::visit(
         [&](auto& pipeline) {

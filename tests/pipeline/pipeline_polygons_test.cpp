@@ -35,6 +35,26 @@ l3d_canvas canvas() {
     return l3d_memory_canvas(window);
 }
 
+/// A factory that tells whether it is still there.
+class mortal_factory final : public l3d_rasterizer_factory {
+public:
+    explicit mortal_factory(bool& is_there) : is_there_(is_there) { is_there_ = true; }
+    ~mortal_factory() override { is_there_ = false; }
+    mortal_factory(const mortal_factory&) = delete;
+    mortal_factory& operator=(const mortal_factory&) = delete;
+
+private:
+    std::unique_ptr<l3d_rasterizer_2d_imp> do_create_2d(l3d_pixels target) const override {
+        return sw.create_2d(target);
+    }
+    std::unique_ptr<l3d_surface_rasterizer> do_create_surface(l3d_workers& workers) const override {
+        EXPECT_TRUE(is_there_);
+        return sw.create_surface(workers);
+    }
+
+    bool& is_there_;
+};
+
 l3d_camera camera(double x = 1.3, double y = -5.1, double z = 3.2) {
     l3d_camera result;
     result.eye = {x, y, z};
@@ -496,6 +516,15 @@ TEST(pipeline_polygons, threads_do_not_change_the_picture) {
     settings.threads = 3;
     EXPECT_EQ(by_zbuffer(model, camera(), settings), one);
     EXPECT_EQ(by_zsort(model, camera(), settings), one_sorted);
+}
+
+TEST(pipeline_zbuffer, uses_a_factory_that_nobody_else_owns_while_it_is_there) {
+    bool is_there = false;
+    l3d_canvas one = canvas();
+    one.rasterizers = std::make_shared<mortal_factory>(is_there);
+    l3d_pipeline_zbuffer pipeline(std::move(one), l3d_polygon_model(l3d_torus_mesh(9, 6, 1.7, 0.7)),
+                                  camera(), {});
+    EXPECT_EQ(drawn(pipeline).size(), static_cast<std::size_t>(window.width * window.height));
 }
 
 } // namespace

@@ -3,7 +3,10 @@
 """Drawing in two dimensions: exact places and colours of a few pixels."""
 
 import os
+import sys
 import tempfile
+import threading
+import time
 
 from checks import expect, run_all
 
@@ -74,6 +77,81 @@ def check_files():
         expect(picture.words.tolist()[1] == [0xff000000, 0x0000ff, 0xff000000], picture.words.tolist())
         with open(file, "rb") as bytes_of:
             expect(bytes_of.read() == picture._repr_png_())
+
+
+def many_circles():
+    path = l3d.Path()
+    for i in range(2000):
+        path.add_circle((i % 400, i * 7 % 300), 5)
+    return path
+
+
+def in_threads(work, count):
+    threads = [threading.Thread(target=work) for _ in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def check_two_threads_draw_the_same_bits():
+    """Also while others change the path and the clip that are drawn."""
+    path, clip = many_circles(), l3d.Path().add_box(10, 10, 390, 290)
+
+    def drawn():
+        canvas = l3d.Canvas((400, 300)).draw_path(path, "#a04020", alpha=0.5, clip=clip)
+        return bytes(canvas.draw_image(canvas.picture(), (5, 5), (90, 60), turn=10).picture())
+
+    wanted, same = drawn(), []
+
+    def work():
+        for _ in range(10):
+            same.append(drawn() == wanted)
+            path.move_to((0, 0))
+            clip.move_to((0, 0))
+
+    in_threads(work, 3)
+    expect(same == [True] * 30, same.count(True), len(same))
+
+
+def check_one_canvas_in_two_threads_is_refused_or_draws():
+    canvas, path, said = l3d.Canvas((400, 300)), many_circles(), []
+
+    def work():
+        for _ in range(100):
+            try:
+                canvas.draw_path(path)
+                canvas.picture()
+            except l3d.Error as error:
+                said.append(str(error))
+
+    in_threads(work, 4)
+    expect(said and all("Canvas" in text and "another thread" in text for text in said), said[:3])
+
+
+def check_others_run_while_it_draws():
+    """Nobody else runs unless this thread lets them: it would have to work for an hour."""
+    canvas, path, turns, is_over = l3d.Canvas((400, 300)), many_circles(), [0], threading.Event()
+
+    def count():
+        while not is_over.is_set():
+            turns[0] += 1
+            time.sleep(0.0001)
+
+    usual = sys.getswitchinterval()
+    other = threading.Thread(target=count)
+    other.start()
+    sys.setswitchinterval(3600)
+    begun = turns[0]
+    draws = 0
+    while turns[0] == begun and draws < 500:
+        canvas.draw_path(path)
+        draws += 1
+    moved = turns[0] != begun
+    sys.setswitchinterval(usual)
+    is_over.set()
+    other.join()
+    expect(moved, draws)
 
 
 if __name__ == "__main__":

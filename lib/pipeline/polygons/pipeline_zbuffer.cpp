@@ -20,11 +20,13 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
+/// The canvas may be the only owner of its factory, and is gone before surfaces are made: hence the
+/// copy.
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
                                            const l3d_polygon_settings& settings)
-    : l3d_pipeline_zbuffer(canvas.rasterizers, std::move(canvas), std::move(model), camera,
-                           settings) {}
+    : l3d_pipeline_zbuffer(std::shared_ptr(canvas.rasterizers), std::move(canvas), std::move(model),
+                           camera, settings) {}
 
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(
     const std::shared_ptr<const l3d_rasterizer_factory>& surfaces, l3d_canvas&& canvas,
