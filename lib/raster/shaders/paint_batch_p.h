@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_batch: pixels whose textures are looked up together.
+// paint_batch: pixels of a row whose textures are looked up together.
 #ifndef L3D_RASTER_SHADERS_PAINT_BATCH_P_H
 #define L3D_RASTER_SHADERS_PAINT_BATCH_P_H
 
@@ -7,28 +7,21 @@
 #include "raster/textures/painted_part_p.h"
 #include "raster/textures/quad_places_p.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace l3d_detail {
 
-/// Takes runs of pixels, and colours them some at a time in lanes.
+/// Takes runs of pixels from left to right, and colours neighbours that show one texture in lanes.
 ///
-/// Cost: keeps the last quads, since rows of pixels come back to them.
 /// Lives: borrows parts and materials; of one worker.
 class paint_batch {
 public:
     paint_batch(const painted_parts* parts, l3d_texture_filter filter,
                 std::span<const l3d_material> materials)
-        : parts_(parts), filter_(filter), materials_(materials) {
-        names_.fill(no_name);
-    }
-    /// A copy looks up the same, and knows no quads yet. Expects: nothing waits.
-    paint_batch(const paint_batch& other)
-        : paint_batch(other.parts_, other.filter_, other.materials_) {}
-    paint_batch& operator=(const paint_batch&) = delete;
+        : parts_(parts), filter_(filter), materials_(materials) {}
 
     /// Whether a name is of a part of a patch.
     bool has(std::uint32_t name) const { return parts_ && parts_->has(name); }
@@ -36,51 +29,35 @@ public:
     /// The place of a name's material among those of the frame. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Colours pixels of a row by what they see of one polygon of a part, until finish().
-    /// Units: pixels; x is the first one's place, and the others follow by 1.
-    /// Shape: `count` colours. Expects: has(name); count at most painted_pixels::room.
-    void add(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* colors);
+    /// Takes the pixels from `begin` on that show one part or nothing. Returns the one behind them.
+    /// Expects: has() the name of the first.
+    std::size_t add_part(const named_pixels& from, std::size_t begin);
 
-    /// Colours pixels of a row by the places and the light that the caller sets in pixels(), until
-    /// finish(). They see this texture, or none if it is null.
-    /// Shape: `count` colours. Returns the index of the first pixel.
-    /// Expects: count at most painted_pixels::room.
-    std::size_t add(const l3d_texture* texture, std::size_t count, std::uint32_t* colors) {
-        return wait({texture, false}, count, colors);
-    }
+    /// Takes pixels whose places and light the caller sets in pixels(). They see this texture, or
+    /// none if it is null.
+    void add(const l3d_texture* texture, const pixel_range& range);
     painted_pixels& pixels() { return pixels_; }
 
-    /// Colours what still waits.
+    /// Gives pixels this colour.
+    void add_color(std::uint32_t color, const pixel_range& range) {
+        finish();
+        std::fill(pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                  pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.end), color);
+    }
+
+    /// Colours what still waits. Then words() are the colours of all pixels that were taken.
     void finish();
+    const std::uint32_t* words() const { return pixels_.words.data(); }
 
 private:
-    /// The things that all pixels that wait have in common.
-    struct look {
-        const l3d_texture* texture = nullptr;
-        bool is_of_quads = false; ///< places and light are not known yet
-        bool operator==(const look&) const = default;
-    };
-
-    static constexpr std::uint32_t no_name = ~std::uint32_t{0};
-    static constexpr std::size_t kept = 64; ///< quads, as many as pixels wait
-    static_assert(kept == painted_pixels::room);
-
     const painted_part& part_of(std::uint32_t name);
-    std::size_t slot_of(std::uint32_t name);
-    std::size_t wait(const look& like, std::size_t count, std::uint32_t* colors);
 
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr; ///< the last one
-    look look_;
-    std::array<std::uint32_t, kept> names_; ///< names of the quads that are kept
-    std::array<const l3d_texture*, kept> textures_;
-    std::uint64_t awaited_ = 0; ///< a bit for each quad that a waiting pixel sees
-    std::array<std::uint32_t*, painted_pixels::room> targets_;
-    // Lanes also take what is behind the last pixel: at first zeros, and later what was there.
-    std::array<placed_quad, kept> quads_{};
-    quad_pixels places_{};
+    const painted_part* part_ = nullptr;   ///< the last one
+    const l3d_texture* texture_ = nullptr; ///< that of the pixels that wait
+    pixel_range waiting_;
     painted_pixels pixels_{};
 };
 

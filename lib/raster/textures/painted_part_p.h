@@ -45,6 +45,14 @@ struct picture_map {
     }
 };
 
+/// That map in floats, about some parameters. Shape: u and v of the picture.
+///
+/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. That counts only where a
+///       patch has a picture more often than pixels could show.
+struct near_map {
+    std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
+};
+
 /// A part of a patch. Each of its quads and triangles has a name of its own: quads by their places
 /// in the grid, and triangles behind them.
 /// Lives: borrows part, parameters and texture.
@@ -52,7 +60,9 @@ struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
     std::uint32_t material = 0; ///< place among the frame's materials
     const l3d_surface_part* part = nullptr;
-    std::span<const double> u, v; ///< parameters of the grid's columns and rows
+    l3d_patch_parameters origin; ///< those of the grid's first vertex; of `near` and its parameters
+    near_map near;
+    std::size_t columns = 0, rows = 0; ///< where parameters of columns and rows begin
     std::array<std::span<const l3d_patch_parameters>, 3>
         triangles; ///< parameters of triangles, by corner
     const l3d_texture* texture = nullptr;
@@ -67,6 +77,16 @@ struct painted_part {
 /// Those of a frame, in the order of their names. More may come until the frame is coloured.
 struct painted_parts {
     std::vector<painted_part> all;
+    std::vector<float> parameters; ///< of all grids
+
+    void clear() {
+        all.clear();
+        parameters.clear();
+    }
+
+    /// Adds a part whose grid's columns and rows have these parameters.
+    /// Expects: all but origin, near, columns and rows are set.
+    void add(painted_part of, std::span<const double> u, std::span<const double> v);
 
     /// Whether a name is of one of them. Expects: names of triangles of models are not beyond it.
     bool has(std::uint32_t name) const { return !all.empty() && name >= all.front().first; }

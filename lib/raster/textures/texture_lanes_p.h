@@ -17,10 +17,17 @@ namespace l3d_detail {
 /// Where the pixels of an l3d_texture are. Lives: borrows the texture.
 struct texture_view {
     static constexpr std::size_t most_levels = 32; ///< halvings of any width or height, and one
-    const std::uint16_t* pixels = nullptr;         ///< four numbers each, as l3d_texture has them
+    /// Each word has the roots of the light of red, green and blue, from the highest bit on; the
+    /// largest numbers stand for the light of a level of 255. A border of one pixel is around each
+    /// picture, with what is seen beyond.
+    const std::uint32_t* texels = nullptr;
+    static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;
     l3d_texture_wrap wrap_u{}, wrap_v{};
     std::array<std::int32_t, most_levels> first{}; ///< place of a level's first pixel
+
+    /// The words from row to row of a level of this width.
+    static constexpr int pitch(int width) { return width + 2; }
 };
 
 /// The place where a picture that repeats shows the same, less than two pictures from 0: floats
@@ -32,20 +39,21 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     return place - period * std::floor(place / period);
 }
 
-/// Pixels that are coloured together, each number an array.
+/// Pixels of a row that are coloured together, each number an array.
 ///
-/// Shape: elements from `count` to the next multiple of 16 are read and written, too: make them 0
-///        at first.
+/// Shape: up to 15 elements behind those that a function is asked for are read and written, too:
+///        make them 0 at first.
 struct painted_pixels {
-    static constexpr std::size_t room = 64; ///< a multiple of the widest vector, 16
-    using numbers = std::array<float, room>;
+    static constexpr std::size_t most = 64;
+    static constexpr std::size_t room = most + 16; ///< with the widest vector behind the last one
+    template <class T> using row = std::array<T, room>;
+    using numbers = row<float>;
 
-    std::size_t count = 0;
     /// Parts of a texture, as l3d_texture_place has them.
     alignas(64) numbers u, v, u_right, v_right, u_down, v_down;
     /// Light of the surface: of its colour, and then also of the texture.
     alignas(64) std::array<numbers, 3> light;
-    alignas(64) std::array<std::uint32_t, room> words; ///< 0x00RRGGBB
+    alignas(64) row<std::uint32_t> words; ///< 0x00RRGGBB
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
@@ -63,22 +71,47 @@ struct painted_pixels {
     }
 };
 
-/// The tables of linear_light, for lanes.
-struct level_tables {
-    static constexpr std::size_t guesses = linear_light::guesses;
-    std::array<std::int32_t, guesses> first{}; ///< levels of light from 0 to 1, or up to 2 less
-    std::array<float, 257> begins{};           ///< where levels begin; the last one never does
-    level_tables();
+/// Some neighbours among painted_pixels.
+struct pixel_range {
+    std::size_t begin = 0, end = 0;
+};
+
+/// The levels of light, for lanes.
+///
+/// Floats whose upper 16 bits are the same are a step. From `least` on, a step is no longer than
+/// 1/128 of its light, and levels are 1/115 apart or more. So at most one level begins in a step.
+struct level_steps {
+    static constexpr float least = 0x1p-13F; ///< less than half a level
+    static constexpr int lower_bits = 16;
+    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last one is 1
+    /// The lowest byte is the level where the step begins. The others are the lower bits from which
+    /// on it is the next level.
+    std::array<std::int32_t, steps> level{};
+    level_steps();
 };
 
 /// Multiplies the light by that of the texture at the places, as l3d_texture::light says. The same
 /// bits on every processor.
 /// Expects: finite places and ways.
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
-                      painted_pixels& pixels);
+                      const pixel_range& range, painted_pixels& pixels);
 
 /// The words of the nearest levels of the light, as linear_light::level finds them.
-void encode_light(painted_pixels& pixels);
+void encode_light(const pixel_range& range, painted_pixels& pixels);
+
+/// The name of a pixel that shows none.
+inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
+
+/// Pixels of a row, the names that they show, and where they are.
+struct named_pixels {
+    alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
+    std::size_t count = 0;
+    double x = 0, y = 0; ///< place of the first one; the others follow by 1
+};
+
+/// Takes the names of `count` words, which are above the lowest byte; none where depths are 0.
+void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
+                named_pixels& to);
 
 /// Makes words whose lowest bytes are levels to these levels of colours, by the rule that
 /// l3d_material states, where depths are not 0.
