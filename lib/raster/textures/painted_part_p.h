@@ -77,7 +77,7 @@ struct painted_part {
 /// Those of a frame, in the order of their names. More may come until the frame is coloured.
 struct painted_parts {
     std::vector<painted_part> all;
-    std::vector<float> parameters; ///< of all grids
+    std::vector<float> parameters; ///< columns and rows of all grids
 
     void clear() {
         all.clear();

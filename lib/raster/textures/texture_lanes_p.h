@@ -3,7 +3,6 @@
 #ifndef L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 #define L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 
-#include "raster/color/linear_light_p.h"
 #include "raster/textures/texture.h"
 
 #include <algorithm>
