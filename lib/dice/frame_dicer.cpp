@@ -134,13 +134,12 @@ void l3d_frame_dicer<T>::name_polygons(std::size_t i, const l3d_detail::painted_
             continue;
         const auto first = static_cast<std::uint32_t>(next);
         next += quads + triangles.count;
-        l3d_detail::painted_part& painted = to.all.emplace_back(like);
+        l3d_detail::painted_part painted = like;
         painted.first = first;
         painted.part = &part;
-        painted.u = piece.u;
-        painted.v = piece.v;
         for (std::size_t k = 0; k < painted.triangles.size(); ++k)
             painted.triangles[k] = piece.triangle_uv[k];
+        to.add(painted, piece.u, piece.v);
         part.material = first;
         part.names_quads = true;
         triangles.materials.resize(triangles.count);

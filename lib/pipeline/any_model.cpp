@@ -3,6 +3,7 @@
 #include "pipeline/any_model.h"
 
 #include "pipeline/polygons/polygon_model.h"
+#include "scene/lost_lines_p.h"
 #include "scene/model_loader.h"
 #include "base/error.h"
 
@@ -13,6 +14,7 @@ l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::strin
     if (read.patches.empty() || read.mesh.faces() > 0) {
         const l3d_polygon_model plain(l3d_mesh_of(read, file, l3d_usual_facets));
         std::vector<std::string> lost;
+        l3d_detail::note_lines_lost_to_polygons(read, file, lost);
         auto textures = l3d_read_textures(plain.mesh(), lost);
         if (notes)
             notes->insert(notes->end(), lost.begin(), lost.end());

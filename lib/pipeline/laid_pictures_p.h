@@ -21,7 +21,7 @@ public:
     /// Starts a frame. Returns the paints for its shading; null if no picture lies on the scene.
     const l3d_face_paints* begin(const l3d_patch_scene& scene, l3d_texture_filter filter,
                                  std::size_t materials) {
-        parts_.all.clear();
+        parts_.clear();
         paints_ = {{}, &parts_, filter};
         next_ = materials;
         return scene.has_pictures() ? &paints_ : nullptr;

@@ -2,10 +2,10 @@
 // l3d_load_model: looks for materials where the model is.
 #include "scene/model_loader.h"
 
-#include "base/counted_p.h"
 #include "base/printable_p.h"
 #include "base/error.h"
 #include "geom/files/patch_file.h"
+#include "scene/lost_lines_p.h"
 #include "tool_2d/png_levels_p.h"
 #include "tool_2d/text_file.h"
 
@@ -150,10 +150,8 @@ l3d_model_file l3d_load_model(const std::string& path, const std::string& name) 
     auto model = l3d_read_model_with(read_beside, text, name, why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
-    if (!model->curves.empty() && model->patches.empty())
-        model->notes.push_back(l3d_detail::printable(name) + ": " +
-                               l3d_detail::counted(model->curves.size(), "lines and curves") +
-                               " are not drawn: they are only beside surfaces");
+    if (model->patches.empty())
+        l3d_detail::note_lost_lines(*model, name, "only beside surfaces", model->notes);
     const auto format = l3d_model_format_of(text);
     if (format == l3d_model_format::obj)
         read_materials(path, name, *model);

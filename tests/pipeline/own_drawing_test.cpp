@@ -227,4 +227,24 @@ TEST(any_model, says_what_a_file_holds) {
     std::filesystem::remove_all(folder);
 }
 
+TEST(any_model, tells_of_lines_that_are_lost_among_polygons) {
+    const auto folder = std::filesystem::temp_directory_path() / "l3d_lost_lines_test";
+    std::filesystem::create_directories(folder);
+    const std::string name = (folder / "a.obj").string();
+    const auto notes_of = [&](const std::string& more) {
+        std::ofstream(name) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nl 1 2\n" << more;
+        std::vector<std::string> notes;
+        static_cast<void>(l3d_load_any_model(name, &notes));
+        return notes;
+    };
+    const std::string face = "f 1 2 3\n", lost = name + ": lines and curves are not drawn: they ";
+    const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\n"
+                                "parm v 0 1\nend\n";
+    EXPECT_EQ(notes_of(face), std::vector{lost + "are only beside surfaces"});
+    EXPECT_EQ(notes_of(face + surface),
+              std::vector{lost + "are only beside surfaces that do not become polygons"});
+    EXPECT_TRUE(notes_of(surface).empty());
+    std::filesystem::remove_all(folder);
+}
+
 } // namespace

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 /// Lives: borrows the texture.
 class slow_texture {
@@ -54,11 +55,12 @@ private:
     int height(int level) const { return std::max(of_.height >> level, 1); }
 
     light pixel(int level, int x, int y) const {
-        const std::size_t first =
-            static_cast<std::size_t>(of_.first[static_cast<std::size_t>(level)]);
-        const auto* const channels =
-            of_.pixels + 4 * (first + static_cast<std::size_t>(y * width(level) + x));
-        return {channels[0] / 65535.0, channels[1] / 65535.0, channels[2] / 65535.0};
+        const int first = of_.first[static_cast<std::size_t>(level)];
+        const std::uint32_t word =
+            of_.texels[first + y * l3d_detail::texture_view::pitch(width(level)) + x];
+        const auto square = [](double root) { return root * root; };
+        return {square((word >> 21) / 2047.0), square((word >> 10 & 2047) / 2047.0),
+                square((word & 1023) / 1023.0)};
     }
 
     /// The two pixels around a place along one axis, and the share of the second.
@@ -102,7 +104,7 @@ private:
         const double square = (uu + vv) / 2 + std::hypot((uu - vv) / 2, uv);
         const double longer = std::sqrt(square);
         const double shorter = longer > 0 ? std::abs(ru * dv - rv * du) / longer : 0.0;
-        const double wanted = std::ceil(longer / std::max(shorter, 1.0) - 1e-3);
+        const double wanted = std::ceil(longer / std::max(shorter, 1.0) - 1.0 / 16);
         const int count =
             static_cast<int>(std::clamp(wanted, 1.0, double{l3d_texture::most_samples}));
         if (count == 1)

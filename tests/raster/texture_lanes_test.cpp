@@ -39,7 +39,6 @@ TEST(texture_lanes, look_up_what_places_one_by_one_do) {
         for (const auto& [name, filter] : l3d_texture_filter_names)
             for (const std::size_t count : {std::size_t{1}, std::size_t{17}, std::size_t{64}}) {
                 const auto pixels = std::make_unique<painted_pixels>();
-                pixels->count = count;
                 for (std::size_t i = 0; i < painted_pixels::room; ++i) {
                     const auto way = [&] { return sign(random) * std::exp2(exponent(random)); };
                     pixels->u[i] = place(random);
@@ -51,7 +50,7 @@ TEST(texture_lanes, look_up_what_places_one_by_one_do) {
                     for (auto& channel : pixels->light)
                         channel[i] = 0.5F;
                 }
-                light_by_texture(of.view(), filter, *pixels);
+                light_by_texture(of.view(), filter, {0, count}, *pixels);
                 int off = 0;
                 for (std::size_t i = 0; i < count; ++i) {
                     const auto light =
@@ -73,14 +72,13 @@ TEST(texture_lanes, find_the_nearest_levels) {
     std::uniform_real_distribution<float> light(-0.1F, 1.1F), dark(0, 0.01F);
     for (int round = 0; round < 100; ++round) {
         const auto pixels = std::make_unique<painted_pixels>();
-        pixels->count = painted_pixels::room;
         for (std::size_t i = 0; i < painted_pixels::room; ++i) {
             pixels->light[0][i] = light(random);
             pixels->light[1][i] = dark(random);
             pixels->light[2][i] = light(random);
         }
-        encode_light(*pixels);
-        for (std::size_t i = 0; i < painted_pixels::room; ++i)
+        encode_light({0, painted_pixels::most}, *pixels);
+        for (std::size_t i = 0; i < painted_pixels::most; ++i)
             ASSERT_EQ(pixels->words[i], tables.level(pixels->light[0][i]) << 16 |
                                             tables.level(pixels->light[1][i]) << 8 |
                                             tables.level(pixels->light[2][i]));

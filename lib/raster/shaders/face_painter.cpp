@@ -131,56 +131,61 @@ void face_painter::place(double x, double y, std::size_t pixel) {
         batch_.pixels().set(pixel, *texture_, place_at(shares));
 }
 
+void face_painter::paint(const named_pixels& pixels) {
+    for (std::size_t i = 0; i < pixels.count;) {
+        const std::uint32_t name = pixels.names[i];
+        if (name == no_name) {
+            ++i;
+        } else if (batch_.has(name)) {
+            i = batch_.add_part(pixels, i);
+        } else {
+            const std::size_t begin = i;
+            while (i < pixels.count && pixels.names[i] == name)
+                ++i;
+            paint_face(pixels, {begin, i});
+        }
+    }
+    batch_.finish();
+}
+
+/// Expects: pixels that all show one polygon or material.
+void face_painter::paint_face(const named_pixels& from, const pixel_range& range) {
+    if (from.names[range.begin] != name_)
+        begin(from.names[range.begin]);
+    if (!triangle_)
+        return batch_.add_color(flat_color_, range);
+    batch_.add(texture_, range);
+    for (std::size_t i = range.begin; i < range.end; ++i)
+        place(from.x + static_cast<double>(i), from.y, i);
+}
+
 namespace {
 
-/// Columns of pixels that are coloured together, so that rows come back to the same quads soon.
-constexpr std::int32_t columns_together = painted_pixels::room;
-using row_colors = std::array<std::uint32_t, columns_together>;
-
-/// Calls action(begin, end) for each run of pixels that are filled and whose words have the same
-/// name, which is above or below their other bits.
-template <class NameOf, class Action>
-void for_runs(const std::uint32_t* words, const float* depths, std::int32_t count,
-              const NameOf& name_of, const Action& action) {
-    for (std::int32_t i = 0; i < count;) {
-        const std::int32_t begin = i;
-        if (!(depths[i] > 0)) {
-            ++i;
-            continue;
-        }
-        const std::uint32_t name = name_of(words[begin]);
-        do
-            ++i;
-        while (i < count && depths[i] > 0 && name_of(words[i]) == name);
-        action(name, begin, i);
-    }
-}
+constexpr auto columns_together = static_cast<std::int32_t>(painted_pixels::most);
 
 } // namespace
 
 void paint_words(const material_pixels& pixels, std::int32_t left, std::int32_t top,
                  face_painter& painter) {
-    row_colors colors{};
+    named_pixels named{};
     for (std::int32_t begin = 0; begin < pixels.width; begin += columns_together) {
-        const std::int32_t count = std::min(pixels.width - begin, columns_together);
+        const auto count =
+            static_cast<std::size_t>(std::min(pixels.width - begin, columns_together));
         for (std::int32_t row = 0; row < pixels.height; ++row) {
             std::uint32_t* const words = pixels.words + row * pixels.word_pitch + begin;
             const float* const depths = pixels.depths + row * pixels.depth_pitch + begin;
-            const auto name_of = [](std::uint32_t word) { return word >> 8; };
-            for_runs(words, depths, count, name_of,
-                     [&](std::uint32_t name, std::int32_t from, std::int32_t to) {
-                         painter.note(name, left + begin + from + 0.5, top + row + 0.5,
-                                      static_cast<std::size_t>(to - from),
-                                      &colors[static_cast<std::size_t>(from)]);
-                     });
-            painter.finish();
-            color_levels(words, depths, colors.data(), static_cast<std::size_t>(count));
+            named.x = left + begin + 0.5;
+            named.y = top + row + 0.5;
+            take_names(words, depths, count, named);
+            painter.paint(named);
+            color_levels(words, depths, painter.words(), count);
         }
     }
 }
 
 void light_painted(const lit_words& lights, const lit_pixels& pixels, face_painter& painter) {
-    row_colors colors{};
+    named_pixels named{};
+    named.names.fill(no_name);
     for (std::int32_t begin = 0; begin < pixels.width; begin += columns_together)
         for (std::int32_t row = 0; row < pixels.height; ++row) {
             lit_pixels some = pixels;
@@ -191,17 +196,16 @@ void light_painted(const lit_words& lights, const lit_pixels& pixels, face_paint
             some.top += row;
             some.width = std::min(pixels.width - begin, columns_together);
             some.height = 1;
-            const auto name_of = [](std::uint32_t word) { return word & 0xffff; };
-            for_runs(some.words, some.depths, some.width, name_of,
-                     [&](std::uint32_t name, std::int32_t from, std::int32_t to) {
-                         painter.note(name, some.left + from + 0.5, some.top + 0.5,
-                                      static_cast<std::size_t>(to - from),
-                                      &colors[static_cast<std::size_t>(from)]);
-                         for (std::int32_t i = from; i < to; ++i)
-                             some.words[i] = (some.words[i] & 0xffff0000) | painter.material(name);
-                     });
-            painter.finish();
-            some.colors = colors.data();
+            named.count = static_cast<std::size_t>(some.width);
+            named.x = some.left + 0.5;
+            named.y = some.top + 0.5;
+            for (std::size_t i = 0; i < named.count; ++i)
+                named.names[i] = some.depths[i] > 0 ? some.words[i] & 0xffff : no_name;
+            painter.paint(named);
+            for (std::size_t i = 0; i < named.count; ++i)
+                if (named.names[i] != no_name)
+                    some.words[i] = (some.words[i] & 0xffff0000) | painter.material(named.names[i]);
+            some.colors = painter.words();
             lights.color(some);
         }
 }

@@ -25,34 +25,25 @@ namespace l3d_detail {
 class face_painter {
 public:
     face_painter(const l3d_face_paints& paints, std::span<const l3d_material> materials)
-        : paints_(&paints), materials_(materials), batch_(paints.parts, paints.filter, materials) {}
+        : paints_(&paints), materials_(materials), batch_(paints.parts, paints.filter, materials) {
+        one_.names.fill(no_name);
+        one_.count = 1;
+    }
 
     /// The colour of a name at a place of the picture, 0x00RRGGBB. A place outside of the triangle
     /// gets the colour on the nearest side.
     /// Units: pixels from the top left corner.
     std::uint32_t color(std::uint32_t name, double x, double y) {
-        std::uint32_t color = 0;
-        note(name, x, y, 1, &color);
-        batch_.finish();
-        return color;
+        one_.names[0] = name;
+        one_.x = x;
+        one_.y = y;
+        paint(one_);
+        return words()[0];
     }
 
-    /// Notes consecutive pixels of a row that see one polygon. Their colours are written by
-    /// finish().
-    /// Units: pixels; x is the first pixel's place.
-    /// Expects: count at most painted_pixels::room.
-    void note(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* to) {
-        if (batch_.has(name))
-            return batch_.add(name, x, y, count, to);
-        if (name != name_)
-            begin(name);
-        if (!triangle_)
-            return void(std::fill_n(to, count, flat_color_));
-        const std::size_t first = batch_.add(texture_, count, to);
-        for (std::size_t i = 0; i < count; ++i)
-            place(x + static_cast<double>(i), y, first + i);
-    }
-    void finish() { batch_.finish(); }
+    /// The same for pixels of a row: words() are the colours of those that show something.
+    void paint(const named_pixels& pixels);
+    const std::uint32_t* words() const { return batch_.words(); }
 
     /// The index of a name's material.
     std::uint32_t material(std::uint32_t name) {
@@ -67,8 +58,8 @@ private:
     /// A linear function of the place in the picture.
     /// Shape: factors of x and y, and the value at (0, 0).
     using plane = std::array<double, 3>;
-    static constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
+    void paint_face(const named_pixels& from, const pixel_range& range);
     void begin(std::uint32_t name);
     void begin_triangle(const l3d_painted_model& model, const l3d_painted_triangle& triangle);
     void place(double x, double y, std::size_t pixel);
@@ -77,6 +68,7 @@ private:
     const l3d_face_paints* paints_;
     std::span<const l3d_material> materials_;
     paint_batch batch_;
+    named_pixels one_{};
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
     const l3d_painted_triangle* triangle_ = nullptr; ///< null if the whole polygon has flat_color_
     const l3d_texture* texture_ = nullptr;

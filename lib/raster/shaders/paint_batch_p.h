@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_batch: pixels whose textures are looked up together.
+// paint_batch: pixels of a row whose textures are looked up together.
 #ifndef L3D_RASTER_SHADERS_PAINT_BATCH_P_H
 #define L3D_RASTER_SHADERS_PAINT_BATCH_P_H
 
@@ -7,7 +7,7 @@
 #include "raster/textures/painted_part_p.h"
 #include "raster/textures/quad_places_p.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,14 +22,7 @@ class paint_batch {
 public:
     paint_batch(const painted_parts* parts, l3d_texture_filter filter,
                 std::span<const l3d_material> materials)
-        : parts_(parts), filter_(filter), materials_(materials) {
-        names_.fill(no_name);
-    }
-    /// Makes a batch with the same parts, which has no quads yet.
-    /// Expects: no pixels wait in `other`.
-    paint_batch(const paint_batch& other)
-        : paint_batch(other.parts_, other.filter_, other.materials_) {}
-    paint_batch& operator=(const paint_batch&) = delete;
+        : parts_(parts), filter_(filter), materials_(materials) {}
 
     /// Whether a number of material ("name") belongs to a part of a patch.
     bool has(std::uint32_t name) const { return parts_ && parts_->has(name); }
@@ -37,53 +30,35 @@ public:
     /// The index of a name's material among those of the frame. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Adds consecutive pixels of a row that see one polygon of a part. Their colours are written
-    /// by finish().
-    /// Units: pixels; x is the first pixel's place.
-    /// Shape: `count` colours.
-    /// Expects: has(name); count at most painted_pixels::room.
-    void add(std::uint32_t name, double x, double y, std::size_t count, std::uint32_t* colors);
+    /// Takes the pixels from `begin` on that show one part or nothing. Returns the one behind them.
+    /// Expects: has() the name of the first.
+    std::size_t add_part(const named_pixels& from, std::size_t begin);
 
-    /// Adds pixels of a row that see this texture, or none if it is null. The caller sets their
-    /// places and their light in pixels(). Their colours are written by finish().
-    /// Shape: `count` colours. Returns the index of the first pixel.
-    /// Expects: count at most painted_pixels::room.
-    std::size_t add(const l3d_texture* texture, std::size_t count, std::uint32_t* colors) {
-        return wait({texture, false}, count, colors);
-    }
+    /// Takes pixels whose places and light the caller sets in pixels(). They see this texture, or
+    /// none if it is null.
+    void add(const l3d_texture* texture, const pixel_range& range);
     painted_pixels& pixels() { return pixels_; }
 
-    /// Colours the pixels that still wait.
+    /// Gives pixels this colour.
+    void add_color(std::uint32_t color, const pixel_range& range) {
+        finish();
+        std::fill(pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                  pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.end), color);
+    }
+
+    /// Colours what still waits. Then words() are the colours of all pixels that were taken.
     void finish();
+    const std::uint32_t* words() const { return pixels_.words.data(); }
 
 private:
-    /// The properties that all waiting pixels share.
-    struct look {
-        const l3d_texture* texture = nullptr;
-        bool is_of_quads = false; ///< whether places and light must still be found from quads
-        bool operator==(const look&) const = default;
-    };
-
-    static constexpr std::uint32_t no_name = ~std::uint32_t{0};
-    static constexpr std::size_t kept = 64; ///< limit of quads, as many as pixels that wait
-    static_assert(kept == painted_pixels::room);
-
     const painted_part& part_of(std::uint32_t name);
-    std::size_t slot_of(std::uint32_t name);
-    std::size_t wait(const look& like, std::size_t count, std::uint32_t* colors);
 
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr; ///< the part that was used last
-    look look_;
-    std::array<std::uint32_t, kept> names_; ///< the names of the kept quads
-    std::array<const l3d_texture*, kept> textures_;
-    std::uint64_t awaited_ = 0; ///< a bit for each quad that a waiting pixel sees
-    std::array<std::uint32_t*, painted_pixels::room> targets_;
-    // Lanes also take what is behind the last pixel: at first zeros, and later what was there.
-    std::array<placed_quad, kept> quads_{};
-    quad_pixels places_{};
+    const painted_part* part_ = nullptr;   ///< the last one
+    const l3d_texture* texture_ = nullptr; ///< that of the pixels that wait
+    pixel_range waiting_;
     painted_pixels pixels_{};
 };
 

@@ -45,14 +45,24 @@ struct picture_map {
     }
 };
 
-/// A part of a patch with a texture. Each of its quads and triangles has its own number of material
-/// ("name"): first quads, by their indices in the grid, and then triangles.
+/// That map in floats, about some parameters. Shape: u and v of the picture.
+///
+/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. That counts only where a
+///       patch has a picture more often than pixels could show.
+struct near_map {
+    std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
+};
+
+/// A part of a patch. Each of its quads and triangles has a name of its own: quads by their places
+/// in the grid, and triangles behind them.
 /// Lives: borrows part, parameters and texture.
 struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
     std::uint32_t material = 0; ///< index of its material among the frame's
     const l3d_surface_part* part = nullptr;
-    std::span<const double> u, v; ///< parameters of the grid's columns and rows
+    l3d_patch_parameters origin; ///< those of the grid's first vertex; of `near` and its parameters
+    near_map near;
+    std::size_t columns = 0, rows = 0; ///< where parameters of columns and rows begin
     std::array<std::span<const l3d_patch_parameters>, 3>
         triangles; ///< parameters of the triangles, for each corner
     const l3d_texture* texture = nullptr;
@@ -68,6 +78,16 @@ struct painted_part {
 /// coloured.
 struct painted_parts {
     std::vector<painted_part> all;
+    std::vector<float> parameters; ///< columns and rows of all grids
+
+    void clear() {
+        all.clear();
+        parameters.clear();
+    }
+
+    /// Adds a part whose grid's columns and rows have these parameters.
+    /// Expects: all but origin, near, columns and rows are set.
+    void add(painted_part of, std::span<const double> u, std::span<const double> v);
 
     /// Whether a name belongs to one of these parts.
     /// Expects: triangles of models have no larger names.

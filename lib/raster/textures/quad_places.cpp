@@ -7,10 +7,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_pairs-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -70,52 +71,209 @@ HWY_INLINE float_vec between(float_vec v, float least, float most) {
     return hn::Min(hn::Max(v, set(least)), set(most));
 }
 
-void find_quad_places(const placed_quad* quads, const quad_pixels& from, painted_pixels& pixels) {
-    const float* const numbers = quads->of.data();
-    for (std::size_t i = 0; i < pixels.count; i += hn::Lanes(floats)) {
-        const int_vec at = hn::Load(integers, &from.first[i]);
-        const auto number = [&](int which)
-                                HWY_ATTR { return hn::GatherIndex(floats, numbers + which, at); };
-        const auto function = [&](int first) HWY_ATTR {
-            return bilinear{number(first), number(first + 1), number(first + 2)};
+/// A quad as functions that are bilinear in s and t from 0 to 1. x and y are multiplied by w, which
+/// is 1 at (0, 0), where x and y are 0.
+struct lane_quad {
+    float_vec left, top; ///< from the corner at (0, 0) to the pixel
+    bilinear x, y, w;
+    float_vec places[2]; ///< in the picture, at (0, 0)
+    bilinear ways[2];    ///< from there
+
+    /// From corners at (0, 0), (1, 0), (0, 1) and (1, 1); of a triangle, the last one is not used.
+    /// Shape: x and y from the first corner.
+    HWY_INLINE void set_corners(const float_vec (&xs)[4], const float_vec (&ys)[4],
+                                const float_vec (&inv_w)[4], bool is_triangle) {
+        const auto product = [&](int k, float_vec of)
+                                 HWY_ATTR { return hn::Mul(of, hn::Div(inv_w[0], inv_w[k])); };
+        const auto with = [&](float_vec at_s, float_vec at_t, float_vec at_both) HWY_ATTR {
+            return bilinear{at_s, at_t,
+                            is_triangle ? hn::Zero(floats) : hn::Sub(hn::Sub(at_both, at_t), at_s)};
         };
-        using q = placed_quad;
-        const float_vec left = hn::Sub(hn::Load(floats, &from.x[i]), number(q::left));
-        const float_vec top = hn::Sub(hn::Load(floats, &from.y[i]), number(q::top));
-        const bilinear w = function(q::w_s);
-        const bilinear x = function(q::x_s).less(left, w), y = function(q::y_s).less(top, w);
-        float_vec s = set(0.5F), t = set(0.5F);
-        // The map is linear but for s t. So the first step leaves an error in proportion to that
-        // term, and each of the others about the square of the error before.
-        constexpr int steps = 3;
-        for (int step = 0; step < steps; ++step) {
-            const lane_map map(x, y, left, top, s, t);
-            constexpr float beside = 0.25F; // how far a step may go beyond the quad
-            const float_vec down = difference(map.y_t, map.dx, map.x_t, map.dy);
-            const float_vec across = difference(map.x_s, map.dy, map.y_s, map.dx);
-            s = between(hn::Sub(s, hn::Mul(down, map.over)), -beside, 1 + beside);
-            t = between(hn::Sub(t, hn::Mul(across, map.over)), -beside, 1 + beside);
-        }
-        s = between(s, 0, 1);
-        t = between(t, 0, 1);
-        // A step of the pixel changes w x by w.
-        const lane_map map(x, y, left, top, s, t);
-        const float_vec per_pixel = hn::Mul(map.over, hn::Add(set(1), w.at(s, t)));
-        const auto put = [&](int first, painted_pixels::numbers& place,
-                             painted_pixels::numbers& right,
-                             painted_pixels::numbers& below) HWY_ATTR {
-            const bilinear of = function(first + 1);
-            const float_vec of_s = hn::Mul(per_pixel, of.along_s(t));
-            const float_vec of_t = hn::Mul(per_pixel, of.along_t(s));
-            hn::Store(hn::Add(number(first), of.at(s, t)), floats, &place[i]);
-            hn::Store(difference(of_s, map.y_t, of_t, map.y_s), floats, &right[i]);
-            hn::Store(difference(of_t, map.x_s, of_s, map.x_t), floats, &below[i]);
-        };
-        put(q::u, pixels.u, pixels.u_right, pixels.u_down);
-        put(q::v, pixels.v, pixels.v_right, pixels.v_down);
-        for (int c = 0; c < 3; ++c)
-            hn::Store(number(q::red + c), floats, &pixels.light[static_cast<std::size_t>(c)][i]);
+        x = with(product(1, xs[1]), product(2, xs[2]), product(3, xs[3]));
+        y = with(product(1, ys[1]), product(2, ys[2]), product(3, ys[3]));
+        const auto more = [&](int k) HWY_ATTR { return hn::Sub(product(k, set(1)), set(1)); };
+        w = with(more(1), more(2), more(3));
     }
+};
+
+/// Where places and ways go.
+struct place_rows {
+    float *u, *v, *u_right, *v_right, *u_down, *v_down;
+};
+
+/// Finds the pixels' places and ways. Those outside of `shown` get no ways.
+HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> shown,
+                           const place_rows& to) {
+    const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
+    float_vec s = set(0.5F), t = set(0.5F);
+    // The map is linear but for s t. So the first step leaves an error in proportion to that
+    // term, and each of the others about that term times the square of its own length.
+    const auto step = [&](hn::Mask<decltype(floats)> moved) HWY_ATTR {
+        const lane_map map(x, y, quad.left, quad.top, s, t);
+        constexpr float beside = 0.25F; // how far a step may go beyond the quad
+        const float_vec down = hn::Mul(difference(map.y_t, map.dx, map.x_t, map.dy), map.over);
+        const float_vec across = hn::Mul(difference(map.x_s, map.dy, map.y_s, map.dx), map.over);
+        s = hn::IfThenElse(moved, between(hn::Sub(s, down), -beside, 1 + beside), s);
+        t = hn::IfThenElse(moved, between(hn::Sub(t, across), -beside, 1 + beside), t);
+        return hn::Max(hn::Abs(down), hn::Abs(across));
+    };
+    const auto all = hn::Eq(s, s);
+    step(all);
+    // After a step of 1/16, the error is 1/256 of that term, which is no more than some pixels.
+    const auto is_rough = hn::Gt(step(all), set(1.0F / 16));
+    if (!hn::AllFalse(floats, is_rough))
+        step(is_rough);
+    s = between(s, 0, 1);
+    t = between(t, 0, 1);
+    // A step of the pixel changes w x by w.
+    const lane_map map(x, y, quad.left, quad.top, s, t);
+    const float_vec per_pixel =
+        hn::IfThenElseZero(shown, hn::Mul(map.over, hn::Add(set(1), quad.w.at(s, t))));
+    const auto put = [&](std::size_t axis, float* place, float* right, float* below) HWY_ATTR {
+        const bilinear& of = quad.ways[axis];
+        const float_vec of_s = hn::Mul(per_pixel, of.along_s(t));
+        const float_vec of_t = hn::Mul(per_pixel, of.along_t(s));
+        hn::StoreU(hn::Add(quad.places[axis], of.at(s, t)), floats, place);
+        hn::StoreU(difference(of_s, map.y_t, of_t, map.y_s), floats, right);
+        hn::StoreU(difference(of_t, map.x_s, of_s, map.x_t), floats, below);
+    };
+    put(0, to.u, to.u_right, to.u_down);
+    put(1, to.v, to.v_right, to.v_down);
+}
+
+/// A grid's vertices, and the map to the picture.
+class lane_grid {
+public:
+    HWY_INLINE lane_grid(const painted_part& part, const float* parameters)
+        : part_(part), columns_(parameters + part.columns), rows_(parameters + part.rows),
+          pitch_(part.part->grid.pitch) {}
+
+    /// Expects: indices of quads' first corners.
+    HWY_INLINE lane_quad quad(int_vec index, float_vec x, float_vec y) const {
+        const l3d_micro_grid& grid = part_.part->grid;
+        const int_vec begins[2] = {index, hn::Add(index, hn::Set(integers, pitch_))};
+        lane_quad result;
+        float_vec xs[4], ys[4], inv_w[4];
+        for (std::size_t k = 0; k < 4; k += 2) {
+            const lane_pairs of_x(integers, grid.x.data(), begins[k / 2]);
+            const lane_pairs of_y(integers, grid.y.data(), begins[k / 2]);
+            const lane_pairs of_inv_w(floats, grid.inv_w.data(), begins[k / 2]);
+            xs[k] = pixels_of(of_x.first);
+            xs[k + 1] = pixels_of(of_x.second);
+            ys[k] = pixels_of(of_y.first);
+            ys[k + 1] = pixels_of(of_y.second);
+            inv_w[k] = of_inv_w.first;
+            inv_w[k + 1] = of_inv_w.second;
+        }
+        result.left = hn::Sub(x, xs[0]);
+        result.top = hn::Sub(y, ys[0]);
+        for (std::size_t k = 4; k-- > 0;) {
+            xs[k] = hn::Sub(xs[k], xs[0]);
+            ys[k] = hn::Sub(ys[k], ys[0]);
+        }
+        result.set_corners(xs, ys, inv_w, false);
+        put_ways(index, result);
+        return result;
+    }
+
+private:
+    /// Places are less than 2^15 pixels, so floats hold them.
+    static HWY_INLINE float_vec pixels_of(int_vec place) {
+        return hn::Mul(hn::ConvertTo(floats, place), set(1.0F / l3d_subpixel_one));
+    }
+
+    /// Rows begin every 16 vertices or a multiple. So (n + 1/2) / m with n below 2^20 is a row and
+    /// more than half of 1/m: floats do not round it to another row.
+    HWY_INLINE void put_ways(int_vec index, lane_quad& to) const {
+        const float_vec sixteenth =
+            hn::Add(hn::ConvertTo(floats, hn::ShiftRight<4>(index)), set(0.5F));
+        const int_vec row =
+            hn::ConvertTo(integers, hn::Mul(sixteenth, set(16.0F / static_cast<float>(pitch_))));
+        const int_vec column = hn::Sub(index, hn::Mul(row, hn::Set(integers, pitch_)));
+        const lane_pairs us(floats, columns_, column), vs(floats, rows_, row);
+        const float_vec u = us.first, du = hn::Sub(us.second, u);
+        const float_vec v = vs.first, dv = hn::Sub(vs.second, v);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const near_map& near = part_.near;
+            const float_vec both = set(near.along_both[axis]);
+            const float_vec along_u = hn::Add(set(near.along_u[axis]), hn::Mul(v, both));
+            const float_vec along_v = set(near.along_v[axis]);
+            to.places[axis] =
+                hn::Add(set(near.at[axis]), hn::Add(hn::Mul(u, along_u), hn::Mul(v, along_v)));
+            to.ways[axis] = {hn::Mul(du, along_u), hn::Mul(dv, hn::Add(along_v, hn::Mul(u, both))),
+                             hn::Mul(hn::Mul(du, dv), both)};
+        }
+    }
+
+    const painted_part& part_;
+    const float *columns_, *rows_;
+    std::int32_t pitch_;
+};
+
+part_run find_quad_places(const painted_part& part, const float* parameters,
+                          const named_pixels& from, std::size_t begin, painted_pixels& pixels) {
+    const auto quads = static_cast<std::int32_t>(painted_part::quads(*part.part));
+    const auto all = quads + static_cast<std::int32_t>(part.part->triangles.count);
+    const lane_grid grid(part, parameters);
+    const auto left = static_cast<float>(from.x), y = static_cast<float>(from.y);
+    part_run result;
+    for (result.end = begin; result.end < from.count;) {
+        const std::size_t i = result.end;
+        const int_vec name =
+            hn::LoadU(integers, reinterpret_cast<const std::int32_t*>(&from.names[i]));
+        const int_vec index =
+            hn::Sub(name, hn::Set(integers, static_cast<std::int32_t>(part.first)));
+        const int_vec zero = hn::Zero(integers);
+        const auto is_of_part =
+            hn::AndNot(hn::Lt(index, zero), hn::Lt(index, hn::Set(integers, all)));
+        const auto is_quad = hn::And(is_of_part, hn::Lt(index, hn::Set(integers, quads)));
+        const auto is_other = hn::Not(hn::Or(is_of_part, hn::Lt(name, zero)));
+        const float_vec x = hn::Add(hn::Iota(floats, static_cast<float>(i)), set(left));
+        put_places(grid.quad(hn::IfThenElseZero(is_quad, index), x, set(y)),
+                   hn::RebindMask(floats, is_quad),
+                   {&pixels.u[i], &pixels.v[i], &pixels.u_right[i], &pixels.v_right[i],
+                    &pixels.u_down[i], &pixels.v_down[i]});
+        result.has_triangles =
+            result.has_triangles || !hn::AllFalse(integers, hn::AndNot(is_quad, is_of_part));
+        if (!hn::AllFalse(integers, is_other)) {
+            result.end += static_cast<std::size_t>(hn::FindFirstTrue(integers, is_other));
+            return result;
+        }
+        result.end += hn::Lanes(integers);
+    }
+    result.end = std::min(result.end, from.count);
+    return result;
+}
+
+void put_triangle_place(const seen_triangle& of, std::size_t pixel, painted_pixels& pixels) {
+    lane_quad quad;
+    quad.left = set(of.left);
+    quad.top = set(of.top);
+    const auto corners = [](const std::array<float, 3>& numbers, float_vec(&to)[4]) HWY_ATTR {
+        for (std::size_t k = 0; k < 4; ++k)
+            to[k] = set(numbers[k % 3]);
+    };
+    float_vec xs[4], ys[4], inv_w[4];
+    corners(of.x, xs);
+    corners(of.y, ys);
+    corners(of.inv_w, inv_w);
+    quad.set_corners(xs, ys, inv_w, true);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const float at = of.places[0][axis];
+        quad.places[axis] = set(at);
+        quad.ways[axis] = {set(of.places[1][axis] - at), set(of.places[2][axis] - at), set(0)};
+    }
+    constexpr std::size_t lanes = 16; // the most that there are
+    std::array<std::array<float, lanes>, 6> rows{};
+    auto& [u, v, u_right, v_right, u_down, v_down] = rows;
+    put_places(quad, hn::Eq(set(0), set(0)),
+               {u.data(), v.data(), u_right.data(), v_right.data(), u_down.data(), v_down.data()});
+    pixels.u[pixel] = u[0];
+    pixels.v[pixel] = v[0];
+    pixels.u_right[pixel] = u_right[0];
+    pixels.v_right[pixel] = v_right[0];
+    pixels.u_down[pixel] = u_down[0];
+    pixels.v_down[pixel] = v_down[0];
 }
 
 } // namespace
@@ -126,78 +284,72 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
+L3D_SIMD_TABLE(find_quad_places);
+L3D_SIMD_TABLE(put_triangle_place);
+
 namespace {
 
-/// A corner of a polygon.
-struct placed_corner {
-    double x, y, w;
-    picture_map::place at;
-};
-
-/// Makes the picture's places small without a change of what is seen there: floats hold fractions
-/// of pixels of the picture then.
-void reduce(std::array<placed_corner, 4>& corners, std::size_t axis, l3d_texture_wrap wrap) {
-    const double whole = corners[0].at[axis] - place_near_zero(corners[0].at[axis], wrap);
-    for (placed_corner& corner : corners)
-        corner.at[axis] -= whole;
+/// The map about some parameters. Places are made small without a change of what is seen there:
+/// floats hold fractions of pixels of the picture then.
+near_map map_about(const picture_map& map, const l3d_patch_parameters& origin,
+                   const l3d_texture& texture) {
+    const picture_map::place at = map.at(origin);
+    near_map result;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const l3d_texture_wrap wrap = i == 0 ? texture.wrap_u() : texture.wrap_v();
+        result.at[i] = static_cast<float>(place_near_zero(at[i], wrap));
+        result.along_u[i] = static_cast<float>(map.along_u[i] + origin.v * map.along_both[i]);
+        result.along_v[i] = static_cast<float>(map.along_v[i] + origin.u * map.along_both[i]);
+        result.along_both[i] = static_cast<float>(map.along_both[i]);
+    }
+    return result;
 }
 
 } // namespace
 
-L3D_SIMD_TABLE(find_quad_places);
-
-/// A triangle is half of a quad whose functions are linear.
-void placed_quad::set(const painted_part& part, std::uint32_t name) {
-    std::array<placed_corner, 4> corners{};
-    const std::size_t index = name - part.first, quads = painted_part::quads(*part.part);
-    const auto corner_of = [&](const l3d_micro_vertex& vertex, const l3d_patch_parameters& at) {
-        return placed_corner{static_cast<double>(vertex.x) / l3d_subpixel_one,
-                             static_cast<double>(vertex.y) / l3d_subpixel_one,
-                             1 / double{vertex.inv_w}, part.map.at(at)};
+void painted_parts::add(painted_part of, std::span<const double> u, std::span<const double> v) {
+    if (!u.empty() && !v.empty())
+        of.origin = {u.front(), v.front()};
+    of.near = map_about(of.map, of.origin, *of.texture);
+    const auto put = [&](std::span<const double> from, double origin) {
+        const std::size_t begin = parameters.size();
+        for (const double parameter : from)
+            parameters.push_back(static_cast<float>(parameter - origin));
+        return begin;
     };
-    if (index < quads) {
-        const l3d_micro_grid& grid = part.part->grid;
-        const auto pitch = static_cast<std::size_t>(grid.pitch);
-        const std::size_t row = index / pitch, column = index % pitch;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const std::size_t r = row + k / 2, c = column + k % 2;
-            corners[k] = corner_of(grid.vertex(r * pitch + c), {part.u[c], part.v[r]});
-        }
-    } else {
-        const std::size_t triangle = index - quads;
-        for (std::size_t k = 0; k < 3; ++k)
-            corners[k] =
-                corner_of(part.part->triangles.vertex(triangle, k), part.triangles[k][triangle]);
-    }
-    reduce(corners, 0, part.texture->wrap_u());
-    reduce(corners, 1, part.texture->wrap_v());
-    const double unit = 1 / corners[0].w, x = corners[0].x, y = corners[0].y;
-    of[left] = static_cast<float>(x);
-    of[top] = static_cast<float>(y);
-    const auto put = [&](number first, const std::array<double, 4>& at) {
-        of[first] = static_cast<float>(at[1] - at[0]);
-        of[first + 1] = static_cast<float>(at[2] - at[0]);
-        of[first + 2] = index < quads ? static_cast<float>(at[3] - at[2] - (at[1] - at[0])) : 0;
-    };
-    std::array<double, 4> xs{}, ys{}, ws{}, us{}, vs{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        ws[k] = corners[k].w * unit;
-        xs[k] = (corners[k].x - x) * ws[k];
-        ys[k] = (corners[k].y - y) * ws[k];
-        us[k] = corners[k].at[0];
-        vs[k] = corners[k].at[1];
-    }
-    put(x_s, xs);
-    put(y_s, ys);
-    put(w_s, ws);
-    of[u] = static_cast<float>(us[0]);
-    of[v] = static_cast<float>(vs[0]);
-    put(u_s, us);
-    put(v_s, vs);
+    of.columns = put(u, of.origin.u);
+    of.rows = put(v, of.origin.v);
+    all.push_back(of);
 }
 
-void find_quad_places(const placed_quad* quads, const quad_pixels& from, painted_pixels& pixels) {
-    L3D_SIMD_CALL(find_quad_places)(quads, from, pixels);
+part_run find_quad_places(const painted_part& part, const float* parameters,
+                          const named_pixels& from, std::size_t begin, painted_pixels& pixels) {
+    return L3D_SIMD_CALL(find_quad_places)(part, parameters, from, begin, pixels);
+}
+
+void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
+                         std::size_t pixel, painted_pixels& pixels) {
+    seen_triangle of{};
+    const l3d_micro_vertex first = part.part->triangles.vertex(triangle, 0);
+    const auto pixels_from = [](std::int32_t from, std::int32_t to) {
+        return static_cast<float>(to - from) / l3d_subpixel_one;
+    };
+    of.left = static_cast<float>(x) - static_cast<float>(first.x) / l3d_subpixel_one;
+    of.top = static_cast<float>(y) - static_cast<float>(first.y) / l3d_subpixel_one;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const l3d_micro_vertex corner = part.part->triangles.vertex(triangle, k);
+        of.x[k] = pixels_from(first.x, corner.x);
+        of.y[k] = pixels_from(first.y, corner.y);
+        of.inv_w[k] = corner.inv_w;
+        const l3d_patch_parameters& at = part.triangles[k][triangle];
+        const auto u = static_cast<float>(at.u - part.origin.u);
+        const auto v = static_cast<float>(at.v - part.origin.v);
+        const near_map& near = part.near;
+        for (std::size_t i = 0; i < 2; ++i)
+            of.places[k][i] =
+                near.at[i] + u * (near.along_u[i] + v * near.along_both[i]) + v * near.along_v[i];
+    }
+    L3D_SIMD_CALL(put_triangle_place)(of, pixel, pixels);
 }
 
 } // namespace l3d_detail

@@ -12,54 +12,30 @@
 
 namespace l3d_detail {
 
-/// A quad, or a triangle as half of a quad, as bilinear functions of s and t from 0 to 1.
-///
-/// Shape: each function has a number at (0, 0), and numbers along s, along t, and along s t. The
-///        functions x and y are multiplied by w, which is 1 at (0, 0), and are 0 there.
-struct placed_quad {
-    enum number {
-        left,
-        top,
-        x_s,
-        x_t,
-        x_st,
-        y_s,
-        y_t,
-        y_st,
-        w_s,
-        w_t,
-        w_st,
-        u,
-        u_s,
-        u_t,
-        u_st,
-        v,
-        v_s,
-        v_t,
-        v_st,
-        red,
-        green,
-        blue
-    };
-    static constexpr std::size_t stride = 24; ///< numbers of a quad: 22, rounded up to 1.5 cache
-                                              ///< lines
-    std::array<float, stride> of;
-
-    /// Sets all numbers except the light. Expects: a name of that part.
-    void set(const painted_part& part, std::uint32_t name);
+/// The pixels from `begin` on that show one part or nothing.
+struct part_run {
+    std::size_t end = 0;
+    bool has_triangles = false; ///< some show a triangle, and have no place yet
 };
 
-/// The quad that each pixel sees, and the pixel's place.
-struct quad_pixels {
-    /// index of the quad, times the stride
-    alignas(64) std::array<std::int32_t, painted_pixels::room> first;
-    alignas(64) painted_pixels::numbers x, y; ///< in pixels from the picture's top left corner
-};
+/// Finds places and ways of the pixels of a run. Pixels beside a quad see its nearest side; of a
+/// pixel that shows nothing the ways are 0. The same bits on every processor.
+/// Expects: the pixel at `begin` shows the part; `parameters` of all parts.
+part_run find_quad_places(const painted_part& part, const float* parameters,
+                          const named_pixels& from, std::size_t begin, painted_pixels& pixels);
 
-/// Finds the texture's place, its steps to neighbours, and the light of each pixel. Pixels beside a
-/// quad get the values of its nearest side. The bits are the same on every processor.
-/// Expects: the elements behind the last pixel have indices of quads, too.
-void find_quad_places(const placed_quad* quads, const quad_pixels& from, painted_pixels& pixels);
+/// The same for a pixel that shows a triangle, as half of a quad. Units: pixels from the picture's
+/// top left corner. Shape: `triangle` counts those of the part.
+void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
+                         std::size_t pixel, painted_pixels& pixels);
+
+/// That triangle. Shape: x and y from the first corner, of which the pixel is `left` and `top`;
+/// places of corners in the picture.
+struct seen_triangle {
+    float left, top;
+    std::array<float, 3> x, y, inv_w;
+    std::array<std::array<float, 2>, 3> places;
+};
 
 } // namespace l3d_detail
 

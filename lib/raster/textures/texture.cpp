@@ -11,8 +11,7 @@
 
 namespace {
 
-constexpr std::size_t channels = 4; ///< channels of a pixel in memory
-constexpr float white = 65535;
+constexpr std::size_t channels = 3;
 
 /// A picture of floats while the smaller ones are made of it.
 struct float_picture {
@@ -39,6 +38,22 @@ template <class Add> void visit_covered(int at, int smaller, int size, const Add
         const std::int64_t right = std::min(end, (std::int64_t{from} + 1) * smaller);
         add(from, static_cast<float>(right - left) / static_cast<float>(size));
     }
+}
+
+/// The light of a pixel as texture_view has it.
+std::uint32_t packed(const float* light) {
+    std::uint32_t word = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        const auto most = static_cast<float>((1 << l3d_detail::texture_view::bits[c]) - 1);
+        word = word << l3d_detail::texture_view::bits[c] |
+               static_cast<std::uint32_t>(most * std::sqrt(light[c]) + 0.5F);
+    }
+    return word;
+}
+
+/// The pixel of a picture that is seen up to one pixel beyond its borders.
+int held(int at, int size, l3d_texture_wrap wrap) {
+    return wrap == l3d_texture_wrap::repeat ? (at + size) % size : std::clamp(at, 0, size - 1);
 }
 
 /// The picture in half the width and height.
@@ -72,12 +87,15 @@ l3d_texture::l3d_texture(const l3d_pixels& picture, l3d_texture_wrap wrap_u,
         for (int x = 0; x < picture.width; ++x) {
             const std::uint32_t word = picture.row(y)[static_cast<std::size_t>(x)];
             for (std::size_t c = 0; c < 3; ++c)
-                next.at(x, y)[c] = white * tables.light(word >> (16 - 8 * c) & 255);
+                next.at(x, y)[c] = tables.light(word >> (16 - 8 * c) & 255);
         }
     for (;;) {
-        first_.push_back(static_cast<std::int32_t>(light_.size() / channels));
-        for (const float light : next.light)
-            light_.push_back(static_cast<std::uint16_t>(light + 0.5F));
+        const int pitch = l3d_detail::texture_view::pitch(next.width);
+        first_.push_back(static_cast<std::int32_t>(texels_.size()) + pitch + 1);
+        for (int y = -1; y <= next.height; ++y)
+            for (int x = -1; x <= next.width; ++x)
+                texels_.push_back(
+                    packed(next.at(held(x, next.width, wrap_u), held(y, next.height, wrap_v))));
         if (next.width == 1 && next.height == 1)
             return;
         next = halved(next);
@@ -86,7 +104,7 @@ l3d_texture::l3d_texture(const l3d_pixels& picture, l3d_texture_wrap wrap_u,
 
 l3d_detail::texture_view l3d_texture::view() const {
     l3d_detail::texture_view result;
-    result.pixels = light_.data();
+    result.texels = texels_.data();
     result.width = size_.width;
     result.height = size_.height;
     result.levels = static_cast<int>(first_.size());
@@ -99,10 +117,9 @@ l3d_detail::texture_view l3d_texture::view() const {
 l3d_light_color l3d_texture::light(l3d_texture_filter filter,
                                    const l3d_texture_place& place) const {
     l3d_detail::painted_pixels pixels{};
-    pixels.count = 1;
     pixels.set(0, *this, place);
     for (auto& channel : pixels.light)
         channel[0] = 1;
-    l3d_detail::light_by_texture(view(), filter, pixels);
+    l3d_detail::light_by_texture(view(), filter, {0, 1}, pixels);
     return {pixels.light[0][0], pixels.light[1][0], pixels.light[2][0]};
 }

@@ -59,6 +59,8 @@ struct texture_view;
 /// Each copy has half the width and height of the next larger one, rounded down. Each of its pixels
 /// is the exact mean of the area that it covers there. Light is linear: levels are decoded by the
 /// sRGB curve.
+/// A channel is kept as the root of its light, in 11 bits, or 10 for blue. That is within 1/10 of a
+/// level, or 1/5 for blue, and a level comes back as it was.
 /// Lives:   a texture never changes; share it by std::shared_ptr.
 /// Cost:    8 bytes for each pixel, and a third more for the smaller copies.
 class L3D_PUBLIC l3d_texture {
@@ -92,11 +94,8 @@ public:
 
 private:
     l3d_size size_;
-    std::vector<std::int32_t> first_; ///< the index of the first pixel of each picture, the largest
-                                      ///< first
-    /// The pixels of all pictures. Each has red, green, blue and an unused number, two words in
-    /// all. 65535 is the light of level 255.
-    std::vector<std::uint16_t> light_;
+    std::vector<std::int32_t> first_;   ///< the first pixel of each picture, the whole one first
+    std::vector<std::uint32_t> texels_; ///< as l3d_detail::texture_view has them
     l3d_texture_wrap wrap_u_, wrap_v_;
 };
 

@@ -9,10 +9,12 @@
 
 #include "geom/material.h"
 #include "raster/color/linear_light_p.h"
+#include "raster/parallel/lane_pairs-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
@@ -52,9 +54,10 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The two pixels around places along one axis, and the share of the second.
+/// The first of the two pixels around places along one axis, and the share of the second. Both may
+/// lie in the border.
 struct neighbours {
-    int_vec first, second;
+    int_vec first;
     float_vec share;
 
     HWY_INLINE neighbours(float_vec place, int_vec size, l3d_texture_wrap wrap) {
@@ -62,16 +65,15 @@ struct neighbours {
             hn::Sub(hn::Mul(held(place, wrap), hn::ConvertTo(floats, size)), set(0.5F));
         const float_vec below = hn::Floor(at);
         share = hn::Sub(at, below);
-        const int_vec zero = hn::Zero(integers), last = hn::Sub(size, set_int(1));
-        const bool repeats = wrap == l3d_texture_wrap::repeat;
         first = hn::ConvertTo(integers, below);
-        second = hn::Add(first, set_int(1));
-        first = hn::IfThenElse(hn::Lt(first, zero), repeats ? last : zero, first);
-        second = hn::IfThenElse(hn::Gt(second, last), repeats ? zero : last, second);
     }
 };
 
-/// Sums of light. 65535 is that of a level of 255.
+HWY_INLINE const std::int32_t* words_of(const texture_view& texture) {
+    return reinterpret_cast<const std::int32_t*>(texture.texels);
+}
+
+/// Sums of light, in units that differ from channel to channel.
 struct light_sums {
     float_vec of[3];
 
@@ -80,17 +82,22 @@ struct light_sums {
             channel = hn::Zero(floats);
     }
 
-    /// Adds pixels by their places among all of the texture.
-    HWY_INLINE void add(const texture_view& texture, int_vec place, float_vec weight) {
-        const auto* const words = reinterpret_cast<const std::int32_t*>(texture.pixels);
-        const int_vec at = hn::Add(place, place), lower = set_int(0xffff);
-        const int_vec red_green = hn::GatherIndex(integers, words, at);
-        const int_vec blue = hn::GatherIndex(integers, words + 1, at);
-        const int_vec channels[3] = {hn::And(red_green, lower),
-                                     hn::And(hn::ShiftRight<16>(red_green), lower),
-                                     hn::And(blue, lower)};
-        for (std::size_t c = 0; c < 3; ++c)
-            of[c] = hn::Add(of[c], hn::Mul(hn::ConvertTo(floats, channels[c]), weight));
+    HWY_INLINE void add(int_vec words, float_vec weight) {
+        static_assert(texture_view::bits == std::array{11, 11, 10});
+        const hn::RebindToUnsigned<decltype(integers)> bits;
+        const int_vec roots[3] = {
+            hn::BitCast(integers, hn::ShiftRight<21>(hn::BitCast(bits, words))),
+            hn::And(hn::ShiftRight<10>(words), set_int(0x7ff)), hn::And(words, set_int(0x3ff))};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float_vec root = hn::ConvertTo(floats, roots[c]);
+            of[c] = hn::Add(of[c], hn::Mul(hn::Mul(root, root), weight));
+        }
+    }
+
+    /// The sum of a channel, 1 for the light of a level of 255.
+    HWY_INLINE float_vec light(std::size_t channel) const {
+        const auto most = static_cast<float>((1 << texture_view::bits[channel]) - 1);
+        return hn::Mul(of[channel], set(1 / (most * most)));
     }
 };
 
@@ -98,44 +105,67 @@ struct light_sums {
 struct lane_levels {
     int_vec width, height, first;
 
+    /// Those of the whole picture.
+    HWY_INLINE explicit lane_levels(const texture_view& texture)
+        : width(set_int(texture.width)), height(set_int(texture.height)),
+          first(set_int(texture.first[0])) {}
+
     HWY_INLINE lane_levels(const texture_view& texture, int_vec level) {
         width = hn::Max(hn::Shr(set_int(texture.width), level), set_int(1));
         height = hn::Max(hn::Shr(set_int(texture.height), level), set_int(1));
         first = hn::GatherIndex(integers, texture.first.data(), level);
     }
+
+    HWY_INLINE int_vec pitch() const { return hn::Add(width, set_int(texture_view::pitch(0))); }
 };
 
-HWY_INLINE void add_bilinear(const texture_view& texture, int_vec level, float_vec u, float_vec v,
-                             float_vec weight, light_sums& to) {
-    const lane_levels of(texture, level);
+HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of, float_vec u,
+                             float_vec v, float_vec weight, light_sums& to) {
     const neighbours across(u, of.width, texture.wrap_u), down(v, of.height, texture.wrap_v);
-    const int_vec upper = hn::Add(of.first, hn::Mul(down.first, of.width));
-    const int_vec lower = hn::Add(of.first, hn::Mul(down.second, of.width));
+    const int_vec pitch = of.pitch();
+    const int_vec place = hn::Add(of.first, hn::Add(hn::Mul(down.first, pitch), across.first));
+    const lane_pairs upper(integers, words_of(texture), place);
+    const lane_pairs lower(integers, words_of(texture), hn::Add(place, pitch));
     const float_vec below = hn::Mul(weight, down.share), above = hn::Sub(weight, below);
     const float_vec upper_right = hn::Mul(above, across.share);
     const float_vec lower_right = hn::Mul(below, across.share);
-    to.add(texture, hn::Add(upper, across.first), hn::Sub(above, upper_right));
-    to.add(texture, hn::Add(upper, across.second), upper_right);
-    to.add(texture, hn::Add(lower, across.first), hn::Sub(below, lower_right));
-    to.add(texture, hn::Add(lower, across.second), lower_right);
+    to.add(upper.first, hn::Sub(above, upper_right));
+    to.add(upper.second, upper_right);
+    to.add(lower.first, hn::Sub(below, lower_right));
+    to.add(lower.second, lower_right);
 }
 
-/// The exponent of a width is the number of the larger picture, and its mantissa the share of the
-/// smaller one.
-HWY_INLINE void add_trilinear(const texture_view& texture, float_vec width, float_vec u,
-                              float_vec v, float_vec weight, light_sums& to) {
-    const float_vec held_width = hn::Min(hn::Max(width, set(1)), set(widest));
-    const int_vec bits = hn::BitCast(integers, held_width), one = hn::BitCast(integers, set(1));
-    const int_vec number = hn::ShiftRight<23>(hn::Sub(bits, one));
-    const int_vec mantissa = hn::Or(hn::And(bits, set_int(0x7fffff)), one);
-    const int_vec last = set_int(texture.levels - 1);
-    const float_vec smaller = hn::IfThenElseZero(hn::RebindMask(floats, hn::Lt(number, last)),
-                                                 hn::Sub(hn::BitCast(floats, mantissa), set(1)));
-    const float_vec of_smaller = hn::Mul(weight, smaller);
-    add_bilinear(texture, hn::Min(number, last), u, v, hn::Sub(weight, of_smaller), to);
-    if (!hn::AllFalse(floats, hn::Gt(of_smaller, hn::Zero(floats))))
-        add_bilinear(texture, hn::Min(hn::Add(number, set_int(1)), last), u, v, of_smaller, to);
-}
+/// The two levels whose pixels are next to as wide as the parts of pixels.
+class level_pair {
+public:
+    /// The exponent of a width is the number of the larger picture, and its mantissa the share of
+    /// the smaller one.
+    HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
+        const float_vec held_width = hn::Min(hn::Max(width, set(1)), set(widest));
+        const int_vec bits = hn::BitCast(integers, held_width), one = hn::BitCast(integers, set(1));
+        const int_vec number = hn::ShiftRight<23>(hn::Sub(bits, one));
+        const int_vec mantissa = hn::Or(hn::And(bits, set_int(0x7fffff)), one);
+        const int_vec last = set_int(texture.levels - 1);
+        larger_ = lane_levels(texture, hn::Min(number, last));
+        smaller_ = lane_levels(texture, hn::Min(hn::Add(number, set_int(1)), last));
+        share_ = hn::IfThenElseZero(hn::RebindMask(floats, hn::Lt(number, last)),
+                                    hn::Sub(hn::BitCast(floats, mantissa), set(1)));
+        is_mixed_ = !hn::AllFalse(floats, hn::Gt(share_, hn::Zero(floats)));
+    }
+
+    HWY_INLINE void add(float_vec u, float_vec v, float_vec weight, light_sums& to) const {
+        const float_vec of_smaller = hn::Mul(weight, share_);
+        add_bilinear(texture_, larger_, u, v, hn::Sub(weight, of_smaller), to);
+        if (is_mixed_)
+            add_bilinear(texture_, smaller_, u, v, of_smaller, to);
+    }
+
+private:
+    const texture_view& texture_;
+    lane_levels larger_{texture_}, smaller_{texture_};
+    float_vec share_;
+    bool is_mixed_;
+};
 
 HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec v, light_sums& to) {
     const auto pixel = [](float_vec place, int size) HWY_ATTR {
@@ -144,7 +174,9 @@ HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec 
     };
     const int_vec x = pixel(held(u, texture.wrap_u), texture.width);
     const int_vec y = pixel(held(v, texture.wrap_v), texture.height);
-    to.add(texture, hn::Add(hn::Mul(y, set_int(texture.width)), x), set(1));
+    const int_vec row = hn::Mul(y, set_int(texture_view::pitch(texture.width)));
+    const int_vec place = hn::Add(set_int(texture.first[0]), hn::Add(row, x));
+    to.add(hn::GatherIndex(integers, words_of(texture), place), set(1));
 }
 
 /// The ways to the next pixels, in pixels of the texture.
@@ -154,10 +186,10 @@ struct footprint {
     HWY_INLINE footprint(const texture_view& texture, const painted_pixels& pixels, std::size_t i) {
         const float_vec width = set(static_cast<float>(texture.width));
         const float_vec height = set(static_cast<float>(texture.height));
-        right_u = hn::Mul(hn::Load(floats, &pixels.u_right[i]), width);
-        right_v = hn::Mul(hn::Load(floats, &pixels.v_right[i]), height);
-        down_u = hn::Mul(hn::Load(floats, &pixels.u_down[i]), width);
-        down_v = hn::Mul(hn::Load(floats, &pixels.v_down[i]), height);
+        right_u = hn::Mul(hn::LoadU(floats, &pixels.u_right[i]), width);
+        right_v = hn::Mul(hn::LoadU(floats, &pixels.v_right[i]), height);
+        down_u = hn::Mul(hn::LoadU(floats, &pixels.u_down[i]), width);
+        down_v = hn::Mul(hn::LoadU(floats, &pixels.v_down[i]), height);
     }
 
     static HWY_INLINE float_vec square(float_vec x, float_vec y) {
@@ -187,7 +219,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
     const float_vec longer = hn::Sqrt(square);
     const auto has_axis = hn::Gt(longer, zero);
     const float_vec shorter = hn::IfThenElseZero(has_axis, hn::Div(area, longer));
-    constexpr float round = 1e-3F; // a footprint that is round but for rounding has no longer axis
+    // A footprint so nearly as long as so many samples needs no further one, which would blur more.
+    constexpr float round = 1.0F / 16;
     constexpr auto most = static_cast<float>(l3d_texture::most_samples);
     const float_vec wanted = hn::Ceil(hn::Sub(hn::Div(longer, hn::Max(shorter, one)), set(round)));
     const float_vec count = hn::Min(hn::Max(wanted, one), set(most));
@@ -204,74 +237,91 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
     // One sample is as wide as the footprint is long, and no narrower ones than it is wide.
     const float_vec width =
         hn::IfThenElse(hn::Eq(count, one), longer, hn::Max(shorter, hn::Div(longer, count)));
+    const level_pair levels(texture, width);
     const float_vec weight = hn::Div(one, count);
     const float most_of_all = hn::GetLane(hn::MaxOfLanes(floats, count));
     for (float i = 0; i < most_of_all; ++i) {
         const float_vec from_middle = hn::Sub(set(i), hn::Mul(half, hn::Sub(count, one)));
-        add_trilinear(texture, width, hn::Add(u, hn::Mul(from_middle, step_u)),
-                      hn::Add(v, hn::Mul(from_middle, step_v)),
-                      hn::IfThenElseZero(hn::Lt(set(i), count), weight), to);
+        levels.add(hn::Add(u, hn::Mul(from_middle, step_u)),
+                   hn::Add(v, hn::Mul(from_middle, step_v)),
+                   hn::IfThenElseZero(hn::Lt(set(i), count), weight), to);
     }
 }
 
-template <class Add> HWY_INLINE void light_pixels(painted_pixels& pixels, const Add& add) {
-    constexpr float white = 65535;
-    for (std::size_t i = 0; i < pixels.count; i += hn::Lanes(floats)) {
+template <class Add>
+HWY_INLINE void light_pixels(const pixel_range& range, painted_pixels& pixels, const Add& add) {
+    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats)) {
         light_sums sums;
-        add(i, hn::Load(floats, &pixels.u[i]), hn::Load(floats, &pixels.v[i]), sums);
+        add(i, hn::LoadU(floats, &pixels.u[i]), hn::LoadU(floats, &pixels.v[i]), sums);
         for (std::size_t c = 0; c < 3; ++c) {
             float* const light = &pixels.light[c][i];
-            hn::Store(hn::Mul(hn::Load(floats, light), hn::Mul(sums.of[c], set(1 / white))), floats,
-                      light);
+            hn::StoreU(hn::Mul(hn::LoadU(floats, light), sums.light(c)), floats, light);
         }
     }
 }
 
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
-                      painted_pixels& pixels) {
+                      const pixel_range& range, painted_pixels& pixels) {
     switch (filter) {
     case l3d_texture_filter::nearest:
-        return light_pixels(pixels, [&](std::size_t, float_vec u, float_vec v, light_sums& to)
-                                        HWY_ATTR { add_nearest(texture, u, v, to); });
+        return light_pixels(range, pixels,
+                            [&](std::size_t, float_vec u, float_vec v, light_sums& to)
+                                HWY_ATTR { add_nearest(texture, u, v, to); });
     case l3d_texture_filter::bilinear:
-        return light_pixels(pixels,
+        return light_pixels(range, pixels,
                             [&](std::size_t, float_vec u, float_vec v, light_sums& to) HWY_ATTR {
-                                add_bilinear(texture, hn::Zero(integers), u, v, set(1), to);
+                                add_bilinear(texture, lane_levels(texture), u, v, set(1), to);
                             });
     case l3d_texture_filter::trilinear:
-        return light_pixels(pixels, [&](std::size_t i, float_vec u, float_vec v,
-                                        light_sums& to) HWY_ATTR {
-            add_trilinear(texture, footprint(texture, pixels, i).longer_way(), u, v, set(1), to);
-        });
+        return light_pixels(range, pixels,
+                            [&](std::size_t i, float_vec u, float_vec v, light_sums& to) HWY_ATTR {
+                                level_pair(texture, footprint(texture, pixels, i).longer_way())
+                                    .add(u, v, set(1), to);
+                            });
     case l3d_texture_filter::anisotropic:
-        return light_pixels(pixels,
+        return light_pixels(range, pixels,
                             [&](std::size_t i, float_vec u, float_vec v, light_sums& to) HWY_ATTR {
                                 add_anisotropic(texture, footprint(texture, pixels, i), u, v, to);
                             });
     }
 }
 
-void encode_light(const level_tables& tables, painted_pixels& pixels) {
-    const float_vec zero = hn::Zero(floats), one = set(1);
-    constexpr auto last_guess = static_cast<float>(level_tables::guesses - 1);
-    for (std::size_t i = 0; i < pixels.count; i += hn::Lanes(floats)) {
+void encode_light(const level_steps& steps, const pixel_range& range, painted_pixels& pixels) {
+    const float_vec least = set(level_steps::least), one = set(1);
+    const int_vec first = hn::BitCast(integers, least);
+    constexpr int lower = level_steps::lower_bits;
+    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats)) {
         int_vec word = hn::Zero(integers);
         for (const auto& channel : pixels.light) {
-            const float_vec light = hn::Min(hn::Max(hn::Load(floats, &channel[i]), zero), one);
-            int_vec level =
-                hn::GatherIndex(integers, tables.first.data(),
-                                hn::ConvertTo(integers, hn::Mul(light, set(last_guess))));
-            // A guess errs by less than two levels.
-            for (int step = 0; step < 2; ++step) {
-                const float_vec next = hn::GatherIndex(floats, tables.begins.data() + 1, level);
-                level =
-                    hn::Sub(level, hn::VecFromMask(integers,
-                                                   hn::RebindMask(integers, hn::Ge(light, next))));
-            }
+            const float_vec light = hn::Min(hn::Max(hn::LoadU(floats, &channel[i]), least), one);
+            const int_vec bits = hn::BitCast(integers, light);
+            const int_vec step = hn::GatherIndex(integers, steps.level.data(),
+                                                 hn::ShiftRight<lower>(hn::Sub(bits, first)));
+            const auto is_below =
+                hn::Lt(hn::And(bits, set_int((1 << lower) - 1)), hn::ShiftRight<8>(step));
+            const int_vec level =
+                hn::Add(hn::And(step, set_int(255)), hn::IfThenZeroElse(is_below, set_int(1)));
             word = hn::Or(hn::ShiftLeft<8>(word), level);
         }
-        hn::Store(word, integers, reinterpret_cast<std::int32_t*>(&pixels.words[i]));
+        hn::StoreU(word, integers, reinterpret_cast<std::int32_t*>(&pixels.words[i]));
     }
+}
+
+void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
+                named_pixels& to) {
+    const hn::RebindToUnsigned<decltype(integers)> names;
+    to.count = count;
+    std::fill(to.names.begin() + static_cast<std::ptrdiff_t>(count), to.names.end(), no_name);
+    std::size_t i = 0;
+    for (; i + hn::Lanes(names) <= count; i += hn::Lanes(names)) {
+        const auto filled = hn::Gt(hn::LoadU(floats, depths + i), hn::Zero(floats));
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(names, filled),
+                                  hn::ShiftRight<8>(hn::LoadU(names, words + i)),
+                                  hn::Set(names, no_name)),
+                   names, &to.names[i]);
+    }
+    for (; i < count; ++i)
+        to.names[i] = depths[i] > 0 ? words[i] >> 8 : no_name;
 }
 
 /// The product of a level and a channel over 255, rounded: with x the product plus 128, it is
@@ -312,24 +362,36 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(light_by_texture);
 L3D_SIMD_TABLE(encode_light);
+L3D_SIMD_TABLE(take_names);
 L3D_SIMD_TABLE(color_levels);
 
-level_tables::level_tables() {
+level_steps::level_steps() {
     const linear_light& tables = linear_light_tables();
-    for (std::size_t i = 0; i < guesses; ++i)
-        first[i] = tables.first_guess(i);
-    std::ranges::copy(tables.begins(), begins.begin());
-    begins.back() = std::numeric_limits<float>::infinity();
+    constexpr std::uint32_t length = 1u << lower_bits;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const std::uint32_t begin =
+            std::bit_cast<std::uint32_t>(least) + static_cast<std::uint32_t>(i) * length;
+        const std::uint32_t is = tables.level(std::bit_cast<float>(begin));
+        std::uint32_t lower = length;
+        if (is < 255)
+            lower = std::min(std::bit_cast<std::uint32_t>(tables.begins()[is + 1]) - begin, length);
+        level[i] = static_cast<std::int32_t>(lower << 8 | is);
+    }
 }
 
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
-                      painted_pixels& pixels) {
-    L3D_SIMD_CALL(light_by_texture)(texture, filter, pixels);
+                      const pixel_range& range, painted_pixels& pixels) {
+    L3D_SIMD_CALL(light_by_texture)(texture, filter, range, pixels);
 }
 
-void encode_light(painted_pixels& pixels) {
-    static const level_tables tables;
-    L3D_SIMD_CALL(encode_light)(tables, pixels);
+void encode_light(const pixel_range& range, painted_pixels& pixels) {
+    static const level_steps steps;
+    L3D_SIMD_CALL(encode_light)(steps, range, pixels);
+}
+
+void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
+                named_pixels& to) {
+    L3D_SIMD_CALL(take_names)(words, depths, count, to);
 }
 
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,

@@ -3,7 +3,6 @@
 #ifndef L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 #define L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 
-#include "raster/color/linear_light_p.h"
 #include "raster/textures/texture.h"
 
 #include <algorithm>
@@ -16,11 +15,18 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    static constexpr std::size_t most_levels = 32; ///< at most 31 halvings, and the whole picture
-    const std::uint16_t* pixels = nullptr;         ///< four numbers each, as in l3d_texture
+    static constexpr std::size_t most_levels = 32; ///< halvings of any width or height, and one
+    /// Each word has the roots of the light of red, green and blue, from the highest bit on; the
+    /// largest numbers stand for the light of a level of 255. A border of one pixel is around each
+    /// picture, with what is seen beyond.
+    const std::uint32_t* texels = nullptr;
+    static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;
     l3d_texture_wrap wrap_u{}, wrap_v{};
-    std::array<std::int32_t, most_levels> first{}; ///< index of the first pixel of each level
+    std::array<std::int32_t, most_levels> first{}; ///< place of a level's first pixel
+
+    /// The words from row to row of a level of this width.
+    static constexpr int pitch(int width) { return width + 2; }
 };
 
 /// A place within two pictures from 0 where a repeated picture looks the same. At such places,
@@ -37,15 +43,16 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
 /// Shape: elements from `count` to the next multiple of 16 are read and written, too; set them to 0
 ///        at first.
 struct painted_pixels {
-    static constexpr std::size_t room = 64; ///< a multiple of the widest vector, 16
-    using numbers = std::array<float, room>;
+    static constexpr std::size_t most = 64;
+    static constexpr std::size_t room = most + 16; ///< with the widest vector behind the last one
+    template <class T> using row = std::array<T, room>;
+    using numbers = row<float>;
 
-    std::size_t count = 0;
-    /// The part of a texture that each pixel covers, as in l3d_texture_place.
+    /// Parts of a texture, as l3d_texture_place has them.
     alignas(64) numbers u, v, u_right, v_right, u_down, v_down;
     /// The light of each pixel: at first of the surface's colour, then also of the texture.
     alignas(64) std::array<numbers, 3> light;
-    alignas(64) std::array<std::uint32_t, room> words; ///< 0x00RRGGBB
+    alignas(64) row<std::uint32_t> words; ///< 0x00RRGGBB
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
@@ -63,24 +70,47 @@ struct painted_pixels {
     }
 };
 
-/// The tables of linear_light, laid out for lanes.
-struct level_tables {
-    static constexpr std::size_t guesses = linear_light::guesses;
-    std::array<std::int32_t, guesses> first{}; ///< guesses of levels for lights from 0 to 1, at
-                                               ///< most 2 too low
-    std::array<float, 257> begins{};           ///< lights at which levels begin; the last entry is
-                                               ///< never reached
-    level_tables();
+/// Some neighbours among painted_pixels.
+struct pixel_range {
+    std::size_t begin = 0, end = 0;
+};
+
+/// The levels of light, for lanes.
+///
+/// Floats whose upper 16 bits are the same are a step. From `least` on, a step is no longer than
+/// 1/128 of its light, and levels are 1/115 apart or more. So at most one level begins in a step.
+struct level_steps {
+    static constexpr float least = 0x1p-13F; ///< less than half a level
+    static constexpr int lower_bits = 16;
+    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last one is 1
+    /// The lowest byte is the level where the step begins. The others are the lower bits from which
+    /// on it is the next level.
+    std::array<std::int32_t, steps> level{};
+    level_steps();
 };
 
 /// Multiplies each pixel's light by the light of the texture, as l3d_texture::light gives it. The
 /// bits are the same on every processor.
 /// Expects: finite places and steps.
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
-                      painted_pixels& pixels);
+                      const pixel_range& range, painted_pixels& pixels);
 
-/// Sets the words to the levels nearest to the light, as linear_light::level finds them.
-void encode_light(painted_pixels& pixels);
+/// The words of the nearest levels of the light, as linear_light::level finds them.
+void encode_light(const pixel_range& range, painted_pixels& pixels);
+
+/// The name of a pixel that shows none.
+inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
+
+/// Pixels of a row, the names that they show, and where they are.
+struct named_pixels {
+    alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
+    std::size_t count = 0;
+    double x = 0, y = 0; ///< place of the first one; the others follow by 1
+};
+
+/// Takes the names of `count` words, which are above the lowest byte; none where depths are 0.
+void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
+                named_pixels& to);
 
 /// Replaces words by colours where depths are not 0. A word's lowest byte is the level of its
 /// colour, by the rule that l3d_material states.

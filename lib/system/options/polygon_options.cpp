@@ -4,6 +4,7 @@
 
 #include "base/printable_p.h"
 #include "pipeline/polygons/polygon_model.h"
+#include "scene/lost_lines_p.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/long_work_p.h"
@@ -70,7 +71,8 @@ l3d_polygon_model l3d_polygon_options::model() const {
     const std::string& name = shared_.model_file();
     if (name.empty())
         return l3d_polygon_model(l3d_tessellated(shared_.model(), facets_).mesh, to_origin_);
-    const l3d_model_file file = shared_.file();
+    l3d_model_file file = shared_.file();
+    l3d_detail::note_lines_lost_to_polygons(file, name, file.notes);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
     l3d_polygon_mesh mesh = l3d_mesh_of(file, name, facets_);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The note of a model file whose lines and curves are not drawn.
+#ifndef L3D_SCENE_LOST_LINES_P_H
+#define L3D_SCENE_LOST_LINES_P_H
+
+#include "base/printable_p.h"
+#include "geom/files/model_file.h"
+
+#include <string>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Tells of lines and curves that are not drawn, if the file has any. `why` follows "they are ".
+inline void note_lost_lines(const l3d_model_file& file, const std::string& name,
+                            const std::string& why, std::vector<std::string>& notes) {
+    if (!file.curves.empty())
+        notes.push_back(printable(name) + ": lines and curves are not drawn: they are " + why);
+}
+
+/// The same for a file that is drawn as polygons. l3d_load_model has told of one without surfaces.
+inline void note_lines_lost_to_polygons(const l3d_model_file& file, const std::string& name,
+                                        std::vector<std::string>& notes) {
+    if (!file.patches.empty())
+        note_lost_lines(file, name, "only beside surfaces that do not become polygons", notes);
+}
+
+} // namespace l3d_detail
+
+#endif
