@@ -114,6 +114,13 @@ public:
     /// Their weights, as many; none if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
+    /// The loops in (u, v) that trim it, as l3d_patch_points has them; none if all of it is there.
+    const std::vector<l3d_trim_loop>& trims() const { return trims_; }
+    /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
+    /// curves.
+    /// Errors: throws l3d_error(bad_input) with what l3d_trims_complaint() says.
+    l3d_nurbs_surface trimmed(std::vector<l3d_trim_loop> loops) const;
+
     /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
     /// none.
     ///
@@ -134,7 +141,8 @@ public:
     /// The same surface with a knot along v once more. Errors: as with_knot_u.
     l3d_nurbs_surface with_knot_v(double v) const;
 
-    /// The surface as Bezier patches (l3d_bezier_patches): what models are made of.
+    /// The surface as Bezier patches (l3d_bezier_patches): what models are made of. Each has those
+    /// of the trims that reach it.
     std::vector<l3d_patch_points> pieces() const;
 
 private:
@@ -145,6 +153,7 @@ private:
     l3d_bspline_direction u_, v_;
     std::vector<vector> points_;
     std::vector<double> weights_;
+    std::vector<l3d_trim_loop> trims_;
 };
 
 /// A place of a curve, with the first and second derivative by its parameter.
@@ -213,6 +222,9 @@ private:
     std::vector<vector> points_;
     std::vector<double> weights_;
 };
+
+/// A loop of curves one after another, whose x and y are u and v; z does not count.
+L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves);
 
 /// The surface of a curve that turns once around the y axis, exact.
 ///

@@ -147,7 +147,8 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// A pipeline that draws this scene on this canvas.
-    /// Errors: throws l3d_error with the text of l3d_afd_complaint.
+    /// Errors: throws l3d_error with the text of l3d_afd_complaint, or for trimmed surfaces and a
+    ///         method that is not the library's own.
     l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
     ~l3d_pipeline_afd() override;
@@ -202,7 +203,9 @@ public:
     /// Fills surfaces with another method from the next frame on.
     /// Expects: no frame is being drawn.
     /// The camera returns to perspective if the method draws nothing else.
-    /// Errors:  exceptions of the factory; then the old method stays.
+    /// Errors:  exceptions of the factory, and l3d_error for trimmed surfaces, which the library's
+    ///          own method alone draws; then the old method stays. If such surfaces come into the
+    ///          scene later, the own method takes the other's place.
     void take_method(const l3d_method_factory& method);
 
     /// Asks for the next frame to be drawn: camera, settings or what is drawn on top may differ.

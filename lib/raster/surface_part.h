@@ -226,7 +226,8 @@ struct L3D_PUBLIC l3d_border_edge {
     float to_inv_w = 0;
     /// The level of the light beside the line in mode l3d_shade::levels; not a number in others.
     float level = 0;
-    /// The grid's row of the quad beside the line; 0 if the line is a triangle's side.
+    /// The grid's row of the quad beside the line. If the line is a triangle's side, -1, or 0 in a
+    /// part without a grid.
     int row = 0;
     /// The grid's column of that quad, or the place of the triangle.
     int column = 0;
@@ -257,7 +258,7 @@ struct L3D_PUBLIC l3d_surface_part {
     l3d_micro_triangles triangles;
     /// The lines at which the surface ends or goes on in another part, for anti-aliasing. If some
     /// are missing, pixels there are drawn in a slower way, and shapes thinner than a pixel may be
-    /// missed. A part without a grid has the sides of its triangles, in their order.
+    /// missed. Sides of triangles come behind those of quads, in the triangles' order.
     std::vector<l3d_border_edge> border;
     /// Bit 4 * row + column is set for a block of the grid that need not be drawn.
     unsigned unseen = 0;

@@ -5,6 +5,7 @@
 
 #include "geom/bezier_patch.h"
 #include "geom/files/patch_file.h"
+#include "geom/trim_region.h"
 #include "scene/patch_scene.h"
 
 #include <cstddef>
@@ -15,7 +16,8 @@
 /// Rational Bezier patches, the pieces, that models draw as bicubic ones, the cells.
 ///
 /// A piece is cut into 2^m by 2^n cells. Pieces with a common boundary have as many cells along it,
-/// and these have the same boundaries, bit for bit.
+/// and these have the same boundaries, bit for bit. Pieces may have trims; then there are cells for
+/// what these leave.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -50,13 +52,18 @@ public:
         std::vector<patch> patches;
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece that each patch is
         std::vector<std::uint32_t> pieces;       ///< the piece of each patch, which is a cell of it
-        double error = 0;                        ///< how far places are off, in the pieces' unit
+        /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
+        std::vector<l3d_trim_region> trims;
+        double error = 0; ///< how far places are off, trims included, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
+    /// Whether any piece has trims.
+    bool has_trims() const { return has_trims_; }
     /// How often pieces are halved, and how far cells are off then.
     struct cuts {
         std::vector<int> of_lines; ///< along u and v of each piece; equal where lines are joined
-        double error = 0;          ///< how far places are off, in the pieces' unit
+        double trims = 0;          ///< how far polygons may be off that stand for trims
+        double error = 0;          ///< how far places are off, trims included, in the pieces' unit
     };
     /// The cuts that a level needs, which begin with those of a coarser one. That saves finding
     /// these again.
@@ -76,6 +83,7 @@ private:
     /// itself.
     std::vector<std::size_t> alike_;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    bool has_trims_ = false;
 };
 
 #endif

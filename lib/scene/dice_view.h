@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <limits>
 
+struct l3d_trim_region;
+
 /// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
 /// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
 /// save.
@@ -85,6 +87,8 @@ struct l3d_dice_view {
     /// Blocks of the patch that is diced in which it may fold over as seen from the eye: bit
     /// 4 * row + column, columns along u.
     unsigned folds = 0;
+    /// The part of that patch that its trims leave; null where they leave all.
+    const l3d_trim_region* trim = nullptr;
 
     /// The light of vertices: in mode `levels` they get levels, else unit normals, turned to the
     /// eye if there is one.

@@ -27,6 +27,7 @@ class l3d_space_curve;
 class l3d_surface_bends;
 struct l3d_model_file;
 struct l3d_parameter_range;
+struct l3d_trim_region;
 struct l3d_patch_points;
 
 /// The largest magnitudes of coordinates of a patch's control points, and of those of its edges.
@@ -40,8 +41,8 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// A set of bicubic patches, each with its exact normal net and its box. In world space, unless a
 /// l3d_patch_scene places them elsewhere.
 ///
-/// A curved model is made of pieces that are no bicubic patches: rational ones, or of degrees above
-/// 3. Its patches stand for these, and are within surface_error() of them. A pipeline puts the
+/// A curved model is made of pieces that are no bicubic patches: rational ones, trimmed ones, or of
+/// degrees above 3. Its patches stand for these, and are within surface_error() of them. A pipeline puts the
 /// model's next level in its place where a picture needs finer ones. Materials and parts are those
 /// of pieces. In any other model each patch is a piece.
 ///
@@ -140,11 +141,17 @@ public:
     double normal_target(int level) const;
 
     /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless
-    /// it is curved.
+    /// it is curved. It includes how far borders of trims are off.
     double surface_error() const;
     /// Bound of the distance between unit normals at the same parameters; infinite where a normal
     /// vanishes inside of a patch.
     double normal_error() const;
+
+    /// Whether any of its pieces is trimmed.
+    bool has_trims() const;
+    /// The part of a patch that its trims leave; null where they leave all. Expects: index <
+    /// patches().size().
+    const l3d_trim_region* trim(std::size_t index) const;
 
     /// The same address for copies of one model, as identity(), also at other levels.
     const void* source_identity() const;
