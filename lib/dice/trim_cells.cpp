@@ -47,7 +47,8 @@ template <std::size_t Corners> struct corners {
             x += part * at[i].x;
             y += part * at[i].y;
         }
-        return {l3d_detail::rounded(x / sum), l3d_detail::rounded(y / sum), view->depth_at(sum), {}};
+        return {
+            l3d_detail::rounded(x / sum), l3d_detail::rounded(y / sum), view->depth_at(sum), {}};
     }
 
     void set_normal(const std::array<double, Corners>& shares, l3d_micro_vertex& to) const {
@@ -148,9 +149,9 @@ struct slit_surface : corners<3> {
     using corners<3>::corners;
 
     double level(const std::array<double, 3>& p) const {
-        double result = 4 * (p[0] * p[1] * double{at[0].normal[1]} +
-                             p[0] * p[2] * double{at[0].normal[2]} +
-                             p[1] * p[2] * double{at[1].normal[2]});
+        double result =
+            4 * (p[0] * p[1] * double{at[0].normal[1]} + p[0] * p[2] * double{at[0].normal[2]} +
+                 p[1] * p[2] * double{at[1].normal[2]});
         for (std::size_t i = 0; i < 3; ++i)
             result += p[i] * double{at[i].normal[0]};
         return result;
@@ -227,7 +228,8 @@ l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice
     if (piece.part.grid.rows > 1) {
         if (notes)
             is_whole_.assign(piece.part.grid.x.size(), false);
-        const l3d_trim_box box{{piece.u.front(), piece.v.front()}, {piece.u.back(), piece.v.back()}};
+        const l3d_trim_box box{{piece.u.front(), piece.v.front()},
+                               {piece.u.back(), piece.v.back()}};
         const auto take = [this](const l3d_trim_block& of, const l3d_trim_region* here) {
             if (here == nullptr)
                 leave_out(of);
@@ -287,9 +289,9 @@ bool l3d_trim_cells::is_unseen(std::size_t row, std::size_t column) const {
             ++result;
         return result;
     };
-    return (piece_->part.unseen >> (l3d_block_starts::most_blocks *
-                                        block_of(piece_->part.block_rows, row) +
-                                    block_of(piece_->part.block_columns, column)) &
+    return (piece_->part.unseen >>
+                (l3d_block_starts::most_blocks * block_of(piece_->part.block_rows, row) +
+                 block_of(piece_->part.block_columns, column)) &
             1) != 0;
 }
 
@@ -332,8 +334,7 @@ void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, st
     leave_out({row, row + 1, column, column + 1});
     const l3d_trim_box box{{u[column], v[row]}, {u[column + 1], v[row + 1]}};
     triangles_.cut(region, box);
-    const std::array at_border{row == 0, row + 2 == v.size(), column == 0,
-                               column + 2 == u.size()};
+    const std::array at_border{row == 0, row + 2 == v.size(), column == 0, column + 2 == u.size()};
     for (std::size_t side = 0; side < kept_.size(); ++side)
         if (at_border[side])
             kept_[side].insert(kept_[side].end(), triangles_.sides()[side].begin(),
@@ -354,8 +355,8 @@ void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, st
         for (; notes && border != triangles_.border().end() && border->triangle == i; ++border)
             if (piece_->part.triangles.count > 0)
                 trims_.push_back(side_of(of.point_at(border->from).vertex,
-                                         of.point_at(border->to).vertex, -1,
-                                         static_cast<int>(last), true));
+                                         of.point_at(border->to).vertex, -1, static_cast<int>(last),
+                                         true));
     }
     if (!notes)
         return;
@@ -490,11 +491,11 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
     };
     std::ranges::sort(order, {}, along);
     const auto [low, middle, high] = order;
-    auto first = std::ranges::partition_point(
-        kept, [&](const stretch& one) { return one[1] < along(low); });
-    const slit_surface of({slits_.vertex(triangle, 0), slits_.vertex(triangle, 1),
-                           slits_.vertex(triangle, 2)},
-                          *view_);
+    auto first =
+        std::ranges::partition_point(kept, [&](const stretch& one) { return one[1] < along(low); });
+    const slit_surface of(
+        {slits_.vertex(triangle, 0), slits_.vertex(triangle, 1), slits_.vertex(triangle, 2)},
+        *view_);
     const auto between = [&](std::size_t from, std::size_t to, double at) {
         slit_surface::point result;
         const double part = (at - along(from)) / (along(to) - along(from));

@@ -13,9 +13,9 @@
 
 /// The most that trimming adds to the errors of a piece.
 struct l3d_trim_error {
-    double places_px = 0; ///< of places, and of depth along the normal
-    double normals = 0;   ///< of interpolated normals, where vertices have such
-    double levels = 0;    ///< of levels, where vertices have these
+    double places_px = 0; ///< error of places, and of depth along the normal
+    double normals = 0;   ///< error of interpolated normals, where vertices have such
+    double levels = 0;    ///< error of levels, where vertices have these
 
     void add(const l3d_trim_error& other);
 };
@@ -30,7 +30,7 @@ struct l3d_trim_error {
 /// Expects: pieces that keep the parameters of their triangles.
 class l3d_trim_cells {
 public:
-    /// Cuts a piece of a patch with this region. Of a piece without a grid, it cuts slits alone.
+    /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
                        l3d_diced_piece& piece);
 
@@ -54,8 +54,8 @@ private:
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
     l3d_trim_triangles triangles_;
-    std::array<stretches, 4> kept_; ///< of the piece's sides, in the order of l3d_piece_side
-    std::vector<bool> is_whole_; ///< of quads, by the index of their first corners
+    std::array<stretches, 4> kept_;       ///< the piece's sides, in the order of l3d_piece_side
+    std::vector<bool> is_whole_;          ///< quads, by the index of their first corners
     std::vector<l3d_border_edge> border_; ///< as it was
     std::vector<l3d_border_edge> trims_;  ///< sides of triangles
     std::vector<stretch> border_along_;

@@ -110,8 +110,8 @@ void l3d_trapezoids::end_and_begin() {
     for (const std::vector<std::size_t>* some : {&open_, &new_open_})
         for (const std::size_t i : *some)
             if (const side& left = sides_[i]; !goes_on(left))
-                for (const std::size_t right :
-                     {some == &open_ ? left.right : none, some == &new_open_ ? left.next_right : none})
+                for (const std::size_t right : {some == &open_ ? left.right : none,
+                                                some == &new_open_ ? left.next_right : none})
                     if (right != none)
                         marks_.insert(marks_.end(), {left.at(v_), sides_[right].at(v_)});
     std::ranges::sort(marks_);

@@ -36,7 +36,8 @@ bool is_flat(const l3d_trim_polygon& polygon) {
     return same(0) || same(1);
 }
 
-l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, double at, bool above) {
+l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, double at,
+                         bool above) {
     l3d_trim_polygon result;
     const auto add = [&](const l3d_trim_place& p) {
         if (result.empty() || result.back() != p)
@@ -98,8 +99,8 @@ double off_chord(const curve& of, const l3d_trim_place& lengths) {
         result = std::max(result, std::abs(p[0] - a[0] - t * x) + std::abs(p[1] - a[1] - t * y));
         heaviest = std::max(heaviest, of[i][2]);
     }
-    const double ends = std::ldexp(std::min(of.front()[2], of.back()[2]),
-                                   2 - static_cast<int>(of.size()));
+    const double ends =
+        std::ldexp(std::min(of.front()[2], of.back()[2]), 2 - static_cast<int>(of.size()));
     const double between = heaviest * (1 - std::ldexp(1.0, 2 - static_cast<int>(of.size())));
     return between > 0 ? result * (between / (between + ends)) : 0;
 }

@@ -52,7 +52,7 @@ struct l3d_trim_region {
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                       double wanted, l3d_trim_region& to);
 
-/// What of a surface's loops the piece in a box needs, from 0 to 1 there. It winds around places of
+/// The part of a surface's loops that the piece in a box needs, from 0 to 1 there. It winds around places of
 /// the box an odd number of times where the loops do. Expects: loops without a complaint.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box);
@@ -83,9 +83,7 @@ public:
         begin(region);
         while (next_line())
             for (const ended& one : ended_)
-                visit(l3d_trapezoid{one.low_v,
-                                    v_,
-                                    std::span(pool_).subspan(one.low, one.low_count),
+                visit(l3d_trapezoid{one.low_v, v_, std::span(pool_).subspan(one.low, one.low_count),
                                     std::span(marks_).subspan(one.high, one.high_count)});
     }
 

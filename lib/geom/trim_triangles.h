@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_triangles: a trimmed region in a box as triangles; and boxes of a grid, region by region.
+// l3d_trim_triangles: a trimmed region in a box as triangles; and boxes of a grid, region by
+// region.
 #ifndef L3D_GEOM_TRIM_TRIANGLES_H
 #define L3D_GEOM_TRIM_TRIANGLES_H
 

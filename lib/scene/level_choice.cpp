@@ -87,9 +87,9 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         const seen_instance seen(instances_[i], view);
         if (seen.most_w <= seen.near)
             continue; // behind the near plane
-        const auto first = [&](int most, const auto& is_well) {
+        const auto first = [&](const auto& is_well) {
             int level = 0;
-            while (level < most && !is_well(level))
+            while (level < model.most_level() && !is_well(level))
                 ++level;
             return level;
         };

@@ -42,9 +42,9 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// l3d_patch_scene places them elsewhere.
 ///
 /// A curved model is made of pieces that are no bicubic patches: rational ones, trimmed ones, or of
-/// degrees above 3. Its patches stand for these, and are within surface_error() of them. A pipeline puts the
-/// model's next level in its place where a picture needs finer ones. Materials and parts are those
-/// of pieces. In any other model each patch is a piece.
+/// degrees above 3. Its patches stand for these, and are within surface_error() of them. A pipeline
+/// puts the model's next level in its place where a picture needs finer ones. Materials and parts
+/// are those of pieces. In any other model each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and

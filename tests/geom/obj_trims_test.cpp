@@ -76,8 +76,8 @@ TEST(obj_trims, are_written_and_read_again) {
     const auto again = read(l3d_write_obj(*model), why);
     ASSERT_TRUE(again) << why;
     EXPECT_EQ(again->patches, model->patches);
-    const auto whole = l3d_read_obj_surfaces(surface + square + begin + "trim 0 4 1\nend\n", "name",
-                                             why);
+    const auto whole =
+        l3d_read_obj_surfaces(surface + square + begin + "trim 0 4 1\nend\n", "name", why);
     ASSERT_TRUE(whole) << why;
     const auto rewritten = l3d_read_obj_surfaces(l3d_write_obj_surfaces(*whole), "name", why);
     ASSERT_TRUE(rewritten) << why;

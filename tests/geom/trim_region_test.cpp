@@ -88,9 +88,8 @@ TEST(trim_triangles, cover_what_the_odd_rule_says) {
                 continue;
             bool on_side = false; // of two triangles
             for (const auto& [a, b, c] : all.triangles())
-                on_side = on_side ||
-                          std::min({distance(p, a, b), distance(p, b, c), distance(p, c, a)}) <
-                              1e-12L;
+                on_side = on_side || std::min({distance(p, a, b), distance(p, b, c),
+                                               distance(p, c, a)}) < 1e-12L;
             if (on_side)
                 continue;
             ++judged;

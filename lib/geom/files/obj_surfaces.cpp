@@ -160,8 +160,8 @@ bool obj_surfaces::read_parameter_vertex() {
     if (!number_in_line(p[0], "a parameter"))
         return false;
     for (std::size_t k = 1; k < 3; ++k)
-        if (text_.next_in_line() && (!text_.number_in(text_.token(), p[k], "a parameter") ||
-                                     !text_.is_coordinate(p[k])))
+        if (text_.next_in_line() &&
+            (!text_.number_in(text_.token(), p[k], "a parameter") || !text_.is_coordinate(p[k])))
             return false;
     return true;
 }
@@ -241,7 +241,7 @@ bool obj_surfaces::read_parameters() {
     const bool is_curve = open_ != opened::surface;
     if (!text_.next_in_line() || (text_.token() != "u" && (is_curve || text_.token() != "v")))
         return text_.fail(is_curve ? "parm of a curve is not followed by u"
-                                    : "parm is followed by neither u nor v");
+                                   : "parm is followed by neither u nor v");
     l3d_bspline_direction& direction = text_.token() == "u" ? u_ : v_;
     if (!direction.knots.empty())
         return text_.fail("a second parm " + quoted(text_.token()) + " of a surface or curve");
@@ -286,9 +286,12 @@ bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
 
 bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<double>& weights) {
     switch (std::exchange(open_, opened::nothing)) {
-    case opened::curve: return end_curve(vertices, weights);
-    case opened::trim_curve: return end_trim_curve();
-    default: return end_surface(vertices, weights);
+    case opened::curve:
+        return end_curve(vertices, weights);
+    case opened::trim_curve:
+        return end_trim_curve();
+    default:
+        return end_surface(vertices, weights);
     }
 }
 
@@ -352,9 +355,11 @@ bool obj_surfaces::end_trim_curve() {
     // The range is all that has enough control points.
     const auto n = static_cast<std::size_t>(u_.degree);
     if (u_.knots.size() >= 2) {
-        u_.from = kind_ == kind::bezier ? u_.knots.front() : u_.knots[std::min(n, u_.knots.size() - 1)];
-        u_.to = kind_ == kind::bezier ? u_.knots.back()
-                                      : u_.knots[u_.knots.size() - 1 - std::min(n, u_.knots.size() - 1)];
+        u_.from =
+            kind_ == kind::bezier ? u_.knots.front() : u_.knots[std::min(n, u_.knots.size() - 1)];
+        u_.to = kind_ == kind::bezier
+                    ? u_.knots.back()
+                    : u_.knots[u_.knots.size() - 1 - std::min(n, u_.knots.size() - 1)];
     }
     if (!complete(u_, "u"))
         return false;

@@ -91,7 +91,7 @@ private:
     std::vector<std::array<double, 3>> parameter_vertices_; ///< u, v and weight
     /// Those of curv2, in their order; nothing for one that is skipped.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
-    std::vector<l3d_trim_loop> trims_; ///< of the open surface
+    std::vector<l3d_trim_loop> trims_; ///< those of the open surface
     bool has_outer_trim_ = false;      ///< and not holes alone
 };
 
