@@ -446,7 +446,7 @@ void l3d_trim_cells::cut_border() {
 /// Slits lie along lines of equal u or v. Other triangles are those of clipped quads.
 void l3d_trim_cells::cut_slits(const l3d_trim_region& region) {
     const bool has_grid = piece_->part.grid.rows > 1;
-    stretches of_line; // of the line that is known
+    stretches of_line; // those of the line that is known
     std::array<double, 2> line{-1, -1};
     for (std::size_t i = 0; i < slits_.count; ++i) {
         const parameters &a = slits_uv_[0][i], &b = slits_uv_[1][i], &c = slits_uv_[2][i];

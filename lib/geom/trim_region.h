@@ -52,8 +52,8 @@ struct l3d_trim_region {
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                       double wanted, l3d_trim_region& to);
 
-/// The part of a surface's loops that the piece in a box needs, from 0 to 1 there. It winds around places of
-/// the box an odd number of times where the loops do. Expects: loops without a complaint.
+/// The part of a surface's loops that the piece in a box needs, from 0 to 1 there. It winds around
+/// places of the box an odd number of times where the loops do. Expects: loops without a complaint.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box);
 
