@@ -292,8 +292,8 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by) const {
             continue;
         }
         l3d_trim_region region;
-        of_trims = std::max(of_trims,
-                            l3d_flat_trims(pieces_[i].trims, lengths_of(all), by.trims, region));
+        of_trims =
+            std::max(of_trims, l3d_flat_trims(pieces_[i].trims, lengths_of(all), by.trims, region));
         for_each_trimmed(all, {}, region.within({}), add);
     }
     result.error += of_trims;

@@ -54,7 +54,7 @@ public:
         std::vector<std::uint32_t> pieces;       ///< the piece of each patch, which is a cell of it
         /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
         std::vector<l3d_trim_region> trims;
-        double error = 0; ///< how far places are off, trims included, in the pieces' unit
+        double error = 0;        ///< how far places are off, trims included, in the pieces' unit
         double normal_error = 0; ///< how far unit normals are off; infinite if nothing is known
     };
     /// Whether any piece has trims.
