@@ -43,12 +43,16 @@ struct l3d_diced_piece {
     /// Whether the parameters of vertices are kept, for measurements.
     bool keep_parameters = false;
     std::array<std::vector<parameters>, 3> triangle_uv;
+    /// Where the edges of the part's border begin and end, along their side of the grid. Pieces
+    /// without a grid do not note it.
+    std::vector<std::array<double, 2>> border_along;
 
     /// Removes grid and triangles; keeps the memory.
     void clear() {
         part.grid.rows = part.grid.columns = 0;
         part.triangles.clear();
         part.border.clear();
+        border_along.clear();
         u.clear();
         v.clear();
         bound = 0;

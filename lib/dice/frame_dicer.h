@@ -9,6 +9,7 @@
 #include "dice/edges/edge_polylines.h"
 #include "dice/lanes/lane_dicer.h"
 #include "dice/patch_dicer.h"
+#include "dice/trim_cells.h"
 #include "scene/scene_culling.h"
 #include "raster/parallel/height_order_p.h"
 #include "raster/parallel/workers.h"
@@ -89,9 +90,9 @@ private:
         l3d_edge_polylines edges;
         l3d_dice_view view; ///< the frame's, with the errors of the patch that is diced
         l3d_dice_counts counts;
-        l3d_bend_bounds bends; ///< bends of the patch that is diced
-        std::optional<l3d_surface_bends>
-            own_bends; ///< bends as placed, if the placement is no similarity
+        l3d_bend_bounds bends;                      ///< bends of the patch that is diced
+        std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
+        l3d_trim_cells trims;
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);
@@ -122,6 +123,7 @@ private:
                       std::size_t patch) const;
     unsigned folds_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
+    void trim(const l3d_trim_region& region, l3d_piece_pool& out, worker_space& space) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     const std::array<double, l3d_edge_polylines::sides>& edge_shares,
                     l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;

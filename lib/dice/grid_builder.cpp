@@ -252,9 +252,73 @@ template <class T> void l3d_grid_builder<T>::set_clip_corners(const piece& p) {
         }
 }
 
-template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& out) const {
-    for (int r = 0; r + 1 < rows_; ++r)
-        for (int c = 0; c + 1 < columns_; ++c) {
+template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& out) {
+    const l3d_trim_block all{0, out.v.size() - 1, 0, out.u.size() - 1};
+    if (view_.trim == nullptr)
+        return add_clipped_block(all, out);
+    const auto box_of = [&](const l3d_trim_block& of) {
+        return l3d_trim_box{{out.u[of.column], out.v[of.row]},
+                            {out.u[of.end_column], out.v[of.end_row]}};
+    };
+    const auto take = [&](const l3d_trim_block& of, const l3d_trim_region* region) {
+        if (region == nullptr)
+            return;
+        if (region->is_all_of(box_of(of)))
+            return add_clipped_block(of, out);
+        trims_.cut(*region, box_of(of));
+        for (const auto& [a, b, c] : trims_.triangles())
+            add_trimmed(of, {a, b, c}, box_of(of), out);
+    };
+    l3d_for_trimmed_blocks(view_.trim->within(box_of(all)), out.u, out.v, all, take);
+}
+
+/// Adds a triangle of a quad. Its corners are interpolated before projection.
+template <class T>
+void l3d_grid_builder<T>::add_trimmed(const l3d_trim_block& quad,
+                                      const std::array<l3d_trim_place, 3>& triangle,
+                                      const l3d_trim_box& box, l3d_diced_piece& out) const {
+    const int r = static_cast<int>(quad.row), c = static_cast<int>(quad.column);
+    const std::array of{clip_vertex(r, c), clip_vertex(r, c + 1), clip_vertex(r + 1, c + 1),
+                        clip_vertex(r + 1, c)};
+    double s_sum = 0, t_sum = 0;
+    corners_of_half corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto& [u, v] = triangle[k];
+        const double s = (u - box.least[0]) / (box.most[0] - box.least[0]);
+        const double t = (v - box.least[1]) / (box.most[1] - box.least[1]);
+        s_sum += s;
+        t_sum += t;
+        const std::array<double, 4> shares{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+        if (const auto whole = std::ranges::find(shares, 1.0); whole != shares.end()) {
+            corners[k] = of[static_cast<std::size_t>(whole - shares.begin())];
+            continue;
+        }
+        l3d_image_point h{0.0, 0.0, 0.0};
+        std::array<double, 3> normal{};
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            h += of[i].h * shares[i];
+            for (std::size_t n = 0; n < normal.size(); ++n)
+                normal[n] += shares[i] * double{of[i].dice.vertex.normal[n]};
+        }
+        corners[k] = l3d_canonical_vertex(h, view_);
+        corners[k].dice.u = u;
+        corners[k].dice.v = v;
+        for (std::size_t n = 0; n < normal.size(); ++n)
+            corners[k].dice.vertex.normal[n] = static_cast<float>(normal[n]);
+        if (!view_.makes_levels())
+            l3d_make_unit(corners[k].dice.vertex.normal);
+    }
+    const float side = side_of(half_of_quad(r, c, s_sum >= t_sum));
+    for (l3d_clip_vertex& corner : corners)
+        for (float& number : corner.dice.vertex.normal)
+            number *= side;
+    l3d_clip_triangle(corners[0], corners[1], corners[2], view_, out);
+}
+
+template <class T>
+void l3d_grid_builder<T>::add_clipped_block(const l3d_trim_block& of, l3d_diced_piece& out) const {
+    for (int r = static_cast<int>(of.row); r < static_cast<int>(of.end_row); ++r)
+        for (int c = static_cast<int>(of.column); c < static_cast<int>(of.end_column); ++c) {
             for (const bool first : {true, false}) {
                 corners_of_half half = half_of_quad(r, c, first);
                 const float side = side_of(half);

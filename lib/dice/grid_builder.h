@@ -4,6 +4,7 @@
 #define L3D_DICE_GRID_BUILDER_H
 
 #include "geom/normal_net.h"
+#include "geom/trim_triangles.h"
 #include "dice/diced_piece.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/normal_columns.h"
@@ -58,7 +59,10 @@ private:
     void set_clip_corners(const piece& p);
     using corners_of_half = std::array<l3d_clip_vertex, 3>;
     corners_of_half half_of_quad(int row, int column, bool first) const;
-    void add_clipped_quads(l3d_diced_piece& out) const;
+    void add_clipped_quads(l3d_diced_piece& out);
+    void add_clipped_block(const l3d_trim_block& of, l3d_diced_piece& out) const;
+    void add_trimmed(const l3d_trim_block& quad, const std::array<l3d_trim_place, 3>& triangle,
+                     const l3d_trim_box& box, l3d_diced_piece& out) const;
     l3d_clip_vertex grid_vertex(const piece& p, const l3d_micro_grid& grid, int row,
                                 int column) const;
     template <class VertexAt, class SideAt>
@@ -89,6 +93,7 @@ private:
     std::vector<l3d_image_curve> curves_;
     std::array<std::vector<float>, 3> normal_row_;
     std::vector<l3d_boundary_point> boundary_;
+    l3d_trim_triangles trims_;
     std::array<std::vector<float>, 2> light_memory_;
 };
 

@@ -26,7 +26,10 @@ l3d_nurbs_surface l3d_nurbs_surface::of_patch(const l3d_patch_points& patch) {
     std::vector<vector> points;
     for (const auto& [x, y, z] : patch.points)
         points.push_back({x, y, z});
-    return {along(patch.degree_u), along(patch.degree_v), std::move(points), patch.weights};
+    l3d_nurbs_surface result{along(patch.degree_u), along(patch.degree_v), std::move(points),
+                             patch.weights};
+    result.trims_ = patch.trims;
+    return result;
 }
 
 void l3d_nurbs_surface::set_point(std::size_t index, const vector& place, double weight) {
@@ -131,12 +134,4 @@ l3d_nurbs_surface l3d_nurbs_surface::with_knot_v(double v) const {
     if (weights_.empty())
         result.weights_.clear();
     return result;
-}
-
-std::vector<l3d_patch_points> l3d_nurbs_surface::pieces() const {
-    std::vector<std::array<double, 3>> points;
-    points.reserve(points_.size());
-    for (const vector& p : points_)
-        points.push_back({p[0], p[1], p[2]});
-    return l3d_bezier_patches(u_, v_, points, weights_);
 }

@@ -119,8 +119,15 @@ public:
     /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
-    /// Moves a control point and sets its weight. Other points keep their weights, or get 1 if
-    /// there were none.
+    /// The loops in (u, v) that trim it, as l3d_patch_points has them; none if all of it is there.
+    const std::vector<l3d_trim_loop>& trims() const { return trims_; }
+    /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
+    /// curves.
+    /// Errors: throws l3d_error(bad_input) with what l3d_trims_complaint() says.
+    l3d_nurbs_surface trimmed(std::vector<l3d_trim_loop> loops) const;
+
+    /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
+    /// none.
     ///
     /// Expects: an index of points(), finite coordinates of magnitude at most 1e12, and a weight
     ///          from 1e-100 to 1e12.
@@ -150,6 +157,7 @@ private:
     l3d_bspline_direction u_, v_;
     std::vector<vector> points_;
     std::vector<double> weights_;
+    std::vector<l3d_trim_loop> trims_;
 };
 
 /// A place of a curve, with the first and second derivative by its parameter.
@@ -219,7 +227,10 @@ private:
     std::vector<double> weights_;
 };
 
-/// The exact surface that a curve sweeps as it turns once around the y axis.
+/// A loop of curves one after another, whose x and y are u and v; z does not count.
+L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves);
+
+/// The surface of a curve that turns once around the y axis, exact.
 ///
 /// Shape: u runs around the axis, v along the curve. A curve beside the axis that runs upwards
 ///        makes a surface whose outside is away from the axis.

@@ -30,11 +30,19 @@ using l3d_detail::stopwatch;
 /// A unit normal that is off by one changes a level by so much at most: NUMERICS, section 1.
 constexpr double lambert_levels = 229.5;
 
+void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene) {
+    if (scene.has_trims() && !method.is_default())
+        throw l3d_error(l3d_exit::failure,
+                        "trimmed surfaces: " + method.name() + " draws whole ones alone");
+}
+
 /// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
 /// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
                                                  l3d_screen& screen, const l3d_camera& camera,
-                                                 const l3d_afd_settings& settings) {
+                                                 const l3d_afd_settings& settings,
+                                                 const l3d_patch_scene& scene) {
+    check_method(settings.method, scene);
     const std::string why = l3d_afd_complaint(camera, screen.pixels().size(), settings);
     if (!why.empty())
         throw l3d_error(l3d_exit::failure, why);
@@ -47,7 +55,7 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
                                    const l3d_camera& camera, const l3d_afd_settings& settings)
     : screen_(std::move(canvas.screen)), font_(std::move(canvas.font)),
       rasterizers_(std::move(canvas.rasterizers)),
-      imp_(create_2d(*rasterizers_, *screen_, camera, settings)), rasterizer_(*imp_),
+      imp_(create_2d(*rasterizers_, *screen_, camera, settings, scene)), rasterizer_(*imp_),
       scene_(std::move(scene)), camera_(camera), settings_(settings),
       stages_(std::make_unique<stages>(settings_, *rasterizers_)) {
     report_.frame = -1;
@@ -67,6 +75,7 @@ void l3d_pipeline_afd::interrupt_when(std::function<bool()> wanted) {
 }
 
 void l3d_pipeline_afd::take_method(const l3d_method_factory& method) {
+    check_method(method, scene_);
     stages_->method = method.create(*rasterizers_, stages_->workers);
     settings_.method = method;
     report_.method = method.name();
@@ -153,6 +162,8 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
+    if (scene_.has_trims() && !settings_.method.is_default()) // others draw whole surfaces alone
+        take_method({});
     stages_->curved = scene_.choose_levels(
         {.camera = camera_,
          .size = target.size(),
@@ -319,7 +330,7 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
                                  .untouched = untouched_ && of.target == now.target,
                                  .counts_pixels = settings_.count_pixels,
                                  .part = of.part,
-                                 .outlines = settings_.outlines,
+                                 .outlines = settings_.outlines && !of.scene.has_trims(),
                                  .filter = settings_.texture_filter,
                                  .curved_px = stages_->curved.places_px};
     stages_->method->draw(frame, times);
@@ -353,7 +364,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const l3d_frame_lights of_frame = lights();
     const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
                            !settings_.background.is_none() && of_frame.lighting.point_count == 0 &&
-                           !scene_.has_pictures();
+                           !scene_.has_pictures() && !scene_.has_trims();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

@@ -148,7 +148,8 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {
 public:
     /// A pipeline that draws this scene on this canvas.
-    /// Errors: throws l3d_error with the text of l3d_afd_complaint.
+    /// Errors: throws l3d_error with the text of l3d_afd_complaint, or for trimmed surfaces and a
+    ///         method that is not the library's own.
     l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                      const l3d_afd_settings& settings);
     ~l3d_pipeline_afd() override;

@@ -23,7 +23,10 @@ public:
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
-            if (part->grid.rows > 1) {
+            if (!part->grid.cut.empty()) {
+                add_uncut(part->grid);
+                add_triangles(part->triangles);
+            } else if (part->grid.rows > 1) {
                 add_inside(part->grid);
                 add_rim(*part);
             } else {
@@ -34,6 +37,19 @@ public:
     }
 
 private:
+    /// Adds the sides of quads that no triangles stand for.
+    void add_uncut(const l3d_micro_grid& g) {
+        for (int r = 0; r + 1 < g.rows; ++r)
+            for (int c = 0; c + 1 < g.columns; ++c) {
+                if (g.is_cut(g.index(r, c)))
+                    continue;
+                add_shared(between(g.vertex(r, c), g.vertex(r, c + 1)));
+                add_shared(between(g.vertex(r, c + 1), g.vertex(r + 1, c + 1)));
+                add_shared(between(g.vertex(r + 1, c + 1), g.vertex(r + 1, c)));
+                add_shared(between(g.vertex(r + 1, c), g.vertex(r, c)));
+            }
+    }
+
     void add_inside(const l3d_micro_grid& g) {
         for (int r = 0; r < g.rows; ++r)
             for (int c = 0; c < g.columns; ++c) {

@@ -42,6 +42,51 @@ struct ranged_part {
     }
 };
 
+/// A cell of a piece.
+struct cell {
+    patch of;
+    l3d_parameter_range range;
+};
+
+/// How long a unit of the piece's u and v is at most in its cells: 3 differences of control points
+/// for each of their own.
+l3d_trim_place lengths_of(std::span<const cell> cells) {
+    l3d_trim_place result{0, 0};
+    for (const auto& [of, range] : cells)
+        for (int i = 0; i < 4; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double by_u = l3d_length(of.at(i, k + 1) - of.at(i, k));
+                const double by_v = l3d_length(of.at(k + 1, i) - of.at(k, i));
+                result[0] = std::max(result[0], 3 * by_u / (range.u1 - range.u0));
+                result[1] = std::max(result[1], 3 * by_v / (range.v1 - range.v0));
+            }
+    return result;
+}
+
+/// Calls visit(cell, region) for each cell of a part of a piece of which the trims leave something.
+/// The region is empty where they leave all.
+template <class Visit>
+void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& part,
+                      const l3d_trim_region& region, const Visit& visit) {
+    const l3d_trim_box box{{part.u0, part.v0}, {part.u1, part.v1}};
+    if (region.is_empty())
+        return;
+    if (region.is_all_of(box)) {
+        for (const cell& one : cells)
+            visit(one, l3d_trim_region());
+        return;
+    }
+    if (cells.size() == 1)
+        return visit(cells.front(), region.in_box(box));
+    // Cells come in the order of halves of halves.
+    const std::size_t half = cells.size() / 2;
+    const bool along_u = cells[half - 1].range.u1 < part.u1;
+    const l3d_parameter_range first = part.half(along_u, false);
+    const auto [low, high] = region.halves(along_u ? 0 : 1, along_u ? first.u1 : first.v1);
+    for_each_trimmed(cells.first(half), first, low, visit);
+    for_each_trimmed(cells.subspan(half), part.half(along_u, true), high, visit);
+}
+
 /// The part of a piece that is off the most.
 struct worst_part {
     double off = 0;
@@ -88,7 +133,8 @@ std::array<std::optional<std::vector<double>>, 4> boundaries_of(const l3d_patch_
 l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces)
     : pieces_(std::move(pieces)), alike_(2 * pieces_.size()) {
     bool is_first = true;
-    for (const l3d_patch_points& piece : pieces_)
+    for (const l3d_patch_points& piece : pieces_) {
+        has_trims_ = has_trims_ || !piece.trims.empty();
         for (const auto& p : piece.points) {
             for (int k = 0; k < 3; ++k) {
                 const double value = p[static_cast<std::size_t>(k)];
@@ -97,6 +143,7 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces)
             }
             is_first = false;
         }
+    }
     std::iota(alike_.begin(), alike_.end(), std::size_t{0});
     unite_common_boundaries();
 }
@@ -139,7 +186,10 @@ l3d_curved_pieces::cuts l3d_curved_pieces::cuts_at(int places, int normals,
     constexpr int most_without_bound = 4;
     // Rounding, or a cusp, is reached where halving no longer gains a tenth.
     constexpr double gain = 0.9;
-    const double wanted_place = place_target(places), wanted_normal = normal_target(normals);
+    // Trims get three quarters of the error of places. For a quarter, cells need hardly more
+    // halvings.
+    const double wanted_place = place_target(places) / (has_trims_ ? 4 : 1);
+    const double wanted_normal = normal_target(normals);
     std::vector<int> of_line = from.of_lines;
     of_line.resize(alike_.size());
     std::vector<bool> is_done(pieces_.size(), false);
@@ -211,20 +261,41 @@ l3d_curved_pieces::cuts l3d_curved_pieces::cuts_at(int places, int normals,
         result.of_lines.push_back(of_line[root_of(line)]);
     for (const double here : off)
         result.error = std::max(result.error, here);
+    result.trims = has_trims_ ? 3 * wanted_place : 0;
+    result.error += result.trims;
     return result;
 }
 
 l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by) const {
     cells result;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
+    double of_trims = 0;
+    std::vector<cell> all;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        all.clear();
         for_each_part(ranged_part{l3d_rational_piece(pieces_[i])}, by.of_lines[2 * i],
                       by.of_lines[2 * i + 1], [&](const ranged_part& of) {
-                          const l3d_bicubic_approximation cell(of.part);
-                          result.patches.push_back(cell.patch);
-                          result.ranges.push_back(of.range);
-                          result.pieces.push_back(static_cast<std::uint32_t>(i));
-                          result.error = std::max(result.error, cell.error);
-                          result.normal_error = std::max(result.normal_error, cell.normal_error);
+                          const l3d_bicubic_approximation one(of.part);
+                          all.push_back({one.patch, of.range});
+                          result.error = std::max(result.error, one.error);
+                          result.normal_error = std::max(result.normal_error, one.normal_error);
                       });
+        const auto add = [&](const cell& one, l3d_trim_region region) {
+            result.patches.push_back(one.of);
+            result.ranges.push_back(one.range);
+            result.pieces.push_back(static_cast<std::uint32_t>(i));
+            if (has_trims_)
+                result.trims.push_back(std::move(region));
+        };
+        if (pieces_[i].trims.empty()) {
+            for (const cell& one : all)
+                add(one, {});
+            continue;
+        }
+        l3d_trim_region region;
+        of_trims =
+            std::max(of_trims, l3d_flat_trims(pieces_[i].trims, lengths_of(all), by.trims, region));
+        for_each_trimmed(all, {}, region.within({}), add);
+    }
+    result.error += of_trims;
     return result;
 }

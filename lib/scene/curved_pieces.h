@@ -5,6 +5,7 @@
 
 #include "geom/bezier_patch.h"
 #include "geom/files/patch_file.h"
+#include "geom/trim_region.h"
 #include "scene/patch_scene.h"
 
 #include <cstddef>
@@ -51,13 +52,18 @@ public:
         std::vector<patch> patches;
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
-        double error = 0;                        ///< bound of errors of places, in the pieces' unit
+        /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
+        std::vector<l3d_trim_region> trims;
+        double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
+    /// Whether any piece has trims.
+    bool has_trims() const { return has_trims_; }
     /// The numbers of halvings of all pieces.
     struct cuts {
         std::vector<int> of_lines; ///< piece i has 2 i along u, 2 i + 1 along v
-        double error = 0;          ///< bound of errors of places, in the pieces' unit
+        double trims = 0;          ///< how far polygons may be off that stand for trims
+        double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
     };
     /// Finds the cuts that a level needs. The search begins with the cuts of a coarser level.
     /// Expects: 0 <= places, normals <= most_level; `from` is empty, or was made here.
@@ -78,6 +84,7 @@ private:
     /// itself.
     std::vector<std::size_t> alike_;
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    bool has_trims_ = false;
 };
 
 #endif

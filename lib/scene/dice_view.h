@@ -14,8 +14,10 @@
 #include <cstdint>
 #include <limits>
 
-/// Whether a net is smaller than 24 pixels in both directions. Such nets are not divided into
-/// strips for the bound. A quarter of one is a few quads, and strips would cost more than they
+struct l3d_trim_region;
+
+/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
+/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
 /// save.
 inline bool l3d_is_small(const l3d_image_box& hull) {
     return hull.width() < 24 && hull.height() < 24;
@@ -89,6 +91,8 @@ struct l3d_dice_view {
     /// Blocks in which the diced patch may fold over as seen from the eye: bit 4 * row + column,
     /// columns along u.
     unsigned folds = 0;
+    /// The part of that patch that its trims leave; null where they leave all.
+    const l3d_trim_region* trim = nullptr;
 
     /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
     /// if the shading has one.

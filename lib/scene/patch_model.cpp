@@ -80,7 +80,8 @@ std::string complaint_of(const l3d_patch_points& patch) {
                    l3d_detail::formatted(" has the weight %g, which is not from 1e-100 to 1e12",
                                          patch.weights[i]);
     }
-    return "";
+    const std::string of_trims = l3d_trims_complaint(patch.trims);
+    return of_trims.empty() ? "" : ": " + of_trims;
 }
 
 /// Why patches are none of a model, naming the first that is at fault; "" if they are.
@@ -151,6 +152,7 @@ struct l3d_patch_model::contents {
     // The following are for a curved model.
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
     std::vector<l3d_parameter_range> ranges; ///< the part of it
+    std::vector<l3d_trim_region> trims;      ///< of each patch; none if no piece is trimmed
     double surface_error = 0, normal_error = 0;
 };
 
@@ -202,7 +204,10 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     std::shared_ptr<const contents>& kept = levels_[{places, normals}];
     if (!kept) {
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
-        std::shared_ptr<const contents>& same = made_[by.of_lines];
+        std::vector<int> cut_like = by.of_lines;
+        if (pieces.has_trims()) // whose polygons differ at each level
+            cut_like.push_back(places);
+        std::shared_ptr<const contents>& same = made_[cut_like];
         if (same)
             return kept = same;
         l3d_curved_pieces::cells cells = pieces.cut(by);
@@ -211,6 +216,9 @@ l3d_patch_model::source::at_level(int places, int normals) const {
             std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
         made->pieces = std::move(cells.pieces);
         made->ranges = std::move(cells.ranges);
+        made->trims = std::move(cells.trims);
+        if (!made->trims.empty())
+            made->orientation = 0; // an eye may look through holes
         made->surface_error = cells.error;
         made->normal_error = cells.normal_error;
         kept = same = made;
@@ -337,6 +345,16 @@ double l3d_patch_model::surface_error() const {
 
 double l3d_patch_model::normal_error() const {
     return contents_->normal_error;
+}
+
+bool l3d_patch_model::has_trims() const {
+    return source_ && source_->pieces.has_trims();
+}
+
+const l3d_trim_region* l3d_patch_model::trim(std::size_t index) const {
+    return contents_->trims.empty() || contents_->trims[index].is_empty()
+               ? nullptr
+               : &contents_->trims[index];
 }
 
 const void* l3d_patch_model::source_identity() const {
@@ -582,7 +600,7 @@ std::optional<l3d_patch_model> l3d_patch_model::made_like(const l3d_patch_model*
     patches.reserve(read.size());
     for (const l3d_patch_points& points : read) {
         const auto bicubic = l3d_as_bicubic(points);
-        if (!bicubic)
+        if (!bicubic || !points.trims.empty())
             return curved(like, read, name, why);
         patch& p = patches.emplace_back();
         for (std::size_t i = 0; i < 16; ++i)

@@ -27,6 +27,7 @@ class l3d_space_curve;
 class l3d_surface_bends;
 struct l3d_model_file;
 struct l3d_parameter_range;
+struct l3d_trim_region;
 struct l3d_patch_points;
 
 /// The largest magnitudes of a patch's coordinates, for the whole control net and for each edge.
@@ -150,6 +151,12 @@ public:
     /// parameters; 0 unless the model is curved. It is infinite where a normal vanishes inside of a
     /// patch.
     double normal_error() const;
+
+    /// Whether any of its pieces is trimmed.
+    bool has_trims() const;
+    /// The part of a patch that its trims leave; null where they leave all.
+    /// Expects: index < patches().size().
+    const l3d_trim_region* trim(std::size_t index) const;
 
     /// An address that copies of one model share at all levels. Any other model that lives at the
     /// same time has another one.

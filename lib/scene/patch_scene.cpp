@@ -245,6 +245,11 @@ bool l3d_patch_scene::has_pictures() const {
         instances_, [](const l3d_patch_instance& i) { return i.picture().texture != nullptr; });
 }
 
+bool l3d_patch_scene::has_trims() const {
+    return std::ranges::any_of(instances_,
+                               [](const l3d_patch_instance& i) { return i.model().has_trims(); });
+}
+
 bool l3d_patch_scene::has_curves() const {
     return std::ranges::any_of(
         instances_, [](const l3d_patch_instance& i) { return !i.model().curves().empty(); });

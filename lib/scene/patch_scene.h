@@ -271,6 +271,8 @@ public:
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.
     bool has_pictures() const;
+    /// Whether the model of any instance is trimmed.
+    bool has_trims() const;
     /// Whether the model of any instance has lines in space.
     bool has_curves() const;
 

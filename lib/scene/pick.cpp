@@ -5,6 +5,7 @@
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
 #include "geom/transform.h"
+#include "geom/trim_region.h"
 #include "scene/picks/ray_search.h"
 #include "scene/picks/surface_jet.h"
 
@@ -150,8 +151,14 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
     const double near = is_parallel ? -infinite : view.camera.near_z;
     const double far = is_parallel ? infinite : view.camera.far_z;
-    l3d_ray_search search(
-        near, far, [&](const l3d_ray_hit& hit) { return !view.one_sided || shows_front(hit); });
+    const auto is_there = [&](const l3d_ray_hit& hit) {
+        const auto& [instance, patch] = places[hit.patch];
+        const l3d_trim_region* const region = scene.instances()[instance].model().trim(patch);
+        return region == nullptr || region->contains({hit.u, hit.v});
+    };
+    l3d_ray_search search(near, far, [&](const l3d_ray_hit& hit) {
+        return is_there(hit) && (!view.one_sided || shows_front(hit));
+    });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const l3d_patch_instance& instance = scene.instances()[i];
         if (instance.opacity() == 0) // it is invisible

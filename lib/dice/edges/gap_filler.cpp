@@ -349,6 +349,13 @@ void l3d_note_outline_edge(l3d_diced_piece& piece, std::size_t side, const l3d_e
         }
         if (!forward)
             std::swap(from, to);
+        if (piece.keep_parameters) {
+            const auto along = [&](std::size_t j) {
+                return parameters.front() - per_t * t0 + per_t * edge.t()[j]; // as closing_side
+            };
+            piece.border_along.push_back(forward ? std::array{along(i), along(i + 1)}
+                                                 : std::array{along(i + 1), along(i)});
+        }
         piece.part.border.push_back(
             {from.x, from.y, to.x, to.y, from.inv_w, to.inv_w,
              piece.has_levels ? grid.normal[0][vertex] : std::numeric_limits<float>::quiet_NaN(),

@@ -2,6 +2,8 @@
 // obj_surfaces: Bezier and B-spline surfaces and curves as knots and control points.
 #include "geom/files/obj_surfaces_p.h"
 
+#include "geom/trim_region.h"
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -23,7 +25,8 @@ bool obj_index(text_cursor& text, std::string_view digits, std::size_t count,
 }
 
 bool obj_surfaces::knows(std::string_view word) {
-    constexpr std::string_view known[] = {"cstype", "deg", "surf", "curv", "parm", "end", "l"};
+    constexpr std::string_view known[] = {"cstype", "deg", "surf",  "curv", "parm", "end",
+                                          "l",      "vp",  "curv2", "trim", "hole"};
     return std::ranges::find(known, word) != std::end(known);
 }
 
@@ -39,17 +42,24 @@ bool obj_surfaces::read_statement(std::string_view word, const std::vector<vecto
         return read_curve(vertices.size());
     if (word == "l")
         return read_line(vertices);
-    if (is_open_)
+    if (word == "vp")
+        return read_parameter_vertex();
+    if (word == "curv2")
+        return read_trim_curve();
+    if (word == "trim" || word == "hole")
+        return read_trim(word == "hole");
+    if (open_ != opened::nothing)
         return word == "parm" ? read_parameters() : end(vertices, weights);
-    // The word belongs to a trimming curve, which is skipped.
+    // The word belongs to a curve that is skipped.
     while (text_.next_in_line())
         ;
     return true;
 }
 
 bool obj_surfaces::finish() {
-    return !is_open_ || text_.fail(std::string("the text ends in a ") +
-                                   (is_curve_ ? "curve" : "surface") + ", before its end");
+    return open_ == opened::nothing ||
+           text_.fail(std::string("the text ends in a ") +
+                      (open_ == opened::surface ? "surface" : "curve") + ", before its end");
 }
 
 bool obj_surfaces::read_kind() {
@@ -105,7 +115,7 @@ bool obj_surfaces::read_points(std::size_t vertices) {
 }
 
 bool obj_surfaces::read_surface(std::size_t vertices) {
-    if (is_open_)
+    if (open_ != opened::nothing)
         return text_.fail("a surface begins before the last one's end");
     if (kind_ == kind::none)
         return text_.fail("a surface before cstype");
@@ -115,16 +125,15 @@ bool obj_surfaces::read_surface(std::size_t vertices) {
         return text_.fail("a surface before deg with two degrees");
     u_ = {degree_u_, {}, 0, 0};
     v_ = {degree_v_, {}, 0, 0};
-    is_open_ = read_range(u_) && read_range(v_) && read_points(vertices);
-    is_curve_ = false;
-    return is_open_;
+    trims_.clear();
+    has_outer_trim_ = false;
+    open_ = opened::surface;
+    return read_range(u_) && read_range(v_) && read_points(vertices);
 }
 
 bool obj_surfaces::read_curve(std::size_t vertices) {
-    if (is_open_)
-        return text_.fail("a curve begins before the last one's end");
-    if (kind_ == kind::none || degree_u_ == 0)
-        return text_.fail(kind_ == kind::none ? "a curve before cstype" : "a curve before deg");
+    if (!begins_curve())
+        return false;
     if (kind_ == kind::other) {
         text_.note_once("curves that are neither bezier nor bspline are skipped");
         while (text_.next_in_line())
@@ -132,13 +141,86 @@ bool obj_surfaces::read_curve(std::size_t vertices) {
         return true;
     }
     u_ = {degree_u_, {}, 0, 0};
-    is_open_ = read_range(u_) && read_points(vertices);
-    is_curve_ = true;
-    return is_open_;
+    open_ = opened::curve;
+    return read_range(u_) && read_points(vertices);
+}
+
+/// A curve is about to begin.
+bool obj_surfaces::begins_curve() {
+    if (open_ != opened::nothing)
+        return text_.fail("a curve begins before the last one's end");
+    if (kind_ == kind::none || degree_u_ == 0)
+        return text_.fail(kind_ == kind::none ? "a curve before cstype" : "a curve before deg");
+    return true;
+}
+
+/// u, v and a weight, which are 0 and 1 if they are left out.
+bool obj_surfaces::read_parameter_vertex() {
+    std::array<double, 3>& p = parameter_vertices_.emplace_back(std::array<double, 3>{0, 0, 1});
+    if (!number_in_line(p[0], "a parameter"))
+        return false;
+    for (std::size_t k = 1; k < 3; ++k)
+        if (text_.next_in_line() &&
+            (!text_.number_in(text_.token(), p[k], "a parameter") || !text_.is_coordinate(p[k])))
+            return false;
+    return true;
+}
+
+bool obj_surfaces::read_trim_curve() {
+    if (!begins_curve())
+        return false;
+    if (kind_ == kind::other) {
+        text_.note_once("curves that are neither bezier nor bspline are skipped");
+        trim_curves_.emplace_back();
+        while (text_.next_in_line())
+            ;
+        return true;
+    }
+    u_ = {degree_u_, {}, 0, 0};
+    open_ = opened::trim_curve;
+    return read_points(parameter_vertices_.size());
+}
+
+/// The loop of a trim or hole: ranges of curves, one after another.
+bool obj_surfaces::read_trim(bool is_hole) {
+    const std::string word = is_hole ? "hole" : "trim";
+    if (open_ != opened::surface)
+        return text_.fail(word + " outside of a surface");
+    std::vector<l3d_nurbs_curve> curves;
+    std::size_t points = 0;
+    while (text_.next_in_line()) {
+        l3d_bspline_direction range;
+        std::uint32_t index = 0;
+        if (!text_.number_in(text_.token(), range.from, "the range of a curve") ||
+            !number_in_line(range.to, "the range of a curve"))
+            return false;
+        if (!(range.from < range.to))
+            return text_.fail("the range of a curve of " + word + " is empty");
+        if (!text_.next_in_line())
+            return text_.fail("the line ends where a curve of " + word + " should be");
+        if (!obj_index(text_, text_.token(), trim_curves_.size(), index))
+            return false;
+        const std::optional<l3d_nurbs_curve>& curve = trim_curves_[index];
+        if (!curve)
+            return text_.fail(word + " names a curve that is neither bezier nor bspline");
+        l3d_bspline_direction along = curve->along();
+        if (range.from < along.from || range.to > along.to)
+            return text_.fail("the range of a curve of " + word + " is not within its parameters");
+        along.from = range.from;
+        along.to = range.to;
+        points += along.segments() * static_cast<std::size_t>(along.degree + 1);
+        if (!takes(sizeof(std::array<double, 3>) * points))
+            return false;
+        curves.emplace_back(along, curve->points(), curve->weights());
+    }
+    trims_.push_back(l3d_trim_loop_of(curves));
+    const std::string why = l3d_trims_complaint(std::span(&trims_.back(), 1));
+    has_outer_trim_ = has_outer_trim_ || !is_hole;
+    return why.empty() || text_.fail(why);
 }
 
 bool obj_surfaces::read_line(const std::vector<vector>& vertices) {
-    if (is_open_)
+    if (open_ != opened::nothing)
         return text_.fail("a line begins before the end of a surface or curve");
     if (!read_points(vertices.size()))
         return false;
@@ -156,9 +238,10 @@ bool obj_surfaces::read_line(const std::vector<vector>& vertices) {
 }
 
 bool obj_surfaces::read_parameters() {
-    if (!text_.next_in_line() || (text_.token() != "u" && (is_curve_ || text_.token() != "v")))
-        return text_.fail(is_curve_ ? "parm of a curve is not followed by u"
-                                    : "parm is followed by neither u nor v");
+    const bool is_curve = open_ != opened::surface;
+    if (!text_.next_in_line() || (text_.token() != "u" && (is_curve || text_.token() != "v")))
+        return text_.fail(is_curve ? "parm of a curve is not followed by u"
+                                   : "parm is followed by neither u nor v");
     l3d_bspline_direction& direction = text_.token() == "u" ? u_ : v_;
     if (!direction.knots.empty())
         return text_.fail("a second parm " + quoted(text_.token()) + " of a surface or curve");
@@ -202,8 +285,14 @@ bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
 }
 
 bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<double>& weights) {
-    is_open_ = false;
-    return is_curve_ ? end_curve(vertices, weights) : end_surface(vertices, weights);
+    switch (std::exchange(open_, opened::nothing)) {
+    case opened::curve:
+        return end_curve(vertices, weights);
+    case opened::trim_curve:
+        return end_trim_curve();
+    default:
+        return end_surface(vertices, weights);
+    }
 }
 
 /// A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
@@ -262,6 +351,59 @@ bool obj_surfaces::end_curve(const std::vector<vector>& vertices,
     return true;
 }
 
+bool obj_surfaces::end_trim_curve() {
+    // The range is all that has enough control points.
+    const auto n = static_cast<std::size_t>(u_.degree);
+    if (u_.knots.size() >= 2) {
+        u_.from =
+            kind_ == kind::bezier ? u_.knots.front() : u_.knots[std::min(n, u_.knots.size() - 1)];
+        u_.to = kind_ == kind::bezier
+                    ? u_.knots.back()
+                    : u_.knots[u_.knots.size() - 1 - std::min(n, u_.knots.size() - 1)];
+    }
+    if (!complete(u_, "u"))
+        return false;
+    if (indices_.size() != u_.points())
+        return text_.fail("the curve has " + std::to_string(indices_.size()) +
+                          " control points; its parameters ask for " + std::to_string(u_.points()));
+    if (!takes(sizeof(std::array<double, 4>) * indices_.size()))
+        return false;
+    std::vector<vector> points;
+    std::vector<double> weights;
+    for (const std::uint32_t i : indices_) {
+        const auto& [u, v, weight] = parameter_vertices_[i];
+        points.push_back({u, v, 0.0});
+        if (is_rational_)
+            weights.push_back(weight);
+    }
+    const std::string why = l3d_nurbs_curve::complaint(u_, points, weights);
+    if (!why.empty())
+        return text_.fail(why);
+    trim_curves_.emplace_back(std::in_place, u_, std::move(points), std::move(weights));
+    return true;
+}
+
+/// Gives each piece of a surface what it needs of the loops. Holes alone are cut out of all of it.
+bool obj_surfaces::put_trims(std::span<l3d_patch_points> patches) {
+    if (trims_.empty())
+        return true;
+    if (!has_outer_trim_)
+        trims_.push_back(l3d_trim_around({{u_.from, v_.from}, {u_.to, v_.to}}));
+    const auto in_u = l3d_spans_of(u_), in_v = l3d_spans_of(v_);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto [u0, u1] = in_u[i % in_u.size()];
+        const auto [v0, v1] = in_v[i / in_u.size()];
+        patches[i].trims = l3d_trims_in(trims_, {{u0, v0}, {u1, v1}});
+        std::size_t bytes = 0;
+        for (const l3d_trim_loop& loop : patches[i].trims)
+            for (const l3d_trim_curve& curve : loop)
+                bytes += sizeof curve + sizeof(curve.points[0]) * curve.points.size();
+        if (!takes(bytes))
+            return false;
+    }
+    return true;
+}
+
 bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
                                const std::vector<double>& weights) {
     if (!complete(u_, "u") || !complete(v_, "v"))
@@ -284,10 +426,13 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
     for (const vector& p : places)
         points.push_back({p[0], p[1], p[2]});
     std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
+    if (!put_trims(patches))
+        return false;
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));
     if (whole_ != nullptr)
-        whole_->emplace_back(u_, v_, std::move(places), std::move(weights_here));
+        whole_->push_back(
+            l3d_nurbs_surface(u_, v_, std::move(places), std::move(weights_here)).trimmed(trims_));
     return true;
 }
 

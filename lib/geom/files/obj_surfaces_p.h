@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -50,18 +52,25 @@ public:
 
 private:
     enum class kind { none, bezier, bspline, other };
+    enum class opened { nothing, surface, curve, trim_curve };
 
     bool read_kind();
     bool read_degrees();
     bool read_surface(std::size_t vertices);
     bool read_curve(std::size_t vertices);
     bool read_line(const std::vector<vector>& vertices);
+    bool read_parameter_vertex();
+    bool begins_curve();
+    bool read_trim_curve();
+    bool read_trim(bool is_hole);
     bool read_range(l3d_bspline_direction& direction);
     bool read_points(std::size_t vertices);
     bool read_parameters();
     bool end(const std::vector<vector>& vertices, const std::vector<double>& weights);
     bool end_surface(const std::vector<vector>& vertices, const std::vector<double>& weights);
     bool end_curve(const std::vector<vector>& vertices, const std::vector<double>& weights);
+    bool end_trim_curve();
+    bool put_trims(std::span<l3d_patch_points> patches);
     bool weights_of(const std::vector<double>& weights, std::vector<double>& of_points);
     bool takes(std::size_t bytes);
     std::vector<vector> places_of(const std::vector<vector>& vertices);
@@ -74,12 +83,17 @@ private:
     std::vector<l3d_nurbs_surface>* whole_;
     std::size_t text_bytes_, patch_bytes_ = 0;
     kind kind_ = kind::none;
-    bool is_rational_ = false, is_open_ = false;
-    bool is_curve_ = false; ///< the open statement is a curve, no surface
+    bool is_rational_ = false;
+    opened open_ = opened::nothing;
     int degree_u_ = 0, degree_v_ = 0;
     l3d_bspline_direction u_, v_;
     std::vector<std::uint32_t> indices_; ///< control points of the open surface or curve
     std::vector<bool> is_control_point_;
+    std::vector<std::array<double, 3>> parameter_vertices_; ///< u, v and weight
+    /// Those of curv2, in their order; nothing for one that is skipped.
+    std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
+    std::vector<l3d_trim_loop> trims_; ///< those of the open surface
+    bool has_outer_trim_ = false;      ///< and not holes alone
 };
 
 } // namespace l3d_detail

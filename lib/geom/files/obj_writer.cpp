@@ -85,12 +85,39 @@ void append_last_vertices(std::string& text, std::size_t count) {
         text += " -" + std::to_string(i);
 }
 
+/// The curves of loops, and the statements that give these to a surface. Numbers count back from
+/// the last.
+std::string trims_of(std::string& text, std::span<const l3d_trim_loop> loops, bool is_rational) {
+    std::size_t left = 0;
+    for (const l3d_trim_loop& loop : loops)
+        left += loop.size();
+    if (left == 0)
+        return "";
+    std::string uses;
+    text += "cstype rat bezier\n";
+    for (const l3d_trim_loop& loop : loops) {
+        uses += "trim";
+        for (const l3d_trim_curve& curve : loop) {
+            for (const auto& p : curve.points)
+                append_vector(text, "vp ", p[0], p[1], p[2]);
+            text += "deg " + std::to_string(curve.points.size() - 1) + "\ncurv2";
+            append_last_vertices(text, curve.points.size());
+            text += "\nparm u 0 1\nend\n";
+            uses += " 0 1 -" + std::to_string(left--);
+        }
+        uses += '\n';
+    }
+    text += is_rational ? "cstype rat bezier\n" : "cstype bezier\n";
+    return uses;
+}
+
 void append_patch(std::string& text, const l3d_patch_points& patch) {
+    const std::string trims = trims_of(text, patch.trims, !patch.weights.empty());
     append_points(text, patch.points, patch.weights);
     text += "deg " + std::to_string(patch.degree_u) + ' ' + std::to_string(patch.degree_v) +
             "\nsurf 0 1 0 1";
     append_last_vertices(text, patch.points.size());
-    text += "\nparm u 0 1\nparm v 0 1\nend\n";
+    text += "\nparm u 0 1\nparm v 0 1\n" + trims + "end\n";
 }
 
 void append_knots(std::string& text, const char* name, const l3d_bspline_direction& along) {
@@ -165,6 +192,7 @@ std::string l3d_write_obj(const l3d_model_file& model) {
 std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
     std::string text;
     for (const l3d_nurbs_surface& surface : surfaces) {
+        const std::string trims = trims_of(text, surface.trims(), !surface.weights().empty());
         append_points(text, surface.points(), surface.weights());
         text += surface.weights().empty() ? "cstype bspline\n" : "cstype rat bspline\n";
         text += "deg " + std::to_string(surface.u().degree) + ' ' +
@@ -178,7 +206,7 @@ std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces) 
         text += '\n';
         append_knots(text, "parm u ", surface.u());
         append_knots(text, "parm v ", surface.v());
-        text += "end\n";
+        text += trims + "end\n";
     }
     return text;
 }

@@ -15,6 +15,25 @@
 #include <string_view>
 #include <vector>
 
+/// A rational Bezier curve in the plane of a surface's parameters.
+///
+/// Shape: 2 to 16 control points, which say its degree; each has u, v and its weight, by which u
+///        and v are not multiplied.
+struct L3D_PUBLIC l3d_trim_curve {
+    std::vector<std::array<double, 3>> points; ///< u, v, weight
+
+    friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
+};
+
+/// A closed loop of curves in (u, v): each begins where the one before ends, and the first where
+/// the last does. A straight line closes what rounding left open.
+using l3d_trim_loop = std::vector<l3d_trim_curve>;
+
+/// Why these are no loops, naming the one at fault; "" if they are. Each has a curve. Coordinates
+/// are finite and at most 1e12, weights as l3d_is_weight wants them. The gap between two curves is
+/// at most a 2^-20 of the loop's extent.
+L3D_PUBLIC std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops);
+
 /// The control points of one Bezier patch of any degrees, rational if it has weights.
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points; index = row * (degree_u + 1) + column, columns
@@ -25,6 +44,9 @@ struct L3D_PUBLIC l3d_patch_points {
     std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
     /// The weights of a rational patch, positive, one per point; empty for a polynomial patch.
     std::vector<double> weights = {};
+    /// Loops in (u, v), each from 0 to 1, that trim the patch. A point is part of it if an odd
+    /// number of loops winds around its parameters an odd number of times. All is, without loops.
+    std::vector<l3d_trim_loop> trims = {};
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
 };

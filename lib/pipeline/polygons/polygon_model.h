@@ -249,6 +249,7 @@ struct L3D_PUBLIC l3d_patch_mesh {
 /// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
 /// out.
 /// Expects: n >= 1.
+/// Errors: throws l3d_error(bad_input) for trimmed surfaces.
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 /// The polygons of a file that was read, and its patches as n by n quads each.

@@ -58,15 +58,22 @@ bool equal(scan_point a, scan_point b) {
 void border_edges::add(const band_item& item) {
     const l3d_surface_part& part = *item.part;
     const grid_cells& cells = item.cells;
-    if (part.grid.rows < 2) {
+    std::span<const l3d_border_edge> of_quads = part.border, of_triangles = part.border;
+    if (part.grid.rows >= 2) {
+        const auto end = std::ranges::partition_point(
+            part.border, [](const l3d_border_edge& e) { return e.row >= 0; });
+        of_quads = {part.border.begin(), end};
+        of_triangles = {end, part.border.end()};
+    }
+    if (item.triangle_begin < item.triangle_end) {
         const auto begin = std::ranges::lower_bound(
-            part.border, static_cast<int>(item.triangle_begin), {}, &l3d_border_edge::column);
-        for (auto e = begin; e != part.border.end() && e->column < int(item.triangle_end); ++e)
+            of_triangles, static_cast<int>(item.triangle_begin), {}, &l3d_border_edge::column);
+        for (auto e = begin; e != of_triangles.end() && e->column < int(item.triangle_end); ++e)
             if (reaches_rows(*e))
                 add_edge(*e, turn_of(part.triangles, e->column));
         return;
     }
-    for (const l3d_border_edge& e : part.border)
+    for (const l3d_border_edge& e : of_quads)
         if (e.row >= cells.row_begin && e.row < cells.row_end && e.column >= cells.column_begin &&
             e.column < cells.column_end && reaches_rows(e))
             add_edge(e, turn_at(part.grid, e));

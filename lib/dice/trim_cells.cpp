@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: MIT
+// l3d_trim_cells: regions are halved along the grid's lines until they are those of single quads.
+#include "dice/trim_cells.h"
+
+#include "dice/grid_light.h"
+#include "dice/snap.h"
+#include "raster/surfaces/quad_cut_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace {
+
+using parameters = l3d_patch_parameters;
+
+/// A point of a surface between `Corners` vertices, and the share that it has of each.
+template <std::size_t Corners> struct blended {
+    std::array<double, Corners> shares{};
+    l3d_micro_vertex vertex;
+    parameters uv;
+};
+
+/// Vertices that are interpolated before projection.
+template <std::size_t Corners> struct corners {
+    std::array<l3d_micro_vertex, Corners> at;
+    std::array<double, Corners> w{};
+    const l3d_dice_view* view = nullptr;
+
+    corners(const std::array<l3d_micro_vertex, Corners>& of, const l3d_dice_view& in)
+        : at(of), view(&in) {
+        for (std::size_t i = 0; i < Corners; ++i)
+            w[i] = in.w_at(at[i].inv_w);
+    }
+
+    /// A vertex that has all of the shares is itself, bit for bit.
+    l3d_micro_vertex place(const std::array<double, Corners>& shares) const {
+        double sum = 0, x = 0, y = 0;
+        for (std::size_t i = 0; i < Corners; ++i) {
+            if (shares[i] == 1)
+                return at[i];
+            const double part = shares[i] * w[i];
+            sum += part;
+            x += part * at[i].x;
+            y += part * at[i].y;
+        }
+        return {
+            l3d_detail::rounded(x / sum), l3d_detail::rounded(y / sum), view->depth_at(sum), {}};
+    }
+
+    void set_normal(const std::array<double, Corners>& shares, l3d_micro_vertex& to) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            double sum = 0;
+            for (std::size_t i = 0; i < Corners; ++i)
+                sum += shares[i] * double{at[i].normal[k]};
+            to.normal[k] = static_cast<float>(sum);
+        }
+        l3d_make_unit(to.normal);
+    }
+};
+
+/// A quad of a grid. Shares are those of p00, p10, p11 and p01.
+struct quad_surface : corners<4> {
+    using point = blended<4>;
+
+    l3d_trim_box box;
+
+    quad_surface(const std::array<l3d_micro_vertex, 4>& of, const l3d_dice_view& in,
+                 const l3d_trim_box& between)
+        : corners<4>(of, in), box(between) {}
+
+    point point_at(const l3d_trim_place& p) const {
+        const double s = (p[0] - box.least[0]) / (box.most[0] - box.least[0]);
+        const double t = (p[1] - box.least[1]) / (box.most[1] - box.least[1]);
+        point result{.shares = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t},
+                     .vertex = {},
+                     .uv = {p[0], p[1]}};
+        result.vertex = place(result.shares);
+        return result;
+    }
+
+    /// Levels are those of levels_shader.
+    double level(const std::array<double, 4>& p) const {
+        const double s = p[1] + p[2], t = p[2] + p[3];
+        const l3d_detail::quad_bends bends(at);
+        double result = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            result += p[i] * double{at[i].normal[0]};
+        return result + 4 * s * (1 - s) * ((1 - t) * double{bends.ab} + t * double{bends.dc}) +
+               4 * t * (1 - t) * ((1 - s) * double{bends.ad} + s * double{bends.bc});
+    }
+
+    /// Products s t differ by a quarter at most from planes over a part of the quad, and so do
+    /// places by a quarter of what the corners' fourth is off. About the middle of a part, a level
+    /// is a parabola but for cubic terms, whose factors are 4 differences of bends. Nothing is
+    /// farther from the middle than 2/3, and parabolas through six points are at most 5/3 of what
+    /// they go through: 4 (2/3)^3 (1 + 5/3) < 3.2.
+    l3d_trim_error error(bool has_levels) const {
+        l3d_trim_error result;
+        const double w_off = w[0] - w[1] + w[2] - w[3];
+        const double least = std::min({w[0], w[1], w[2], w[3]});
+        const auto off = [&](auto coordinate) {
+            return w[0] * coordinate(at[0]) - w[1] * coordinate(at[1]) + w[2] * coordinate(at[2]) -
+                   w[3] * coordinate(at[3]);
+        };
+        const double x_off = off([](const l3d_micro_vertex& v) { return double(v.x); });
+        const double y_off = off([](const l3d_micro_vertex& v) { return double(v.y); });
+        for (const l3d_micro_vertex& v : at)
+            result.places_px =
+                std::max(result.places_px, std::hypot(x_off - v.x * w_off, y_off - v.y * w_off) /
+                                               (4 * least * l3d_subpixel_one));
+        result.places_px += l3d_snap_error<double>(l3d_guard_band) + view->depth_rounding();
+        if (has_levels) {
+            const l3d_detail::quad_bends bends(at);
+            result.levels = 3.2 * (std::abs(double{bends.ab} - double{bends.dc}) +
+                                   std::abs(double{bends.ad} - double{bends.bc}));
+            return result;
+        }
+        double twist = 0, shortest = 1;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double d = double{at[0].normal[k]} - double{at[1].normal[k]} +
+                             double{at[2].normal[k]} - double{at[3].normal[k]};
+            twist += d * d;
+        }
+        // Means of unit vectors are at least as long as the cosine of half of the widest angle
+        // between them, and the square of that is at least 1 - d^2 / 4 for a distance d.
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                double square = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double d = double{at[i].normal[k]} - double{at[j].normal[k]};
+                    square += d * d;
+                }
+                shortest = std::min(shortest, 1 - square / 2);
+            }
+        result.normals = shortest > 0 ? 2 * ((1 - shortest) + std::sqrt(twist) / 4) / shortest
+                                      : std::numeric_limits<double>::infinity();
+        return result;
+    }
+};
+
+/// A triangle of a slit.
+struct slit_surface : corners<3> {
+    using point = blended<3>;
+
+    using corners<3>::corners;
+
+    double level(const std::array<double, 3>& p) const {
+        double result =
+            4 * (p[0] * p[1] * double{at[0].normal[1]} + p[0] * p[2] * double{at[0].normal[2]} +
+                 p[1] * p[2] * double{at[1].normal[2]});
+        for (std::size_t i = 0; i < 3; ++i)
+            result += p[i] * double{at[i].normal[0]};
+        return result;
+    }
+};
+
+template <std::size_t Corners>
+std::array<double, Corners> middle(const std::array<double, Corners>& a,
+                                   const std::array<double, Corners>& b) {
+    std::array<double, Corners> result;
+    for (std::size_t i = 0; i < Corners; ++i)
+        result[i] = (a[i] + b[i]) / 2;
+    return result;
+}
+
+std::int64_t double_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                         const l3d_micro_vertex& c) {
+    return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
+           (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+}
+
+l3d_border_edge side_of(const l3d_micro_vertex& from, const l3d_micro_vertex& to, int row,
+                        int column, bool always) {
+    return {.from_x = from.x,
+            .from_y = from.y,
+            .to_x = to.x,
+            .to_y = to.y,
+            .from_inv_w = from.inv_w,
+            .to_inv_w = to.inv_w,
+            .level = std::numeric_limits<float>::quiet_NaN(),
+            .row = row,
+            .column = column,
+            .always = always};
+}
+
+/// Joins stretches that touch.
+void join(std::vector<std::array<double, 2>>& of) {
+    std::ranges::sort(of);
+    std::size_t kept = 0;
+    for (const auto& one : of)
+        if (kept > 0 && one[0] <= of[kept - 1][1])
+            of[kept - 1][1] = std::max(of[kept - 1][1], one[1]);
+        else
+            of[kept++] = one;
+    of.resize(kept);
+}
+
+} // namespace
+
+void l3d_trim_error::add(const l3d_trim_error& other) {
+    places_px = std::max(places_px, other.places_px);
+    normals = std::max(normals, other.normals);
+    levels = std::max(levels, other.levels);
+}
+
+l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice_view& view,
+                                   l3d_diced_piece& piece) {
+    view_ = &view;
+    piece_ = &piece;
+    error_ = {};
+    for (stretches& side : kept_)
+        side.clear();
+    slits_.clear();
+    std::swap(slits_, piece.part.triangles);
+    for (std::size_t k = 0; k < slits_uv_.size(); ++k) {
+        slits_uv_[k].clear();
+        std::swap(slits_uv_[k], piece.triangle_uv[k]);
+    }
+    const bool notes = view.shading.antialias;
+    border_.clear();
+    trims_.clear();
+    std::swap(border_, piece.part.border);
+    std::swap(border_along_, piece.border_along);
+    if (piece.part.grid.rows > 1) {
+        if (notes)
+            is_whole_.assign(piece.part.grid.x.size(), false);
+        const l3d_trim_box box{{piece.u.front(), piece.v.front()},
+                               {piece.u.back(), piece.v.back()}};
+        const auto take = [this](const l3d_trim_block& of, const l3d_trim_region* here) {
+            if (here == nullptr)
+                leave_out(of);
+            else if (here->is_all_of({{piece_->u[of.column], piece_->v[of.row]},
+                                      {piece_->u[of.end_column], piece_->v[of.end_row]}}))
+                keep_all(of);
+            else
+                cut_quad(*here, of.row, of.column);
+        };
+        l3d_for_trimmed_blocks(region.within(box), piece.u, piece.v,
+                               {0, piece.v.size() - 1, 0, piece.u.size() - 1}, take);
+        std::ranges::sort(piece.part.grid.cut);
+        for (stretches& side : kept_)
+            join(side);
+        if (notes) {
+            note_whole_quads();
+            cut_border();
+            piece.part.border.insert(piece.part.border.end(), trims_.begin(), trims_.end());
+        }
+    }
+    cut_slits(region);
+    return error_;
+}
+
+void l3d_trim_cells::leave_out(const l3d_trim_block& of) {
+    l3d_micro_grid& grid = piece_->part.grid;
+    for (std::size_t row = of.row; row < of.end_row; ++row)
+        for (std::size_t column = of.column; column < of.end_column; ++column)
+            grid.cut.push_back(static_cast<std::uint32_t>(
+                grid.index(static_cast<int>(row), static_cast<int>(column))));
+}
+
+void l3d_trim_cells::keep_all(const l3d_trim_block& of) {
+    const std::vector<double>&u = piece_->u, &v = piece_->v;
+    if (view_->shading.antialias)
+        for (std::size_t row = of.row; row < of.end_row; ++row)
+            for (std::size_t column = of.column; column < of.end_column; ++column)
+                is_whole_[piece_->part.grid.index(static_cast<int>(row),
+                                                  static_cast<int>(column))] = true;
+    if (of.row == 0)
+        kept_[0].push_back({u[of.column], u[of.end_column]});
+    if (of.end_row + 1 == v.size())
+        kept_[1].push_back({u[of.column], u[of.end_column]});
+    if (of.column == 0)
+        kept_[2].push_back({v[of.row], v[of.end_row]});
+    if (of.end_column + 1 == u.size())
+        kept_[3].push_back({v[of.row], v[of.end_row]});
+}
+
+/// Whether the quad is in a block that need not be drawn.
+bool l3d_trim_cells::is_unseen(std::size_t row, std::size_t column) const {
+    if (piece_->part.unseen == 0)
+        return false;
+    const auto block_of = [](const l3d_block_starts& starts, std::size_t at) {
+        unsigned result = 0;
+        while (static_cast<std::size_t>(starts.first[result + 1]) <= at)
+            ++result;
+        return result;
+    };
+    return (piece_->part.unseen >>
+                (l3d_block_starts::most_blocks * block_of(piece_->part.block_rows, row) +
+                 block_of(piece_->part.block_columns, column)) &
+            1) != 0;
+}
+
+template <class Surface>
+void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
+                         const typename Surface::point& b, const typename Surface::point& c) {
+    const std::int64_t area = double_area(a.vertex, b.vertex, c.vertex);
+    if (area == 0)
+        return;
+    std::array<typename Surface::point, 3> p{a, b, c};
+    if (view_->makes_levels()) {
+        std::array<double, 3> level;
+        for (std::size_t i = 0; i < 3; ++i)
+            level[i] = of.level(p[i].shares);
+        const auto bend = [&](std::size_t i, std::size_t j) {
+            return static_cast<float>(of.level(middle(p[i].shares, p[j].shares)) -
+                                      (level[i] + level[j]) / 2);
+        };
+        for (std::size_t i = 0; i < 3; ++i)
+            p[i].vertex.normal[0] = static_cast<float>(level[i]);
+        p[0].vertex.normal[1] = bend(0, 1);
+        p[0].vertex.normal[2] = bend(0, 2);
+        p[1].vertex.normal[1] = p[2].vertex.normal[1] = p[2].vertex.normal[2] = 0;
+        p[1].vertex.normal[2] = bend(1, 2);
+    } else {
+        for (auto& corner : p)
+            of.set_normal(corner.shares, corner.vertex);
+    }
+    if constexpr (std::is_same_v<Surface, quad_surface>)
+        if (piece_->part.grid.shows_both && area > 0)
+            for (auto& corner : p)
+                for (float& number : corner.vertex.normal)
+                    number = -number;
+    piece_->add_triangle({p[0].vertex, p[0].uv.u, p[0].uv.v}, {p[1].vertex, p[1].uv.u, p[1].uv.v},
+                         {p[2].vertex, p[2].uv.u, p[2].uv.v});
+}
+
+void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column) {
+    const std::vector<double>&u = piece_->u, &v = piece_->v;
+    leave_out({row, row + 1, column, column + 1});
+    const l3d_trim_box box{{u[column], v[row]}, {u[column + 1], v[row + 1]}};
+    triangles_.cut(region, box);
+    const std::array at_border{row == 0, row + 2 == v.size(), column == 0, column + 2 == u.size()};
+    for (std::size_t side = 0; side < kept_.size(); ++side)
+        if (at_border[side])
+            kept_[side].insert(kept_[side].end(), triangles_.sides()[side].begin(),
+                               triangles_.sides()[side].end());
+    if (is_unseen(row, column))
+        return;
+    const l3d_micro_grid& grid = piece_->part.grid;
+    const std::size_t p00 = grid.index(static_cast<int>(row), static_cast<int>(column));
+    const quad_surface of(l3d_detail::corners_of(grid, p00), *view_, box);
+    error_.add(of.error(view_->makes_levels()));
+    const bool notes = view_->shading.antialias;
+    auto border = triangles_.border().begin();
+    for (std::size_t i = 0; i < triangles_.triangles().size(); ++i) {
+        const auto& [a, b, c] = triangles_.triangles()[i];
+        add(of, of.point_at(a), of.point_at(b), of.point_at(c));
+        // One without area has given its place to the one before.
+        const std::size_t last = piece_->part.triangles.count - 1;
+        for (; notes && border != triangles_.border().end() && border->triangle == i; ++border)
+            if (piece_->part.triangles.count > 0)
+                trims_.push_back(side_of(of.point_at(border->from).vertex,
+                                         of.point_at(border->to).vertex, -1, static_cast<int>(last),
+                                         true));
+    }
+    if (!notes)
+        return;
+    const auto note_side = [&](const l3d_trim_place& from, const l3d_trim_place& to) {
+        piece_->part.border.push_back(side_of(of.point_at(from).vertex, of.point_at(to).vertex,
+                                              static_cast<int>(row), static_cast<int>(column),
+                                              false));
+    };
+    for (std::size_t side = 0; side < at_border.size(); ++side)
+        for (const auto& [from, to] : triangles_.sides()[side]) {
+            if (at_border[side])
+                continue;
+            if (side == 0)
+                note_side({from, box.least[1]}, {to, box.least[1]});
+            else if (side == 1)
+                note_side({to, box.most[1]}, {from, box.most[1]});
+            else if (side == 2)
+                note_side({box.least[0], to}, {box.least[0], from});
+            else
+                note_side({box.most[0], from}, {box.most[0], to});
+        }
+}
+
+/// Notes the sides at which a whole quad meets another one; they go on there, or end.
+void l3d_trim_cells::note_whole_quads() {
+    const l3d_micro_grid& grid = piece_->part.grid;
+    const auto is_whole = [&](int row, int column) { return is_whole_[grid.index(row, column)]; };
+    for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            if (!is_whole(row, column))
+                continue;
+            const auto add_side = [&](const l3d_micro_vertex& from, const l3d_micro_vertex& to) {
+                piece_->part.border.push_back(side_of(from, to, row, column, false));
+            };
+            const l3d_micro_vertex p00 = grid.vertex(row, column),
+                                   p10 = grid.vertex(row, column + 1),
+                                   p11 = grid.vertex(row + 1, column + 1),
+                                   p01 = grid.vertex(row + 1, column);
+            if (row > 0 && !is_whole(row - 1, column))
+                add_side(p00, p10);
+            if (row + 2 < grid.rows && !is_whole(row + 1, column))
+                add_side(p11, p01);
+            if (column > 0 && !is_whole(row, column - 1))
+                add_side(p01, p00);
+            if (column + 2 < grid.columns && !is_whole(row, column + 1))
+                add_side(p10, p11);
+        }
+}
+
+/// Keeps of the piece's border what lies beside the region.
+void l3d_trim_cells::cut_border() {
+    constexpr std::size_t sides[] = {0, 3, 1, 2}; // v = 0, u = 1, v = 1, u = 0: those of quads
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+        const l3d_border_edge& edge = border_[i];
+        const auto [begin, end] = border_along_[i];
+        const bool rises = begin < end;
+        std::array<l3d_micro_vertex, 2> ends{
+            l3d_micro_vertex{edge.from_x, edge.from_y, edge.from_inv_w, {}},
+            l3d_micro_vertex{edge.to_x, edge.to_y, edge.to_inv_w, {}}};
+        if (!rises)
+            std::swap(ends[0], ends[1]);
+        const double low = std::min(begin, end), high = std::max(begin, end);
+        if (low == high)
+            continue;
+        const corners<2> of(ends, *view_);
+        const auto at = [&](double along) {
+            const double part = (along - low) / (high - low);
+            return of.place({1 - part, part});
+        };
+        for (const auto& [from, to] : kept_[sides[edge.side]]) {
+            if (to <= low || from >= high)
+                continue;
+            l3d_micro_vertex a = at(std::max(low, from)), b = at(std::min(high, to));
+            if (!rises)
+                std::swap(a, b);
+            l3d_border_edge& kept = piece_->part.border.emplace_back(edge);
+            kept.from_x = a.x;
+            kept.from_y = a.y;
+            kept.from_inv_w = a.inv_w;
+            kept.to_x = b.x;
+            kept.to_y = b.y;
+            kept.to_inv_w = b.inv_w;
+        }
+    }
+}
+
+/// Slits lie along lines of equal u or v. Other triangles are those of clipped quads.
+void l3d_trim_cells::cut_slits(const l3d_trim_region& region) {
+    const bool has_grid = piece_->part.grid.rows > 1;
+    stretches of_line; // those of the line that is known
+    std::array<double, 2> line{-1, -1};
+    for (std::size_t i = 0; i < slits_.count; ++i) {
+        const parameters &a = slits_uv_[0][i], &b = slits_uv_[1][i], &c = slits_uv_[2][i];
+        const bool along_u = a.v == b.v && b.v == c.v;
+        const bool is_point = along_u && a.u == b.u && b.u == c.u; // that stands for all of a patch
+        if (is_point || (!along_u && !(a.u == b.u && b.u == c.u))) {
+            keep_slit(i);
+            if (!is_point) // light within its quad is not what is proven
+                error_.normals = error_.levels = std::numeric_limits<double>::infinity();
+            continue;
+        }
+        const double across = along_u ? a.v : a.u;
+        if (has_grid) {
+            const bool is_low = across == (along_u ? piece_->v : piece_->u).front();
+            cut_slit(i, along_u, kept_[(along_u ? 0 : 2) + (is_low ? 0 : 1)]);
+            continue;
+        }
+        if (line != std::array{along_u ? 1.0 : 0.0, across}) {
+            line = {along_u ? 1.0 : 0.0, across};
+            of_line = region.stretches(along_u ? 1 : 0, across);
+        }
+        cut_slit(i, along_u, of_line);
+    }
+}
+
+void l3d_trim_cells::keep_slit(std::size_t triangle) {
+    std::array<l3d_dice_vertex, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const parameters& at = slits_uv_[k][triangle];
+        corner[k] = {slits_.vertex(triangle, k), at.u, at.v};
+    }
+    piece_->add_triangle(corner[0], corner[1], corner[2]);
+}
+
+/// Keeps what lies beside the stretches. New corners are on the triangle's sides, functions of the
+/// sides' ends.
+void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretches& kept) {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    const auto along = [&](std::size_t corner) {
+        const parameters& at = slits_uv_[corner][triangle];
+        return along_u ? at.u : at.v;
+    };
+    std::ranges::sort(order, {}, along);
+    const auto [low, middle, high] = order;
+    auto first =
+        std::ranges::partition_point(kept, [&](const stretch& one) { return one[1] < along(low); });
+    const slit_surface of(
+        {slits_.vertex(triangle, 0), slits_.vertex(triangle, 1), slits_.vertex(triangle, 2)},
+        *view_);
+    const auto between = [&](std::size_t from, std::size_t to, double at) {
+        slit_surface::point result;
+        const double part = (at - along(from)) / (along(to) - along(from));
+        result.shares[from] = 1 - part;
+        result.shares[to] = part;
+        result.vertex = of.place(result.shares);
+        result.uv = slits_uv_[from][triangle];
+        (along_u ? result.uv.u : result.uv.v) = at;
+        return result;
+    };
+    const auto by_way = [&](double at) {
+        return at < along(middle) || along(middle) == along(high) ? between(low, middle, at)
+                                                                  : between(middle, high, at);
+    };
+    for (; first != kept.end() && (*first)[0] <= along(high); ++first) {
+        const auto [from, to] = *first;
+        if (from <= along(low) && to >= along(high))
+            return keep_slit(triangle);
+        const double begin = std::max(from, along(low)), end = std::min(to, along(high));
+        if (!(begin < end))
+            continue;
+        error_.places_px = std::max(error_.places_px, l3d_snap_error<double>(l3d_guard_band) +
+                                                          view_->depth_rounding());
+        const slit_surface::point straight = between(low, high, begin);
+        slit_surface::point last = by_way(begin);
+        if (begin < along(middle) && along(middle) < end) {
+            slit_surface::point corner;
+            corner.shares[middle] = 1;
+            corner.vertex = of.place(corner.shares);
+            corner.uv = slits_uv_[middle][triangle];
+            add(of, straight, last, corner);
+            last = corner;
+        }
+        const slit_surface::point far = by_way(end);
+        add(of, straight, last, far);
+        add(of, straight, far, between(low, high, end));
+    }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// l3d_trim_cells: cuts diced pieces at the borders of their patch's trimmed region.
+#ifndef L3D_DICE_TRIM_CELLS_H
+#define L3D_DICE_TRIM_CELLS_H
+
+#include "dice/diced_piece.h"
+#include "geom/trim_triangles.h"
+#include "scene/dice_view.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// The most that trimming adds to the errors of a piece.
+struct l3d_trim_error {
+    double places_px = 0; ///< error of places, and of depth along the normal
+    double normals = 0;   ///< error of interpolated normals, where vertices have such
+    double levels = 0;    ///< error of levels, where vertices have these
+
+    void add(const l3d_trim_error& other);
+};
+
+/// Leaves out what lies outside of a region: of a piece's quads, and of the triangles of its slits.
+///
+/// Quads that lie inside stay as they are. Others join the grid's `cut`, and triangles stand for
+/// what is left of those that the border passes through. A new corner stands for the same
+/// parameters in the plane of its quad, before projection. One on a side is a function of that
+/// side's ends, so neighbours fit together (docs/NUMERICS.md, section 27).
+/// Lives:   one per worker, kept for its memory.
+/// Expects: pieces that keep the parameters of their triangles.
+class l3d_trim_cells {
+public:
+    /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
+    l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
+                       l3d_diced_piece& piece);
+
+private:
+    using stretch = std::array<double, 2>;
+    using stretches = std::vector<stretch>;
+    void leave_out(const l3d_trim_block& of);
+    void keep_all(const l3d_trim_block& of);
+    void cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column);
+    template <class Surface>
+    void add(const Surface& of, const typename Surface::point& a, const typename Surface::point& b,
+             const typename Surface::point& c);
+    void cut_slits(const l3d_trim_region& region);
+    void keep_slit(std::size_t triangle);
+    void cut_slit(std::size_t triangle, bool along_u, const stretches& kept);
+    bool is_unseen(std::size_t row, std::size_t column) const;
+    void note_whole_quads();
+    void cut_border();
+
+    const l3d_dice_view* view_ = nullptr;
+    l3d_diced_piece* piece_ = nullptr;
+    l3d_trim_error error_;
+    l3d_trim_triangles triangles_;
+    std::array<stretches, 4> kept_;       ///< the piece's sides, in the order of l3d_piece_side
+    std::vector<bool> is_whole_;          ///< quads, by the index of their first corners
+    std::vector<l3d_border_edge> border_; ///< as it was
+    std::vector<l3d_border_edge> trims_;  ///< sides of triangles
+    std::vector<stretch> border_along_;
+    l3d_micro_triangles slits_;
+    std::array<std::vector<l3d_patch_parameters>, 3> slits_uv_;
+};
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Trimmed regions: triangles against the odd rule at random places, and loops against their curves.
+#include "geom/trim_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace {
+
+using real = long double;
+
+real turn(const l3d_trim_place& a, const l3d_trim_place& b, const l3d_trim_place& c) {
+    return (real{b[0]} - a[0]) * (real{c[1]} - a[1]) - (real{b[1]} - a[1]) * (real{c[0]} - a[0]);
+}
+
+/// The distance of a place from a side.
+real distance(const l3d_trim_place& p, const l3d_trim_place& a, const l3d_trim_place& b) {
+    const real x = real{b[0]} - a[0], y = real{b[1]} - a[1], square = x * x + y * y;
+    const real along = (p[0] - a[0]) * x + (p[1] - a[1]) * y;
+    const real t = square > 0 ? std::clamp(along / square, real{0}, real{1}) : 0;
+    return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
+}
+
+template <class Visit> void for_sides(const l3d_trim_region& region, const Visit& visit) {
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            visit(polygon[i], polygon[(i + 1) % polygon.size()]);
+}
+
+/// The slow twin: the angle that each polygon winds around a place.
+bool is_inside(const l3d_trim_region& region, const l3d_trim_place& p) {
+    real angle = 0;
+    for_sides(region, [&](const l3d_trim_place& a, const l3d_trim_place& b) {
+        const real ax = a[0] - p[0], ay = a[1] - p[1], bx = b[0] - p[0], by = b[1] - p[1];
+        angle += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    });
+    return std::lround(angle / (2 * std::numbers::pi_v<real>)) % 2 != 0;
+}
+
+/// How many triangles hold a place; all of them turn left, but for those without area.
+int count(const l3d_trim_triangles& all, const l3d_trim_place& p) {
+    int result = 0;
+    for (const auto& [a, b, c] : all.triangles()) {
+        EXPECT_GE(turn(a, b, c), -1e-14L);
+        result += turn(a, b, p) > 0 && turn(b, c, p) > 0 && turn(c, a, p) > 0 ? 1 : 0;
+    }
+    return result;
+}
+
+/// Polygons that cross themselves and each other; some corners share coordinates.
+l3d_trim_region random_region(std::mt19937& random, bool on_lattice) {
+    std::uniform_real_distribution<double> any(-0.2, 1.2);
+    l3d_trim_region result;
+    for (int k = 0; k < 1 + static_cast<int>(random() % 4); ++k) {
+        l3d_trim_polygon& polygon = result.polygons.emplace_back();
+        for (int i = 0; i < 3 + static_cast<int>(random() % 12); ++i) {
+            l3d_trim_place p{any(random), any(random)};
+            if (on_lattice)
+                p = {std::round(p[0] * 8) / 8, std::round(p[1] * 8) / 8};
+            polygon.push_back(p);
+        }
+    }
+    return result;
+}
+
+TEST(trim_triangles, cover_what_the_odd_rule_says) {
+    std::mt19937 random(54);
+    std::uniform_real_distribution<double> any(0, 1);
+    int judged = 0;
+    l3d_trim_triangles all;
+    for (int round = 0; round < 400; ++round) {
+        const l3d_trim_region region = random_region(random, round % 2 == 0);
+        const l3d_trim_region inside = region.within({});
+        all.cut(inside, {});
+        for (int i = 0; i < 100; ++i) {
+            const l3d_trim_place p{any(random), any(random)};
+            real near = 1;
+            for_sides(region, [&](const l3d_trim_place& a, const l3d_trim_place& b) {
+                near = std::min(near, distance(p, a, b));
+            });
+            if (near < 1e-9L)
+                continue;
+            bool on_side = false; // of two triangles
+            for (const auto& [a, b, c] : all.triangles())
+                on_side = on_side || std::min({distance(p, a, b), distance(p, b, c),
+                                               distance(p, c, a)}) < 1e-12L;
+            if (on_side)
+                continue;
+            ++judged;
+            ASSERT_EQ(count(all, p), is_inside(region, p) ? 1 : 0) << round;
+            ASSERT_EQ(region.contains(p), is_inside(region, p)) << round;
+        }
+    }
+    EXPECT_GT(judged, 39000);
+}
+
+TEST(trim_triangles, of_parts_fit_together) {
+    std::mt19937 random(55);
+    for (int round = 0; round < 200; ++round) {
+        const l3d_trim_region region = random_region(random, round % 2 == 0).within({});
+        const double at = round % 4 < 2 ? 0.5 : 0.3123;
+        for (const std::size_t along : {std::size_t{0}, std::size_t{1}}) {
+            const auto parts = region.halves(along, at);
+            l3d_trim_box low, high;
+            low.most[along] = high.least[along] = at;
+            l3d_trim_triangles of_low, of_high, of_all;
+            of_low.cut(parts[0], low);
+            of_high.cut(parts[1], high);
+            of_all.cut(region, {});
+            const auto area = [](const l3d_trim_triangles& of) {
+                real sum = 0;
+                for (const auto& [a, b, c] : of.triangles())
+                    sum += turn(a, b, c) / 2;
+                return sum;
+            };
+            EXPECT_NEAR(double(area(of_low) + area(of_high)), double(area(of_all)), 1e-12);
+            // Beside the line each ends where the other does, or the region ends.
+            const auto stretches = region.stretches(along, at);
+            const auto& of_line = of_low.sides()[along == 0 ? 3 : 1];
+            for (const auto& [from, to] : of_line)
+                EXPECT_TRUE(std::ranges::any_of(stretches, [&](const auto& s) {
+                    return s[0] <= from + 1e-12 && to <= s[1] + 1e-12;
+                })) << round;
+        }
+    }
+}
+
+/// A quarter of a circle and the way back, exact.
+l3d_trim_loop quarter(double radius) {
+    const double w = std::numbers::sqrt2 / 2;
+    return {{{{radius, 0, 1}, {radius, radius, w}, {0, radius, 1}}},
+            {{{0, radius, 1}, {0, 0, 1}}},
+            {{{0, 0, 1}, {radius, 0, 1}}}};
+}
+
+TEST(flat_trims, are_as_near_as_they_say) {
+    const std::vector<l3d_trim_loop> loops{quarter(0.7)};
+    ASSERT_EQ(l3d_trims_complaint(loops), "");
+    for (const double wanted : {1e-1, 1e-3, 1e-6}) {
+        l3d_trim_region region;
+        const double off = l3d_flat_trims(loops, {3, 3}, wanted, region);
+        EXPECT_LE(off, wanted);
+        ASSERT_EQ(region.polygons.size(), 1U);
+        double worst = 0;
+        for_sides(region, [&](const l3d_trim_place& a, const l3d_trim_place& b) {
+            if (a[0] == 0 || a[1] == 0 || b[0] == 0 || b[1] == 0)
+                return;
+            worst = std::max(worst, 3 * (0.7 - std::hypot((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)));
+        });
+        EXPECT_LE(worst, off);
+        EXPECT_GT(worst, off / 20);
+    }
+}
+
+TEST(flat_trims, name_the_loop_at_fault) {
+    const auto complaint = [](const l3d_trim_loop& loop) {
+        return l3d_trims_complaint(std::array{quarter(0.5), loop});
+    };
+    EXPECT_EQ(complaint({}), "trim 2 has no curve");
+    EXPECT_EQ(complaint({{{{0, 0, 1}}}}), "trim 2 has a curve of 1 control points");
+    EXPECT_EQ(complaint({{{{0, 0, 1}, {1, 0, 1}}}}), "trim 2 is open from (1, 0) to (0, 0)");
+    EXPECT_EQ(complaint({{{{0, 0, 1}, {1, 0, 0}, {0, 0, 1}}}}),
+              "trim 2 has the weight 0, which is not from 1e-100 to 1e12");
+    EXPECT_EQ(complaint({{{{0, 0, 1}, {NAN, 0, 1}, {0, 0, 1}}}}),
+              "trim 2 has a coordinate that is not finite, or beyond 1e12");
+}
+
+} // namespace
