@@ -54,7 +54,7 @@ public:
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
         /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
         std::vector<l3d_trim_region> trims;
-        double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
+        double error = 0;        ///< bound of errors of places, trims included, in the pieces' unit
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
