@@ -152,7 +152,7 @@ struct l3d_patch_model::contents {
     // The following are for a curved model.
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
     std::vector<l3d_parameter_range> ranges; ///< the part of it
-    std::vector<l3d_trim_region> trims;      ///< of each patch; none if no piece is trimmed
+    std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
     double surface_error = 0, normal_error = 0;
 };
 
