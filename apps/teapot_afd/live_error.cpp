@@ -52,7 +52,7 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
         for (const double y : {model.least()[1], model.most()[1]})
             for (const double z : {model.least()[2], model.most()[2]})
                 farthest = std::max(farthest, camera.depth_of({x, y, z}));
-    return !settings.one_sided && farthest < camera.far_z;
+    return !settings.one_sided && !model.has_trims() && farthest < camera.far_z;
 }
 
 live_error::live_error(bool is_modest) {

@@ -93,6 +93,8 @@ int main(int argc, char** argv) {
             afd.lay_picture(scene);
             if (other && scene.transparent_count() > 0)
                 throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
+            if (other && scene.has_trims())
+                throw l3d_error(l3d_exit::usage, "--compare: not with trimmed surfaces");
             return true;
         }
         const l3d_size size = common.size;
@@ -103,6 +105,8 @@ int main(int argc, char** argv) {
                                 std::to_string(size.height) +
                                 "' is too small for --error-report, which needs 6x6");
         scene = l3d_patch_scene(parts.applied(afd.model()));
+        if (scene.has_trims())
+            throw l3d_error(l3d_exit::usage, "--error-report: not with trimmed surfaces");
         camera = afd.camera([&](const l3d_camera& usual) {
             return l3d_framed_unless_well(usual, size, l3d_reach_of(scene));
         });
