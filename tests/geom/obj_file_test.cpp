@@ -103,8 +103,8 @@ TEST(obj_file, says_where_and_what_is_wrong) {
 
 TEST(obj_file, notes_each_kind_of_statement_that_is_skipped_once) {
     const std::vector<std::string> notes{"name:5: statements 'call' are skipped",
-                                         "name:8: statements 'curv2' are skipped"};
-    EXPECT_EQ(read_after("call 1 2\ncall 3\ns off\ncurv2 1 2 3\nparm u 0 1\nend\n").notes, notes);
+                                         "name:8: statements 'scrv' are skipped"};
+    EXPECT_EQ(read_after("call 1 2\ncall 3\ns off\nscrv 0 1 1\nparm u 0 1\nend\n").notes, notes);
 }
 
 TEST(obj_file, has_lines_and_curves_in_space) {
