@@ -109,8 +109,9 @@ private:
 l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n) {
     assert(n >= 1);
     if (model.has_trims())
-        throw l3d_error(l3d_exit::bad_input,
-                        "trimmed surfaces: polygons stand for whole ones alone");
+        throw l3d_error(
+            l3d_exit::bad_input,
+            "trimmed surfaces: polygons stand for whole ones alone; pipeline afd draws them");
     l3d_patch_mesh result;
     l3d_polygon_mesh& mesh = result.mesh;
     vertex_store vertices(mesh);
