@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: bounds and normal nets, once per model.
-#include "scene/patch_model.h"
+// l3d_patch_model: models from patches, surfaces and files; their materials, parts and levels.
+#include "scene/patch_contents_p.h"
 
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
-#include "geom/bicubic_approximation.h"
 #include "geom/files/model_file.h"
 #include "geom/files/patch_file.h"
-#include "geom/normal_net.h"
 #include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
-#include "scene/bends/surface_bends.h"
-#include "scene/patch_scene.h"
-#include "scene/closed_body.h"
-#include "scene/curved_pieces.h"
-#include "scene/facing_cones.h"
 #include "scene/model_loader.h"
 #include "scene/space_curve.h"
 #include "base/error.h"
@@ -25,38 +18,12 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
-#include <mutex>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 namespace {
 
 using vector = l3d_patch_model::vector;
-
-l3d_slanted_box upright_box(const vector& least, const vector& most) {
-    l3d_slanted_box box;
-    box.centre = (least + most) * 0.5;
-    for (int k = 0; k < 3; ++k)
-        box.axes[static_cast<std::size_t>(k)][k] = (most[k] - least[k]) * 0.5;
-    return box;
-}
-
-/// The largest coordinates of points from, from + step, and so on: four of them, or all sixteen.
-vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
-                  std::size_t count) {
-    vector result{0.0, 0.0, 0.0};
-    for (std::size_t i = 0; i < count; ++i)
-        for (int k = 0; k < 3; ++k)
-            result[k] = std::max(result[k], std::abs(p.points[from + i * step][k]));
-    return result;
-}
-
-l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
-    return {largest_of(p, 0, 1, 16),
-            {largest_of(p, 0, 1, 4), largest_of(p, 12, 1, 4), largest_of(p, 0, 4, 4),
-             largest_of(p, 3, 4, 4)}};
-}
 
 /// Why a patch is no piece of a curved model; "" if it is one.
 std::string complaint_of(const l3d_patch_points& patch) {
@@ -123,142 +90,10 @@ std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
 
 } // namespace
 
-/// The bends of a patch, from the first question on: cells outside the window never need theirs.
-class l3d_patch_model::bends_on_demand {
-public:
-    const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
-        std::call_once(known_, [&] { bends_.emplace(p, normals); });
-        return *bends_;
-    }
-
-private:
-    std::once_flag known_;
-    std::optional<l3d_surface_bends> bends_;
-};
-
-struct l3d_patch_model::contents {
-    /// Takes facts of the same patch at the same place in `like` from there.
-    contents(std::vector<patch> of, const contents* like);
-
-    std::vector<patch> patches;
-    std::vector<l3d_normal_net> normals;
-    std::vector<l3d_facing_cones> facing;
-    std::vector<std::shared_ptr<bends_on_demand>> bends;
-    std::vector<l3d_patch_reach> reaches;
-    int orientation = 0;
-    vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
-    l3d_box_lanes boxes;
-
-    // The following are for a curved model.
-    std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
-    std::vector<l3d_parameter_range> ranges; ///< the part of it
-    std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
-    double surface_error = 0, normal_error = 0;
-};
-
-/// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
-/// model's levels help to make them.
-struct l3d_patch_model::source {
-    using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
-
-    source(l3d_curved_pieces of, kept_levels like)
-        : pieces(std::move(of)), like_(std::move(like)) {}
-
-    kept_levels levels() const {
-        const std::scoped_lock lock(mutex_);
-        return levels_;
-    }
-
-    std::shared_ptr<const contents> at_level(int places, int normals) const;
-    double error_at(int places, int normals) const {
-        const std::scoped_lock lock(mutex_);
-        return cuts_at(places, normals).error;
-    }
-
-    l3d_curved_pieces pieces;
-
-private:
-    /// Those of places begin with the level before, and its first one with that of normals. So a
-    /// level is the same whichever is asked for first.
-    const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const {
-        const auto kept = cuts_.find({places, normals});
-        if (kept != cuts_.end())
-            return kept->second;
-        const l3d_curved_pieces::cuts none;
-        const l3d_curved_pieces::cuts& from = places > 0    ? cuts_at(places - 1, normals)
-                                              : normals > 0 ? cuts_at(0, normals - 1)
-                                                            : none;
-        return cuts_[{places, normals}] = pieces.cuts_at(places, normals, from);
-    }
-
-    mutable std::mutex mutex_;
-    mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
-    mutable std::map<std::vector<int>, std::shared_ptr<const contents>> made_; ///< by their cuts
-    mutable kept_levels levels_;
-    const kept_levels like_;
-};
-
-std::shared_ptr<const l3d_patch_model::contents>
-l3d_patch_model::source::at_level(int places, int normals) const {
-    const std::scoped_lock lock(mutex_);
-    std::shared_ptr<const contents>& kept = levels_[{places, normals}];
-    if (!kept) {
-        const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
-        std::vector<int> cut_like = by.of_lines;
-        if (pieces.has_trims()) // whose polygons differ at each level
-            cut_like.push_back(places);
-        std::shared_ptr<const contents>& same = made_[cut_like];
-        if (same)
-            return kept = same;
-        l3d_curved_pieces::cells cells = pieces.cut(by);
-        const auto like = like_.find({places, normals});
-        const auto made = std::make_shared<contents>(
-            std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
-        made->pieces = std::move(cells.pieces);
-        made->ranges = std::move(cells.ranges);
-        made->trims = std::move(cells.trims);
-        if (!made->trims.empty())
-            made->orientation = 0; // an eye may look through holes
-        made->surface_error = cells.error;
-        made->normal_error = cells.normal_error;
-        kept = same = made;
-    }
-    return kept;
-}
-
 struct l3d_patch_model::paint {
     std::vector<l3d_material> materials;  ///< each once
     std::vector<std::uint32_t> of_pieces; ///< places in these; empty if there is only one
 };
-
-l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
-    : patches(std::move(of)) {
-    normals.reserve(patches.size());
-    for (const patch& p : patches) {
-        const std::size_t i = normals.size();
-        if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points) {
-            normals.push_back(like->normals[i]);
-            facing.push_back(like->facing[i]);
-            bends.push_back(like->bends[i]);
-        } else {
-            normals.emplace_back(p);
-            facing.emplace_back(p, normals.back());
-            bends.push_back(std::make_shared<bends_on_demand>());
-        }
-        reaches.push_back(reach_of(p));
-        const auto [lowest, highest] = p.bounds();
-        boxes.add(upright_box(lowest, highest));
-        if (normals.size() == 1) {
-            least = lowest;
-            most = highest;
-        }
-        for (int k = 0; k < 3; ++k) {
-            least[k] = std::min(least[k], lowest[k]);
-            most[k] = std::max(most[k], highest[k]);
-        }
-    }
-    orientation = l3d_orientation_of(patches, facing);
-}
 
 l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
 
