@@ -25,6 +25,10 @@
 
 namespace {
 
+/// The map of doubt cannot tell folds of a curved model more exactly than its normals are. With an
+/// eighth of their error, it finds folds within pixels of an outline, in place of whole tiles.
+constexpr double finer_for_map = 8;
+
 using l3d_detail::stopwatch;
 
 /// A unit normal that is off by one changes a level by so much at most: NUMERICS, section 1.
@@ -168,7 +172,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
         {.camera = camera_,
          .size = target.size(),
          .places_px = settings_.tolerance * l3d_curved_share,
-         .normals = settings_.shade_tolerance * l3d_curved_share_of_shade / lambert_levels});
+         .normals = settings_.shade_tolerance * l3d_curved_share_of_shade /
+                    (settings_.error_map ? finer_for_map : 1) / lambert_levels});
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
     stages_->view =

@@ -11,11 +11,11 @@
 
 namespace l3d_detail {
 
-/// Tells of lines and curves that are not drawn, if the file has any. `why` follows "they are ".
+/// Tells of lines and curves that are not drawn, if the file has any. `reason` follows "they are ".
 inline void note_lost_lines(const l3d_model_file& file, const std::string& name,
-                            const std::string& why, std::vector<std::string>& notes) {
+                            const std::string& reason, std::vector<std::string>& notes) {
     if (!file.curves.empty())
-        notes.push_back(printable(name) + ": lines and curves are not drawn: they are " + why);
+        notes.push_back(printable(name) + ": lines and curves are not drawn: they are " + reason);
 }
 
 /// The same for a file that is drawn as polygons. l3d_load_model has told of one without surfaces.

@@ -424,6 +424,22 @@ TEST(curved_bounds, of_a_frame_are_those_of_its_patches_and_how_far_these_are_of
     EXPECT_EQ(plain.report().curved_px, 0);
 }
 
+TEST(curved_bounds, leave_doubt_at_outlines_alone) {
+    const l3d_patch_model model = l3d_patch_model::from_surfaces(*l3d_exact_shape("sphere"));
+    const l3d_camera camera{.eye = {1.0, 2.0, 3.0}, .target = {0.0, 0.0, 0.0}};
+    const l3d_size size{240, 180};
+    l3d_afd_settings settings;
+    settings.error_map = true;
+    l3d_pipeline_afd pipeline(l3d_memory_canvas(size), model, camera, settings);
+    pipeline.draw_event();
+    int doubted = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            doubted += pipeline.error_map()->at(x, y) > 1 ? 1 : 0;
+    // The sphere's outline is some 300 pixels long; a band of three pixels is 900.
+    EXPECT_LE(doubted, 1500);
+}
+
 TEST_P(exact_shapes, are_drawn_within_their_bounds_at_any_zoom) {
     draw(5);
 }

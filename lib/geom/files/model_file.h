@@ -114,7 +114,9 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_fil
                                                              std::string_view name,
                                                              std::string& why);
 
-/// A reader of one format. Errors, Cost: as l3d_read_model.
+/// A reader of one format.
+/// Errors:  as l3d_read_model.
+/// Cost:    as l3d_read_model.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
 L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form

@@ -40,7 +40,8 @@ public:
 
     /// Sets the error to `what`, with the line of the current token, and returns false.
     bool fail(const std::string& what);
-    /// The message of the last error; empty if nothing has failed.
+    /// The message of the last error.
+    /// Errors:  none: the message is empty if nothing has failed.
     const std::string& why() const { return why_; }
 
     /// Keeps a remark on a skipped statement, with the line of the current token.
