@@ -175,28 +175,11 @@ std::int64_t double_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
 
 l3d_border_edge side_of(const l3d_micro_vertex& from, const l3d_micro_vertex& to, int row,
                         int column, bool always) {
-    return {.from_x = from.x,
-            .from_y = from.y,
-            .to_x = to.x,
-            .to_y = to.y,
-            .from_inv_w = from.inv_w,
-            .to_inv_w = to.inv_w,
-            .level = std::numeric_limits<float>::quiet_NaN(),
-            .row = row,
-            .column = column,
-            .always = always};
-}
-
-/// Joins stretches that touch.
-void join(std::vector<std::array<double, 2>>& of) {
-    std::ranges::sort(of);
-    std::size_t kept = 0;
-    for (const auto& one : of)
-        if (kept > 0 && one[0] <= of[kept - 1][1])
-            of[kept - 1][1] = std::max(of[kept - 1][1], one[1]);
-        else
-            of[kept++] = one;
-    of.resize(kept);
+    l3d_border_edge edge = l3d_border_edge::between(from, to);
+    edge.row = row;
+    edge.column = column;
+    edge.always = always;
+    return edge;
 }
 
 } // namespace
@@ -243,7 +226,7 @@ l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice
                                {0, piece.v.size() - 1, 0, piece.u.size() - 1}, take);
         std::ranges::sort(piece.part.grid.cut);
         for (stretches& side : kept_)
-            join(side);
+            l3d_join_stretches(side);
         if (notes) {
             note_whole_quads();
             cut_border();

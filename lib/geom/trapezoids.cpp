@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_trapezoids: a line of equal v sweeps upwards and stops at corners and crossings.
-#include "geom/trim_region.h"
+#include "geom/trapezoids.h"
 
 #include <algorithm>
 #include <cmath>

@@ -234,6 +234,17 @@ l3d_trim_region l3d_trim_region::in_box(const l3d_trim_box& box) const {
     return result;
 }
 
+void l3d_join_stretches(std::vector<std::array<double, 2>>& of) {
+    std::ranges::sort(of);
+    std::size_t kept = 0;
+    for (const auto& one : of)
+        if (kept > 0 && one[0] <= of[kept - 1][1])
+            of[kept - 1][1] = std::max(of[kept - 1][1], one[1]);
+        else
+            of[kept++] = one;
+    of.resize(kept);
+}
+
 std::vector<std::array<double, 2>> l3d_trim_region::stretches(std::size_t along, double at) const {
     // Sides on the line: where an odd number lies, the region ends.
     std::vector<std::array<double, 2>> result;
@@ -251,13 +262,6 @@ std::vector<std::array<double, 2>> l3d_trim_region::stretches(std::size_t along,
             if (ends[i] < ends[i + 1])
                 result.push_back({ends[i], ends[i + 1]});
     }
-    std::ranges::sort(result);
-    std::size_t kept = 0;
-    for (const auto& one : result)
-        if (kept > 0 && one[0] <= result[kept - 1][1])
-            result[kept - 1][1] = std::max(result[kept - 1][1], one[1]);
-        else
-            result[kept++] = one;
-    result.resize(kept);
+    l3d_join_stretches(result);
     return result;
 }

@@ -4,7 +4,7 @@
 #ifndef L3D_GEOM_TRIM_TRIANGLES_H
 #define L3D_GEOM_TRIM_TRIANGLES_H
 
-#include "geom/trim_region.h"
+#include "geom/trapezoids.h"
 
 #include <array>
 #include <cstddef>

@@ -12,6 +12,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 /// The number of fraction bits in the place of every surface vertex. Products of two coordinate
@@ -216,6 +217,19 @@ struct L3D_PUBLIC l3d_block_starts {
 ///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
 ///        side, which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
+    /// The line between two vertices, without a level. The caller sets what lies beside it.
+    static l3d_border_edge between(const l3d_micro_vertex& from, const l3d_micro_vertex& to) {
+        l3d_border_edge edge;
+        edge.from_x = from.x;
+        edge.from_y = from.y;
+        edge.to_x = to.x;
+        edge.to_y = to.y;
+        edge.from_inv_w = from.inv_w;
+        edge.to_inv_w = to.inv_w;
+        edge.level = std::numeric_limits<float>::quiet_NaN();
+        return edge;
+    }
+
     /// The column at which the line begins.
     std::int32_t from_x = 0;
     /// The row at which the line begins.

@@ -71,10 +71,6 @@ public:
     /// Makes the cells of these cuts.
     cells cut(const cuts& by) const;
 
-    /// Makes the cells of a level without coarser ones.
-    /// Expects: 0 <= places, normals <= most_level.
-    cells at_level(int places, int normals) const { return cut(cuts_at(places, normals, {})); }
-
 private:
     void unite_common_boundaries();
     std::size_t root_of(std::size_t line) const;

@@ -5,18 +5,24 @@ The head is the process that `enter` starts anew. All that it starts, nodes as w
 """
 
 import contextlib
+import functools
 import os
 import pathlib
 import signal
 import subprocess
 import sys
 import textwrap
-import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "x11"))
+
+import harness
 
 PATIENCE = 120  # seconds that anything may take on a busy machine before it counts as hanging
 APART = ["unshare", "--net", "--uts", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc"]
 ADDRESSES = {"head": "10.99.0.1", "a": "10.99.0.2", "b": "10.99.0.3"}
 DISK = "256M"  # of the shared disk: some sequences of 20 MB
+
+wait_for = functools.partial(harness.wait_for, patience=PATIENCE)
 
 
 def enter():
@@ -28,17 +34,6 @@ def enter():
 
 def do(*command, **options):
     return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
-
-
-def wait_for(question, what):
-    """Asks until the answer is true, and returns it."""
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        answer = question()
-        if answer:
-            return answer
-        time.sleep(0.05)
-    raise AssertionError(f"waited in vain for {what}")
 
 
 class Node:

@@ -85,9 +85,11 @@ l3d_patch_points plain_part_of(l3d_patch_points patch, std::size_t halvings, num
     constexpr std::size_t most_cells = 512;
     constexpr int most_cuts = 8;
     patch = part_of(patch, halvings, random);
-    for (int i = 0;
-         i < most_cuts && l3d_curved_pieces({patch}).at_level(0, 0).patches.size() > most_cells;
-         ++i)
+    const auto cells = [&] {
+        const l3d_curved_pieces pieces({patch});
+        return pieces.cut(pieces.cuts_at(0, 0, {})).patches.size();
+    };
+    for (int i = 0; i < most_cuts && cells() > most_cells; ++i)
         patch = part_of(patch, 1, random);
     return patch;
 }

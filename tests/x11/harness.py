@@ -83,9 +83,9 @@ def expect_equal(found, wanted, what=""):
     expect(found == wanted, what, "found", found, "wanted", wanted)
 
 
-def wait_for(question, what):
+def wait_for(question, what, patience=PATIENCE):
     """Asks until the answer is true, and returns it."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + patience
     while time.monotonic() < end:
         answer = question()
         if answer:

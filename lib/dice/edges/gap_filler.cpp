@@ -76,16 +76,10 @@ void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
                l3d_diced_piece& out) {
     if (out.part.triangles.count == 0 || !l3d_clip_segment(a, b, view))
         return;
-    const l3d_micro_vertex &from = a.dice.vertex, &to = b.dice.vertex;
-    out.part.border.push_back({.from_x = from.x,
-                               .from_y = from.y,
-                               .to_x = to.x,
-                               .to_y = to.y,
-                               .from_inv_w = from.inv_w,
-                               .to_inv_w = to.inv_w,
-                               .level = std::numeric_limits<float>::quiet_NaN(),
-                               .column = static_cast<int>(out.part.triangles.count) - 1,
-                               .always = true});
+    l3d_border_edge edge = l3d_border_edge::between(a.dice.vertex, b.dice.vertex);
+    edge.column = static_cast<int>(out.part.triangles.count) - 1;
+    edge.always = true;
+    out.part.border.push_back(edge);
 }
 
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.

@@ -215,15 +215,10 @@ void l3d_polygon_frame::make_border(chunk& of) const {
                 turns_[other] == here)
                 continue;
             const l3d_micro_vertex from = all.vertex(i, k), to = all.vertex(i, (k + 1) % 3);
-            of.part.border.push_back({.from_x = from.x,
-                                      .from_y = from.y,
-                                      .to_x = to.x,
-                                      .to_y = to.y,
-                                      .from_inv_w = from.inv_w,
-                                      .to_inv_w = to.inv_w,
-                                      .level = std::numeric_limits<float>::quiet_NaN(),
-                                      .column = static_cast<int>(i),
-                                      .side = static_cast<int>(k)});
+            l3d_border_edge edge = l3d_border_edge::between(from, to);
+            edge.column = static_cast<int>(i);
+            edge.side = static_cast<int>(k);
+            of.part.border.push_back(edge);
         }
     }
 }
