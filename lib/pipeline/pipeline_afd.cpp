@@ -25,8 +25,9 @@
 
 namespace {
 
-/// The map of doubt cannot tell folds of a curved model more exactly than its normals are. With an
-/// eighth of their error, it finds folds within pixels of an outline, in place of whole tiles.
+/// The map of doubt cannot tell folds of a curved model more exactly than its normals are, and then
+/// doubts whole tiles. Two levels of normals more are an eighth of the error. One level does for
+/// spheres and tori, two for a hull with cusps (docs/NUMERICS.md, section 25).
 constexpr double finer_for_map = 8;
 
 using l3d_detail::stopwatch;
