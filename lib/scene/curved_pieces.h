@@ -3,20 +3,73 @@
 #ifndef L3D_SCENE_CURVED_PIECES_H
 #define L3D_SCENE_CURVED_PIECES_H
 
+#include "base/number_hash_p.h"
 #include "geom/bezier_patch.h"
+#include "geom/bicubic_approximation.h"
 #include "geom/files/patch_file.h"
 #include "geom/trim_region.h"
 #include "scene/patch_scene.h"
+#include "scene/seen_region.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
+
+/// The errors that cells of curved pieces may have.
+struct l3d_cell_wish {
+    double places = 0; ///< error of places that is always allowed, in the pieces' unit
+    int normals = 0;   ///< the level of normals
+    /// The region that is seen; without one, all is.
+    std::optional<l3d_seen_region> region{};
+    double places_by_depth = 0; ///< error of places that is allowed at depth 1 in the region
+
+    friend bool operator==(const l3d_cell_wish&, const l3d_cell_wish&) = default;
+
+    /// The error of places that is allowed in the hull of points as l3d_seen_region has them.
+    double allowed(std::span<const l3d_vector<double, 4>> points) const;
+    /// The error of unit normals that is allowed in a cell with this part of its piece.
+    double normals_of(const l3d_parameter_range& cell) const;
+};
+
+/// The place of a cell: its piece, and its range there.
+inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter_range& at) {
+    return {static_cast<double>(piece), at.u0, at.u1, at.v0, at.v1};
+}
+
+/// A table of something for each cell.
+template <class T>
+using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
+
+/// The bicubic patches that stand for cells, kept from one search to the next.
+class l3d_found_cells {
+public:
+    /// The patch for a part of a piece. Lives: until forget_if_many().
+    const l3d_bicubic_approximation& of(std::size_t piece, const l3d_parameter_range& at,
+                                        const l3d_rational_piece& part) {
+        const auto [place, is_new] = kept_.try_emplace(l3d_cell_key(piece, at));
+        if (is_new)
+            place->second.emplace(part);
+        return *place->second;
+    }
+    /// Forgets all if they are more than 2^15, which take some 15 MB.
+    void forget_if_many() {
+        if (kept_.size() > std::size_t{1} << 15)
+            kept_.clear();
+    }
+
+private:
+    l3d_by_cell<std::optional<l3d_bicubic_approximation>> kept_;
+};
 
 /// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
 ///
-/// A piece is cut into 2^m by 2^n cells. Pieces with a common boundary have equally many cells
-/// along it, and these cells have the same boundaries there, bit for bit.
+/// The ranges of u and of v of a piece are each halved, and halves again, as far as some cell needs
+/// it. Pieces with a common boundary are halved alike along it, and their cells have the same
+/// boundaries there, bit for bit.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -39,13 +92,12 @@ public:
     /// most_cells. Each level asks for a quarter of the bound before, which takes twice the cells.
     double place_target(int level) const;
     /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
-    /// Lambert's 229.5. Two levels more ask for an eighth of it.
+    /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are not halved for it more
+    /// than most_halvings_for_normals and `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// The most halvings of a piece for its normals alone. So a piece that nearly has a cusp does
-    /// not take all cells. It has at most 4096 at level 0, and twice as many at each further level.
-    static constexpr int most_halvings_for_normals(int level) { return 12 + level; }
+    static constexpr int most_halvings_for_normals = 12;
     /// Cells that a model may have at any level: some 300 MB.
-    static constexpr std::size_t most_cells = std::size_t{1} << 17;
+    static constexpr double most_cells = 0x1p17;
 
     /// The cells of a level.
     struct cells {
@@ -54,31 +106,43 @@ public:
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
         /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
         std::vector<l3d_trim_region> trims;
-        double error = 0;        ///< bound of errors of places, trims included, in the pieces' unit
+        /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
+        std::vector<double> errors;
+        double share = 0;        ///< the largest of these by what is allowed for its patch
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
-    /// The numbers of halvings of all pieces.
+    /// The halvings of all pieces.
     struct cuts {
-        std::vector<int> of_lines; ///< piece i has 2 i along u, 2 i + 1 along v
-        double trims = 0;          ///< how far polygons may be off that stand for trims
+        /// For each line that l3d_curved_pieces keeps, the parameters at which it is cut, in order.
+        std::vector<std::vector<double>> of_lines;
+        double cells = 0; ///< the number of cells
         double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
     };
-    /// Finds the cuts that a level needs. The search begins with the cuts of a coarser level.
-    /// Expects: 0 <= places, normals <= most_level; `from` is empty, or was made here.
-    cuts cuts_at(int places, int normals, const cuts& from) const;
-    /// Makes the cells of these cuts.
-    cells cut(const cuts& by) const;
+    /// Finds the cuts that cells need. The search begins with the cuts of a coarser level.
+    /// Expects: a level of normals from 0 to most_level; `from` is empty, or was made here.
+    cuts cuts_for(const l3d_cell_wish& wanted, const cuts& from, l3d_found_cells& found) const;
+    /// Makes the cells of these cuts that are not hidden.
+    cells cut(const cuts& by, const l3d_cell_wish& wanted, l3d_found_cells& found) const;
 
 private:
     void unite_common_boundaries();
-    std::size_t root_of(std::size_t line) const;
+    /// Another line that is cut alike, or the line itself.
+    struct line {
+        std::size_t other = 0;
+        bool is_turned = false;    ///< whether it runs the other way
+        bool is_symmetric = false; ///< whether it is cut alike both ways: asked of roots alone
+    };
+    line root_of(std::size_t index) const;
+    bool is_cut(const cuts& by, std::size_t index, double from, double to) const;
+    void halve(cuts& by, const line& root, double place) const;
+    template <class Visit>
+    void visit_cells(std::size_t piece, const cuts& by, const l3d_cell_wish& wanted,
+                     const Visit& visit) const;
 
     std::vector<l3d_patch_points> pieces_;
-    /// For lines 2 i and 2 i + 1, along u and v of the piece i: another line that is cut alike, or
-    /// itself.
-    std::vector<std::size_t> alike_;
+    std::vector<line> alike_; ///< for lines 2 i and 2 i + 1, along u and v of the piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;
 };

@@ -3,11 +3,13 @@
 #include "scene/level_choice.h"
 
 #include "geom/transform.h"
+#include "scene/curved_pieces.h"
 #include "scene/patch_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace {
 
@@ -21,6 +23,10 @@ double norm_of(const l3d_matrix<double>& m) {
             squares += m(row, column) * m(row, column);
     return std::sqrt(squares);
 }
+
+/// Of more patches, a picture that shows a part of the model gets that part alone. All of so many
+/// take a quarter of a second to make, once.
+constexpr double most_of_all = 8192;
 
 /// The factors of an instance's placement on errors, and the place of the instance.
 struct seen_instance {
@@ -65,6 +71,36 @@ struct seen_instance {
         near = view.camera.near_z;
     }
 
+    /// What the picture asks of a model's cells. Nothing if there is no region.
+    ///
+    /// At depth w >= near, an error e of places is e stretch focal / w pixels. What is nearer shows
+    /// only if it is off: with pixels() = places_px for e = places, w does not count.
+    std::optional<l3d_cell_wish> wish(const l3d_patch_instance& instance,
+                                      const l3d_level_view& view, int normals) const {
+        const l3d_patch_model& model = instance.model();
+        double reach = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            l3d_point<double> at{vector(0.0)};
+            for (int k = 0; k < 3; ++k)
+                at.from_origin[k] =
+                    (corner >> k & 1) != 0 ? model.pieces_most()[k] : model.pieces_least()[k];
+            at = l3d_transformed(instance.placement(), at);
+            reach = std::max(reach, l3d_length(at.from_origin - view.camera.target));
+        }
+        const auto in_world =
+            l3d_seen_region::of(view.camera, view.size, std::max(least_w, near), reach);
+        if (!in_world)
+            return std::nullopt;
+        const double at_1 = view.places_px / (stretch * focal);
+        const double anywhere = view.camera.is_parallel()
+                                    ? at_1
+                                    : view.places_px * near / (stretch * (focal + view.places_px));
+        return l3d_cell_wish{.places = anywhere,
+                             .normals = normals,
+                             .region = in_world->in(instance.placement()),
+                             .places_by_depth = at_1};
+    }
+
     /// How many pixels a place in front of the near plane may be off that is off by `error` in the
     /// model.
     double pixels(double error) const {
@@ -96,12 +132,20 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         const int normals = first(
             [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
         // By what its patches keep, which is often less than what the level asks for.
+        const auto is_well = [&](double error) { return seen.pixels(error) <= view.places_px; };
+        bool is_large = false;
         const int places = first([&](int level) {
-            return seen.pixels(model.error_at_level(level, normals)) <= view.places_px;
+            is_large = model.patches_at_level(level, normals) > most_of_all / 2;
+            return is_well(model.error_at_level(level, normals)) || is_large;
         });
-        take_level(i, places, normals);
+        std::optional<l3d_patch_model> part;
+        if (is_large && !is_well(model.error_at_level(places, normals)))
+            if (const auto wanted = seen.wish(instances_[i], view, normals))
+                part = model.seen(*wanted);
+        take_level(i, part ? *part : model.at_level(places, normals));
         const l3d_patch_model& drawn = instances_[i].model();
-        result.places_px = std::max(result.places_px, seen.pixels(drawn.surface_error()));
+        result.places_px = std::max(result.places_px, part ? view.places_px * drawn.share_of_wish()
+                                                           : seen.pixels(drawn.surface_error()));
         result.places = std::max(result.places, seen.stretch * drawn.surface_error());
         result.normals = std::max(result.normals, seen.turn * drawn.normal_error());
     }
@@ -109,9 +153,8 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
 }
 
 /// It is the same model: nothing has changed that a program knows of.
-void l3d_patch_scene::take_level(std::size_t index, int places, int normals) {
+void l3d_patch_scene::take_level(std::size_t index, const l3d_patch_model& finer) {
     l3d_patch_instance& instance = instances_[index];
-    const l3d_patch_model finer = instance.model().at_level(places, normals);
     if (finer.identity() == instance.model().identity())
         return;
     patch_count_ += static_cast<std::int64_t>(finer.patches().size()) -

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace {
 
@@ -38,11 +39,12 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
-    : patches(std::move(of)) {
+void l3d_patch_model::contents::learn(const contents* like,
+                                      std::span<const std::size_t> places_in_like) {
     normals.reserve(patches.size());
     for (const patch& p : patches) {
-        const std::size_t i = normals.size();
+        const std::size_t index = normals.size();
+        const std::size_t i = places_in_like.empty() ? index : places_in_like[index];
         if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points) {
             normals.push_back(like->normals[i]);
             facing.push_back(like->facing[i]);
@@ -67,6 +69,34 @@ l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
     orientation = l3d_orientation_of(patches, facing);
 }
 
+l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
+    : patches(std::move(of)) {
+    learn(like, {});
+}
+
+l3d_patch_model::contents::contents(l3d_curved_pieces::cells of, const contents* like)
+    : patches(std::move(of.patches)), pieces(std::move(of.pieces)), ranges(std::move(of.ranges)),
+      trims(std::move(of.trims)) {
+    constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places_in_like;
+    if (like != nullptr) {
+        l3d_by_cell<std::size_t> places;
+        for (std::size_t i = 0; i < like->patches.size(); ++i)
+            places.emplace(l3d_cell_key(like->pieces[i], like->ranges[i]), i);
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            const auto place = places.find(l3d_cell_key(pieces[i], ranges[i]));
+            places_in_like.push_back(place == places.end() ? nowhere : place->second);
+        }
+    }
+    learn(like, places_in_like);
+    if (!trims.empty())
+        orientation = 0; // an eye may look through holes
+    errors = std::move(of.errors);
+    surface_error = errors.empty() ? 0 : std::ranges::max(errors);
+    normal_error = of.normal_error;
+    share = of.share;
+}
+
 const l3d_curved_pieces::cuts& l3d_patch_model::source::cuts_at(int places, int normals) const {
     const auto kept = cuts_.find({places, normals});
     if (kept != cuts_.end())
@@ -75,7 +105,8 @@ const l3d_curved_pieces::cuts& l3d_patch_model::source::cuts_at(int places, int 
     const l3d_curved_pieces::cuts& from = places > 0    ? cuts_at(places - 1, normals)
                                           : normals > 0 ? cuts_at(0, normals - 1)
                                                         : none;
-    return cuts_[{places, normals}] = pieces.cuts_at(places, normals, from);
+    l3d_found_cells found;
+    return cuts_[{places, normals}] = pieces.cuts_for(wish(places, normals), from, found);
 }
 
 std::shared_ptr<const l3d_patch_model::contents>
@@ -84,24 +115,41 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     std::shared_ptr<const contents>& kept = levels_[{places, normals}];
     if (!kept) {
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
-        std::vector<int> cut_like = by.of_lines;
+        std::vector<std::vector<double>> cut_like = by.of_lines;
         if (pieces.has_trims()) // whose polygons differ at each level
-            cut_like.push_back(places);
+            cut_like.push_back({static_cast<double>(places)});
         std::shared_ptr<const contents>& same = made_[cut_like];
         if (same)
             return kept = same;
-        l3d_curved_pieces::cells cells = pieces.cut(by);
         const auto like = like_.find({places, normals});
-        const auto made = std::make_shared<contents>(
-            std::move(cells.patches), like == like_.end() ? nullptr : like->second.get());
-        made->pieces = std::move(cells.pieces);
-        made->ranges = std::move(cells.ranges);
-        made->trims = std::move(cells.trims);
-        if (!made->trims.empty())
-            made->orientation = 0; // an eye may look through holes
-        made->surface_error = cells.error;
-        made->normal_error = cells.normal_error;
-        kept = same = made;
+        l3d_found_cells found;
+        kept = same =
+            std::make_shared<const contents>(pieces.cut(by, wish(places, normals), found),
+                                             like == like_.end() ? nullptr : like->second.get());
     }
     return kept;
+}
+
+/// A part of a body is no body, and what is hidden is still part of the model's box.
+std::shared_ptr<const l3d_patch_model::contents>
+l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
+    const std::scoped_lock lock(mutex_);
+    const auto same = std::ranges::find(seen_, wanted, [](const auto& of) { return of.first; });
+    if (same != seen_.end()) {
+        seen_.splice(seen_.begin(), seen_, same);
+    } else {
+        found_.forget_if_many();
+        const l3d_curved_pieces::cuts by = pieces.cuts_for(wanted, {}, found_);
+        const contents* const like = seen_.empty() ? nullptr : seen_.front().second.get();
+        const auto made = std::make_shared<contents>(pieces.cut(by, wanted, found_), like);
+        made->orientation = 0;
+        for (int k = 0; k < 3; ++k) {
+            made->least[k] = std::min(made->least[k], pieces.least()[k]);
+            made->most[k] = std::max(made->most[k], pieces.most()[k]);
+        }
+        seen_.emplace_front(wanted, made->patches.empty() ? nullptr : made);
+        if (seen_.size() > most_seen)
+            seen_.pop_back();
+    }
+    return seen_.front().second;
 }

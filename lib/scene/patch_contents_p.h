@@ -10,11 +10,14 @@
 #include "scene/patch_model.h"
 #include "scene/patch_scene.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,8 +35,10 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Takes facts of the same patch at the same place in `like` from there.
+    /// Takes facts of the same patch at the same place in `like`, if any, from there.
     contents(std::vector<patch> of, const contents* like);
+    /// The cells of a curved model. Facts are taken from the same cells of a curved model.
+    contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
     std::vector<l3d_normal_net> normals;
@@ -48,7 +53,12 @@ struct l3d_patch_model::contents {
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
     std::vector<l3d_parameter_range> ranges; ///< the part of it
     std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
+    std::vector<double> errors;              ///< of places, one of each patch
     double surface_error = 0, normal_error = 0;
+    double share = 0; ///< the largest error of places by what the wish allows there
+
+private:
+    void learn(const contents* like, std::span<const std::size_t> places_in_like);
 };
 
 /// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
@@ -65,22 +75,36 @@ struct l3d_patch_model::source {
     }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
-    double error_at(int places, int normals) const {
+    /// The largest error of places, and the number of patches, of a level.
+    std::pair<double, double> error_and_count(int places, int normals) const {
         const std::scoped_lock lock(mutex_);
-        return cuts_at(places, normals).error;
+        const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
+        return {by.error, by.cells};
     }
+    /// The contents for a wish with a region; null if that hides all.
+    std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
 
     l3d_curved_pieces pieces;
 
 private:
+    /// The wishes whose contents are kept: those of some instances, or of some views in turn.
+    static constexpr std::size_t most_seen = 8;
+
+    l3d_cell_wish wish(int places, int normals) const {
+        return {.places = pieces.place_target(places), .normals = normals};
+    }
     /// The cuts of a level. Levels of places begin with the level before, and the first one with
     /// that of normals. So a level is the same whichever is asked for first.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;
     mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
-    mutable std::map<std::vector<int>, std::shared_ptr<const contents>> made_; ///< by their cuts
+    /// Levels with the same cuts are one.
+    mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
     mutable kept_levels levels_;
+    mutable l3d_found_cells found_; ///< for the wishes of seen_
+    /// By wishes with regions; the one that was asked for last comes first.
+    mutable std::list<std::pair<l3d_cell_wish, std::shared_ptr<const contents>>> seen_;
     const kept_levels like_;
 };
 

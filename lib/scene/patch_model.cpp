@@ -171,7 +171,29 @@ double l3d_patch_model::normal_target(int level) const {
 }
 
 double l3d_patch_model::error_at_level(int places, int normals) const {
-    return source_ ? source_->error_at(places, normals) : 0;
+    return source_ ? source_->error_and_count(places, normals).first : 0;
+}
+
+double l3d_patch_model::patches_at_level(int places, int normals) const {
+    return source_ ? source_->error_and_count(places, normals).second
+                   : static_cast<double>(patches().size());
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::seen(const l3d_cell_wish& wanted) const {
+    const auto of = source_->seen(wanted);
+    if (!of)
+        return std::nullopt;
+    l3d_patch_model result = *this;
+    result.contents_ = of;
+    return result;
+}
+
+double l3d_patch_model::share_of_wish() const {
+    return contents_->share;
+}
+
+double l3d_patch_model::surface_error(std::size_t index) const {
+    return source_ ? contents_->errors[index] : 0;
 }
 
 double l3d_patch_model::surface_error() const {

@@ -25,6 +25,7 @@ class l3d_normal_net;
 class l3d_nurbs_surface;
 class l3d_space_curve;
 class l3d_surface_bends;
+struct l3d_cell_wish;
 struct l3d_model_file;
 struct l3d_parameter_range;
 struct l3d_trim_region;
@@ -140,6 +141,16 @@ public:
     /// are not made.
     /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
+    /// A bound of the number of patches of a level, which are not made.
+    /// Expects: as at_level.
+    double patches_at_level(int places, int normals) const;
+    /// The same curved model with the patches that a region may show, each as fine as its depth
+    /// asks for. Nothing if the region hides all.
+    /// Expects: a curved model, a wish with a region in its coordinates.
+    /// Cost:    some 50 us a patch when a wish is new; patches of the last eight are kept.
+    std::optional<l3d_patch_model> seen(const l3d_cell_wish& wanted) const;
+    /// The largest error of places by what was wished for it, for a model that seen() made.
+    double share_of_wish() const;
     /// The bound of errors of unit normals that a level is made for; 0 if the model is not curved.
     /// Expects: as at_level.
     double normal_target(int level) const;
@@ -147,6 +158,8 @@ public:
     /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless
     /// the model is curved.
     double surface_error() const;
+    /// The same for one patch. Expects: index < patches().size().
+    double surface_error(std::size_t index) const;
     /// Bound of the distance between unit normals of the patches and of the pieces, at the same
     /// parameters; 0 unless the model is curved. It is infinite where a normal vanishes inside of a
     /// patch.

@@ -364,7 +364,7 @@ private:
 
     const whole& extent() const;
     void note_change(std::size_t index);
-    void take_level(std::size_t index, int places, int normals);
+    void take_level(std::size_t index, const l3d_patch_model& finer);
 
     std::vector<l3d_patch_instance> instances_;
     std::int64_t patch_count_ = 0;

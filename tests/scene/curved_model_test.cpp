@@ -4,6 +4,7 @@
 #include "geom/nurbs_surface.h"
 #include "scene/level_choice.h"
 #include "scene/patch_scene.h"
+#include "scene/seen_region.h"
 #include "geom/transform.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -112,7 +114,7 @@ TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {
 
 TEST(curved_model, is_not_cut_without_end_for_normals_that_turn_at_once) {
     // Random and all but gentle: somewhere its normals nearly vanish.
-    std::mt19937 random(9);
+    std::mt19937 random(11);
     const auto any = [&random] { return static_cast<int>(random() % 33) / 16.0 - 1; };
     l3d_patch_points patch{2, 2, {}, {}};
     for (int i = 0; i < 9; ++i) {
@@ -203,4 +205,101 @@ TEST(curved_model, is_not_cut_along_whole_lines_for_a_cusp) {
     for (std::size_t i = 0; i < model->patches().size(); ++i)
         beside += model->piece_of(i) == 1 ? 1 : 0;
     EXPECT_LE(beside, 4u);
+}
+
+TEST(seen_region, holds_all_that_its_view_shows) {
+    std::mt19937 random(4);
+    const auto any = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int regions = 0;
+    for (int i = 0; i < 1000; ++i) {
+        l3d_camera camera;
+        camera.eye = {any(-9, 9), any(-9, 9), any(-9, 9)};
+        camera.target = {any(-1, 1), any(-1, 1), any(-1, 1)};
+        camera.fov = std::exp(any(-12, 4.5));
+        if (i % 3 == 0)
+            camera.projection = l3d_projection::parallel;
+        const l3d_size size{200 + i % 400, 300};
+        const double least_depth = any(0.01, 5), reach = 40;
+        const auto region = l3d_seen_region::of(camera, size, least_depth, reach);
+        if (!region)
+            continue;
+        ++regions;
+        const l3d_camera::frame axes = camera.axes();
+        const double scale =
+            camera.is_parallel() ? camera.scale_at_target(size) : camera.focal_length(size);
+        for (int k = 0; k < 20; ++k) {
+            const double depth = any(least_depth, camera.is_parallel() ? 12 : 30);
+            const double unit = camera.is_parallel() ? 1 : depth;
+            const double x = any(-0.5, 0.5) * size.width / scale * unit;
+            const double y = any(-0.5, 0.5) * size.height / scale * unit;
+            const vector at = camera.eye + axes.forward * depth + axes.right * x + axes.up * y;
+            const std::array<l3d_vector<double, 4>, 1> point{
+                {{2 * at[0], 2 * at[1], 2 * at[2], 2}}};
+            EXPECT_FALSE(region->hides(point)) << i;
+            EXPECT_LE(region->least_depth(point), camera.is_parallel() ? 1 : depth) << i;
+            // Six times the picture's width aside, it is hidden.
+            const vector aside = at + axes.right * (6 * size.width / scale * unit);
+            const std::array<l3d_vector<double, 4>, 1> far{{{aside[0], aside[1], aside[2], 1}}};
+            EXPECT_TRUE(region->hides(far)) << i;
+        }
+    }
+    EXPECT_GT(regions, 900);
+}
+
+TEST(curved_model, is_cut_where_it_is_seen_and_as_fine_as_its_depth_asks_for) {
+    l3d_patch_scene scene(sphere());
+    const vector place{0.48, 0.64, 0.6};
+    for (const double zoom : {30.0, 1e3, 1e6}) {
+        l3d_camera camera;
+        camera.eye = place * (1 + 1 / zoom);
+        camera.target = place;
+        camera.near_z = 1e-3 / zoom;
+        const l3d_size size{640, 480};
+        const l3d_curved_error error = scene.choose_levels(
+            {.camera = camera, .size = size, .places_px = 0.03, .normals = 0.001});
+        const l3d_patch_model& model = scene.instances()[0].model();
+        EXPECT_LE(error.places_px, 0.03) << zoom;
+        EXPECT_LE(model.patches().size(), 2000u) << zoom;
+        EXPECT_LE(l3d_length(model.least() - vector(-1.0)), 1e-3) << zoom;
+        // Each boundary in the picture is that of two patches, bit for bit.
+        using boundary = std::array<double, 12>;
+        std::map<boundary, int> met;
+        for (std::size_t i = 0; i < model.patches().size(); ++i) {
+            const l3d_patch_model::patch& p = model.patches()[i];
+            const double off = std::abs(l3d_length(p.evaluate(0.3, 0.6)) - 1);
+            EXPECT_LE(off, model.surface_error(i)) << zoom;
+            for (const auto& [first, step] : {std::pair{0, 1}, {12, 1}, {0, 4}, {3, 4}}) {
+                boundary there{}, back{};
+                vector middle(0.0);
+                for (int k = 0; k < 4; ++k) {
+                    const vector& point = p.points[static_cast<std::size_t>(first + k * step)];
+                    middle += point * (k % 3 == 0 ? 0.125 : 0.375);
+                    for (int c = 0; c < 3; ++c) {
+                        there[static_cast<std::size_t>(3 * k + c)] = point[c];
+                        back[static_cast<std::size_t>(9 - 3 * k + c)] = point[c];
+                    }
+                }
+                const double depth = camera.depth_of(middle);
+                const vector seen = middle - camera.eye - camera.axes().forward * depth;
+                if (depth > camera.near_z &&
+                    camera.focal_length(size) * l3d_length(seen) < 240 * depth)
+                    ++met[std::min(there, back)];
+            }
+        }
+        EXPECT_GT(met.size(), 30u) << zoom;
+        for (const auto& [of, count] : met)
+            EXPECT_EQ(count, 2) << zoom;
+    }
+}
+
+TEST(curved_model, that_nobody_sees_is_coarse) {
+    l3d_patch_scene scene(sphere());
+    l3d_camera camera;
+    camera.eye = {0.0, 0.0, 1 + 1e-5};
+    camera.target = {1.0, 0.0, 1 + 2e-5};
+    camera.near_z = 1e-7;
+    scene.choose_levels({.camera = camera, .size = {640, 480}, .places_px = 0.03, .normals = 0.01});
+    EXPECT_LE(scene.instances()[0].model().patches().size(), 8192u);
 }

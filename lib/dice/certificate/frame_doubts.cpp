@@ -94,8 +94,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                                                     std::max(view.focal, 1.0)
                                               : 0);
     const auto [x, y, w] = rows(frame.to_image);
-    const double most_xy = std::max(l3d_length(x), l3d_length(y)) * frame.curved.places;
-    const double most_w = l3d_length(w) * frame.curved.places;
+    const double longest_xy = std::max(l3d_length(x), l3d_length(y));
     std::uint32_t index = 0;
     for (const l3d_patch_instance& instance : frame.scene.instances()) {
         const l3d_patch_model& model = instance.model();
@@ -105,11 +104,16 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
             const bool is_curved = model.is_curved();
+            // In the world's unit.
+            const double off =
+                is_curved && model.surface_error() > 0
+                    ? frame.curved.places * (model.surface_error(i) / model.surface_error())
+                    : 0;
             placed p;
             p.of = {.instance = index,
                     .patch = static_cast<std::uint32_t>(i),
-                    .error_xy = frame.view.error_xy * share + (is_curved ? most_xy : 0),
-                    .error_w = frame.view.error_w * share + (is_curved ? most_w : 0),
+                    .error_xy = frame.view.error_xy * share + longest_xy * off,
+                    .error_w = frame.view.error_w * share + l3d_length(w) * off,
                     .near = frame.view.near_of(share),
                     .normal_off = off_of_normals * longest_normal(instance),
                     .turned = is_curved ? frame.curved.normals : 0,

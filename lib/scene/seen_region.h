@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// l3d_seen_region: the part of space that may be seen from views that are nearly alike.
+#ifndef L3D_SCENE_SEEN_REGION_H
+#define L3D_SCENE_SEEN_REGION_H
+
+#include "geom/matrix.h"
+#include "geom/vector.h"
+#include "scene/camera.h"
+#include "tool_2d/pixels.h"
+
+#include <array>
+#include <optional>
+#include <span>
+
+/// A pyramid, or a square column in a parallel projection, that holds all that a picture shows and
+/// some of what is around it.
+///
+/// It is a function of the view alone. The eye and the direction of sight are rounded to grids, so
+/// it stays the same while the camera moves a little.
+class l3d_seen_region {
+public:
+    using vector = l3d_vector<double, 3>;
+
+    /// The region of a view. Nothing if the picture shows about half of all directions, or more.
+    ///
+    /// Units:   `least_depth` is the least distance along the view axis of anything that is to be
+    ///          drawn; `reach` is the largest distance from the target, for a parallel projection.
+    /// Expects: a valid camera, least_depth > 0.
+    static std::optional<l3d_seen_region> of(const l3d_camera& camera, l3d_size size,
+                                             double least_depth, double reach);
+
+    /// The same region in the coordinates of a model that stands at this place.
+    l3d_seen_region in(const l3d_matrix<double>& placement) const;
+
+    /// Whether the hull of some points lies outside of one of the four sides. Points are (x w, y w,
+    /// z w, w) with positive weights w.
+    bool hides(std::span<const l3d_vector<double, 4>> points) const;
+    /// The least depth of the hull of such points, in any of the views: the distance along the view
+    /// axis, or 1 in a parallel projection. It may be negative.
+    double least_depth(std::span<const l3d_vector<double, 4>> points) const;
+    /// Whether a box lies inside.
+    bool holds(const vector& least, const vector& most) const;
+
+    friend bool operator==(const l3d_seen_region&, const l3d_seen_region&) = default;
+
+private:
+    /// The factors of x, y, z and 1.
+    using sum = std::array<double, 4>;
+    std::array<sum, 4> sides_{}; ///< sums that are not negative inside, one for each side
+    sum depth_{};                ///< a bound from below of the depth of places inside
+};
+
+#endif
