@@ -133,15 +133,15 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
             [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
         // By what its patches keep, which is often less than what the level asks for.
         const auto is_well = [&](double error) { return seen.pixels(error) <= view.places_px; };
-        bool is_large = false;
+        std::optional<l3d_cell_wish> wanted;
         const int places = first([&](int level) {
-            is_large = model.patches_at_level(level, normals) > most_of_all / 2;
-            return is_well(model.error_at_level(level, normals)) || is_large;
+            if (is_well(model.error_at_level(level, normals)))
+                return true;
+            if (model.patches_at_level(level, normals) > most_of_all / 2)
+                wanted = seen.wish(instances_[i], view, normals);
+            return wanted.has_value();
         });
-        std::optional<l3d_patch_model> part;
-        if (is_large && !is_well(model.error_at_level(places, normals)))
-            if (const auto wanted = seen.wish(instances_[i], view, normals))
-                part = model.seen(*wanted);
+        const std::optional<l3d_patch_model> part = wanted ? model.seen(*wanted) : std::nullopt;
         take_level(i, part ? *part : model.at_level(places, normals));
         const l3d_patch_model& drawn = instances_[i].model();
         result.places_px = std::max(result.places_px, part ? view.places_px * drawn.share_of_wish()

@@ -60,7 +60,8 @@ std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d
     // Half of the picture where things are nearest, in the world's unit.
     const double half =
         camera.is_parallel() ? half_px / camera.scale_at_target(size) : t * least_depth;
-    const double turn = camera.is_parallel() ? half / reach : t;
+    // In wide pictures, a turn moves depths at the rim by more than half of the picture's part.
+    const double turn = camera.is_parallel() ? half / reach : t / (1 + t * t);
     const vector forward = camera.axes().forward;
     const double eye_grid = power_below(grid_share * half);
     const double turn_grid = power_below(std::min(grid_share * turn, grid_share));
@@ -72,13 +73,11 @@ std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d
     std::array<double, 2> depth{0, 1}; // factors of z and of 1
     if (!camera.is_parallel()) {
         const double c = 1 - d * d / 2 - t * d;
-        if (!(t <= 1 && c > 0.5))
-            return std::nullopt;
         b = (d + t) / c;
         a = e * (1 + b);
         depth = {1 - d * (1 + 2 * b), -e - 2 * d * a};
     }
-    if (!std::isfinite(a) || !(eye_grid > 0))
+    if (!std::isfinite(a) || !(eye_grid > 0 && turn_grid > 0))
         return std::nullopt;
     const vector x = across(z), y = l3d_cross(z, x);
     l3d_seen_region result;

@@ -21,7 +21,7 @@ class l3d_seen_region {
 public:
     using vector = l3d_vector<double, 3>;
 
-    /// The region of a view. Nothing if the picture shows about half of all directions, or more.
+    /// The region of a view; nothing if its numbers would be too small or too large.
     ///
     /// Units:   `least_depth` is the least distance along the view axis of anything that is to be
     ///          drawn; `reach` is the largest distance from the target, for a parallel projection.
