@@ -49,7 +49,7 @@ constexpr double share_of_cells = 0.25;
 struct cell {
     patch of;
     l3d_parameter_range range;
-    double error, allowed; ///< of places
+    double error, allowed; ///< errors of places
 };
 
 /// How long a unit of the piece's u and v is at most in its cells: 3 differences of control points

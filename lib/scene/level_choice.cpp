@@ -24,8 +24,8 @@ double norm_of(const l3d_matrix<double>& m) {
     return std::sqrt(squares);
 }
 
-/// Of more patches, a picture that shows a part of the model gets that part alone. All of so many
-/// take a quarter of a second to make, once.
+/// A level of more patches is not made: the picture gets patches of its own. So many take a quarter
+/// of a second to make, once.
 constexpr double most_of_all = 8192;
 
 /// The factors of an instance's placement on errors, and the place of the instance.
@@ -71,10 +71,10 @@ struct seen_instance {
         near = view.camera.near_z;
     }
 
-    /// What the picture asks of a model's cells. Nothing if there is no region.
+    /// The picture's wish for a model's cells; nothing if there is no region.
     ///
-    /// At depth w >= near, an error e of places is e stretch focal / w pixels. What is nearer shows
-    /// only if it is off: with pixels() = places_px for e = places, w does not count.
+    /// At depth w >= near, an error e of places is e stretch focal / w pixels. A nearer place shows
+    /// only if it is off: an error for which pixels() is places_px at w = near is always allowed.
     std::optional<l3d_cell_wish> wish(const l3d_patch_instance& instance,
                                       const l3d_level_view& view, int normals) const {
         const l3d_patch_model& model = instance.model();
