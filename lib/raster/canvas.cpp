@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_memory_canvas.
+// l3d_memory_canvas: a canvas with the system's font.
 #include "raster/rasterizer_factory.h"
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace {
 
-/// A canvas around memory. An unreadable font is passed over; l3d_font::of_system tells the reason.
+/// A canvas around memory. It ignores a font that cannot be read; l3d_font::of_system tells the
+/// reason.
 template <class Memory> l3d_canvas around(const Memory& memory) {
     std::string why;
     return {std::make_unique<l3d_screen_memory>(memory),

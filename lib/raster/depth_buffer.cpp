@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_depth_buffer: counts of its pixels, and distances for files.
+// l3d_depth_buffer: counts its pixels, and converts depths to distances for files.
 #include "raster/depth_buffer.h"
 
 #include <limits>

@@ -15,10 +15,10 @@ namespace {
 using l3d_detail::linear_light;
 using l3d_detail::linear_light_tables;
 
-/// Five stops from -scale to scale.
+/// The colours of curvature: five stops from -scale to scale.
 constexpr std::array<std::uint32_t, 5> of_curvature{0x001f3fb4, 0x0048a8dc, 0x00f4f4f4, 0x00f0a040,
                                                     0x00b81f24};
-/// A red part does not leave the mould, a yellow one hardly does.
+/// The colours of draft angles. A red part does not leave the mould, a yellow one hardly does.
 constexpr std::array<std::uint32_t, 5> of_draft{0x00a81c1c, 0x00e06a30, 0x00f6e468, 0x006cb84c,
                                                 0x001c7038};
 constexpr std::uint32_t no_number = 0x00808080;
@@ -28,15 +28,15 @@ std::span<const std::uint32_t> stops_of(l3d_shade shade) {
     return shade == l3d_shade::draft ? std::span(of_draft) : std::span(of_curvature);
 }
 
-/// Integrals over stripes from 0 on, the first of which is bright. Units: widths of a stripe.
+/// Integrals over stripes, which begin at 0 with a bright one. Units: widths of a stripe.
 ///
-/// `first` is the length of the bright part of [0, t], `second` its integral. At both ends stripes
-/// go on as in a mirror.
+/// `first` is the length of the bright part of [0, t], and `second` is the integral of `first`. At
+/// both ends, the stripes go on as in a mirror.
 class stripe_sums {
 public:
     explicit stripe_sums(double end) : end_(end) {}
 
-    /// Expects: t from -end to twice the end.
+    /// The integral of `first` from 0 to t. Expects: t from -end to twice the end.
     double second(double t) const {
         if (t <= end_)
             return second_within(std::abs(t));
@@ -50,8 +50,8 @@ private:
         return pairs + std::min(t - 2 * pairs, 1.0);
     }
 
-    /// A pair of stripes adds 1/2 where `first` rises, 1 where it stays, and 2 times the value of
-    /// all pairs before.
+    /// The integral within the stripes. A pair of stripes adds 1/2 where `first` rises, and 1 where
+    /// it stays. Besides, it adds 2 for each pair before it.
     static double second_within(double t) {
         const double pairs = std::floor(t / 2), rest = t - 2 * pairs, rising = std::min(rest, 1.0);
         return pairs * (pairs + 0.5) + pairs * rest + rising * rising / 2 + (rest - rising);
@@ -81,8 +81,8 @@ std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale)
 std::uint32_t l3d_stripe_color(double angle, double across, double down, double stripe) {
     if (std::isnan(angle) || std::isnan(across) || std::isnan(down))
         return no_number;
-    // Angles lie between 0 and 180 degrees. A change of a 10 000th of a stripe counts as none;
-    // larger ones leave enough digits in the differences.
+    // Angles lie between 0 and 180 degrees. A change of less than 1/10 000 of a stripe counts as
+    // that much, so that the differences keep enough digits.
     constexpr double least = 1e-4, most_angle = 180;
     const double a = std::clamp(across, least * stripe, most_angle) / stripe;
     const double d = std::clamp(down, least * stripe, most_angle) / stripe;

@@ -16,13 +16,13 @@
 
 namespace {
 
-/// The size of an output that tells none.
+/// The size of an output that does not tell its size.
 constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
 
 } // namespace
 
-/// A pixel's sample on a left or top edge belongs to the polygon, on a right or bottom one it does
-/// not.
+/// Draws a box by a polygon. A pixel whose sample is on the left or top edge belongs to the
+/// polygon; one on the right or bottom edge does not.
 void l3d_rasterizer_2d::draw_box(const l3d_pixel_box& box, std::uint32_t color) {
     if (box.empty())
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_factory_mesa: a context for each.
+// l3d_rasterizer_factory_mesa: makes a context for each rasterizer.
 #include "raster/rasterizer_factory.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_two_layer_depths: two sheets a pixel.
+// l3d_two_layer_depths: keeps the two nearest sheets of each pixel.
 #include "raster/two_layer_depths.h"
 
 #include "raster/shapes/attribute_plane_p.h"
@@ -11,13 +11,13 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A polygon thinner than this is a slit. The change of its depth says nothing of the surface. So
-/// the surface's depth is taken to change over this length by no more than the slit's whole range.
-/// Units: pixels.
+/// Limit of the slope of a thin polygon. The change of depth over a slit says nothing about the
+/// surface. So the surface's depth is taken to change by at most the slit's whole range over this
+/// length. Units: pixels.
 constexpr double thinnest = 0.25;
 
-/// Rounding of 1 / w: its division, its scale, the corners' means and the pixel's own, each half of
-/// 2^-23.
+/// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value
+/// each add half of 2^-23.
 constexpr double rounding = 4 * 0x1p-24;
 
 scan_point place_of(const l3d_micro_vertex& v) {
@@ -61,14 +61,14 @@ void l3d_two_layer_depths::add(const l3d_surface_part& part, const l3d_sheet_pat
                      grid.vertex(row + 1, column + 1), grid.vertex(row + 1, column),
                      owner + (is_rim ? rim : inner));
         }
-    // A piece that was clipped has nothing else.
+    // The triangles of a part without a grid are a clipped piece, whose sides may be on its rim.
     const std::uint32_t of_triangles = grid.rows > 0 ? slit : rim;
     for (std::size_t i = 0; i < part.triangles.count; ++i)
         add_triangle(part.triangles.vertex(i, 0), part.triangles.vertex(i, 1),
                      part.triangles.vertex(i, 2), owner + of_triangles);
 }
 
-/// Two triangles that do not overlap, if it is not folded.
+/// Adds a quad as two triangles, which do not overlap unless it is folded.
 void l3d_two_layer_depths::add_quad(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
                                     const l3d_micro_vertex& c, const l3d_micro_vertex& d,
                                     std::uint32_t owner) {
@@ -126,8 +126,9 @@ void l3d_two_layer_depths::put(pixel& into, const fragment& f, int x, int y) con
         into.second = f;
 }
 
-/// Whether they may be one sheet that covers a pixel twice. Quads of one patch are taken for two
-/// sheets: they meet themselves where it cuts itself, and hardly along sides of its pieces.
+/// Whether two fragments may be one sheet that covers a pixel twice. Quads of one patch count as
+/// two sheets. They meet where the patch cuts itself, and hardly ever along the sides of its
+/// pieces.
 bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
     const std::uint32_t of_a = a.owner / kinds, of_b = b.owner / kinds;
     const std::uint32_t in_a = a.owner % kinds, in_b = b.owner % kinds;
@@ -136,10 +137,13 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
     return in_a != inner && in_b != inner && patches_[of_a].meets(patches_[of_b]);
 }
 
-/// The sheets' planes are 1 / w = c + along_x x + along_y y, x and y from the picture's centre. In
-/// space that is f along_x X + f along_y Y + c Z = 1, so a pixel's distance along the normal
-/// changes 1 / w by |(along_x, along_y, c / f)|, and one in the picture by what the planes differ.
-/// In a parallel projection, depth_by_pixel takes the place of c / f.
+/// The distance between two sheets at a pixel, in pixels.
+///
+/// The sheets' planes are 1 / w = c + along_x x + along_y y, with x and y from the picture's
+/// centre. In space that is f along_x X + f along_y Y + c Z = 1. So a pixel's distance along the
+/// normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes the
+/// difference of both depths by the difference of the planes' slopes. In a parallel projection,
+/// depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {
     constexpr float far = std::numeric_limits<float>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// light_mix: words to linear light, and back.
+// light_mix: turns words into linear light, and back.
 #include "raster/color/light_mix_p.h"
 
 #include "raster/background.h"
@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Calls visit(y, first sum of that row) for all rows, which workers share in runs of 16.
+/// Calls visit(y, index of that row's first sum) for all rows. Workers share the rows in runs of
+/// 16.
 template <class Visit> void light_mix::for_rows(l3d_workers& workers, const Visit& visit) const {
     constexpr int run = 16;
     const int rows = box_.bottom - box_.top;

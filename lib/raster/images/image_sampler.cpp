@@ -72,7 +72,7 @@ l3d_path image_sampler::reach() const {
     return result;
 }
 
-/// Takes a place of the picture back to the image. Halves are added last, when the numbers are
+/// Takes a place of the picture back to the image. The 0.5 is added last, when the numbers are
 /// small.
 l3d_point_2d image_sampler::back(double x, double y) const {
     const l3d_point_2d a = image_.place.across, d = image_.place.down;
@@ -102,7 +102,7 @@ mixed_color image_sampler::nearest(l3d_point_2d at) const {
     return color(static_cast<int>(column), static_cast<int>(row));
 }
 
-/// The colour between four pixels; pixels outside the borders equal those beside them.
+/// The colour between four pixels. Places outside of the image have the colours on its border.
 mixed_color image_sampler::linear(l3d_point_2d at) const {
     const auto held = [](double place, int size) {
         return std::clamp(place - 0.5, 0.0, static_cast<double>(size - 1));
@@ -121,7 +121,7 @@ mixed_color image_sampler::linear(l3d_point_2d at) const {
     return result;
 }
 
-/// The mean over an upright pixel, which is a box in the image.
+/// The mean colour of a pixel whose sides are parallel to the image's, which is a box in the image.
 mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     const double width = image_.pixels.width, height = image_.pixels.height;
     const double left = std::clamp(std::min(from.x, to.x), 0.0, width);
@@ -140,8 +140,8 @@ mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     return divided(sum, (right - left) * (bottom - top));
 }
 
-/// The mean over a slanted pixel. Each of its edges adds, in each row of the image, the signed area
-/// to its right. Sums from left to right are then the areas that the pixel covers.
+/// The mean colour of a slanted pixel. In each row of the image, each of the pixel's edges adds the
+/// signed area to its right. Sums from left to right are then the areas that the pixel covers.
 mixed_color image_sampler::area_mean(std::int32_t x, std::int32_t y) {
     const std::array<l3d_point_2d, 4> corners{back(x - 0.5, y - 0.5), back(x + 0.5, y - 0.5),
                                               back(x + 0.5, y + 0.5), back(x - 0.5, y + 0.5)};
@@ -171,7 +171,7 @@ mixed_color image_sampler::area_mean(std::int32_t x, std::int32_t y) {
             }
         }
     }
-    // Less than this of a pixel's area is rounding.
+    // A smaller part of a pixel's area is rounding.
     constexpr double nothing = 1e-12;
     return total * std::abs(determinant_) > nothing ? divided(sum, total) : linear(back(x, y));
 }
@@ -198,8 +198,8 @@ void image_sampler::add_edge(l3d_point_2d from, l3d_point_2d to) {
     }
 }
 
-/// Adds an edge in one row, from one place to another. Beyond the columns it counts as on their
-/// border.
+/// Adds an edge's part in one row, from one x to another. A part beyond the columns counts as if it
+/// were on their border.
 void image_sampler::add_in_row(int row, double from, double to, double height) {
     if (from > to)
         std::swap(from, to); // the area to the right is the same
@@ -219,8 +219,8 @@ void image_sampler::add_in_row(int row, double from, double to, double height) {
     }
 }
 
-/// Adds the area to the right of an edge: in this cell its mean distance from the cell's right
-/// side, in all cells behind the whole height.
+/// Adds the area to the right of an edge's part in a cell. In this cell, it is the height times the
+/// mean distance from the cell's right side. In all cells further right, it is the whole height.
 void image_sampler::add_in_cell(int row, int column, double from, double to, double height) {
     if (column >= columns_)
         return;

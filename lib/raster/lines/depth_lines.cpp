@@ -9,8 +9,8 @@
 
 namespace {
 
-/// The smaller step of depth to either neighbour. A step to another surface, or to none, is larger
-/// than one along the surface, so this is the rise of the pixel's own surface.
+/// The smaller change of depth to either neighbour. A step to another surface, or to none, is
+/// larger than one along the surface. So this is the rise of the pixel's own surface.
 double rise(double before, double here, double after) {
     return std::min(std::abs(here - before), std::abs(here - after));
 }
@@ -20,13 +20,13 @@ double rise(double before, double here, double after) {
 ///
 /// The line may lie on that surface. Over a pixel, the depth of the surface rises by g along an
 /// axis, so the surface at the line's point may be farther by away g. Besides, an error of e pixels
-/// along the normal is e / cos a pixels along the view axis, where a is the angle between both.
-/// With p the change of depth over a pixel's size, a plane of that slope has g = p tan a, and 1 /
-/// cos a
-/// <= 1 + tan a, so the error is at most e (p + g). Roundings of the floats add 4 ulps.
+/// along the normal is e / cos a pixels along the view axis, where a is the angle between both. Let
+/// p be the change of depth over a pixel's size. A plane of that slope has g = p tan a, and the
+/// inverse of cos a is at most 1 + tan a. So the error is at most e (p + g). Roundings of the
+/// floats add 4 ulps.
 ///
-/// Where both neighbours show other surfaces, g is no slope. So it counts as 8 p at most, that of a
-/// surface which is seen within 7 degrees of its edge. On a sphere with a radius of r pixels, the
+/// Where both neighbours show other surfaces, g is no slope. So it is limited to 8 p, the slope of
+/// a surface that is seen within 7 degrees of its edge. On a sphere with a radius of r pixels, the
 /// slope at d pixels from the outline is sqrt(r / (2 d)). For 100 pixels it is above 8 within 0.8
 /// pixels of the outline, and a line that lies there may be cut off.
 bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double away, double depth) {
@@ -50,7 +50,8 @@ bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double awa
     return here > depth + bias;
 }
 
-/// The whole pixels whose centres lie between two places, cut to 0 .. count.
+/// The first whole pixel whose centre is at or behind a place, held in 0 .. count. Its counterpart
+/// end_pixel() ends the pixels before a place.
 int first_pixel(double from, int count) {
     return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, double(count)));
 }
@@ -68,7 +69,8 @@ void l3d_detail::depth_lines::add(const line& of, const depth_point& from, const
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     const int bottom = end_pixel(std::max(from.y, to.y) + reach, size.height);
     for (int y = first_pixel(std::min(from.y, to.y) - reach, size.height); y < bottom; ++y) {
-        // A row crosses the strip of the endless line over 2 reach / sin of the angle between both.
+        // In a row, the strip around the endless line is as wide as 2 reach over the sine of the
+        // line's angle with the row.
         double left = std::min(from.x, to.x) - reach, right = std::max(from.x, to.x) + reach;
         if (std::abs(dy) > 0.01 * std::abs(dx)) { // else the row holds nearly all of the strip
             const double middle = from.x + (y + 0.5 - from.y) * dx / dy;

@@ -10,23 +10,24 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Pixels that are lit without a branch.
+/// The number of pixels that are lit without a branch between them.
 constexpr int block = 4;
 
-/// The number of pixels that are prefetched ahead. Each pixel of a steep line is in a row, and so
-/// in a cache line, of its own. Lines of fewer pixels lose more than they gain.
+/// How many pixels ahead of the present one are prefetched. Each pixel of a steep line is in a row
+/// of its own, and so in a cache line of its own. Shorter lines than fewest_for_ahead lose more
+/// than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
 /// Walks along a line in memory; strides are in words.
 template <bool x_major, class Minors> struct line_walk {
-    std::uint32_t* at; ///< the word of the next pixel, had the minor not changed
+    std::uint32_t* at; ///< the next pixel's word, if the minor were as at the line's begin
     Minors minors;
     std::ptrdiff_t along; ///< offset of the next word along the longer axis
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }
-    /// The offset of a later pixel, or of one beside it.
+    /// The offset from this pixel to a later one, or to a neighbour of that one.
     std::ptrdiff_t ahead(int pixels) const {
         return pixels * along + across(minors.floor_after(pixels) - minors.floor());
     }
@@ -50,10 +51,10 @@ void light_singly(line_walk<x_major, Minors> walk, std::int64_t pixels, std::uin
         *walk.pixel() = color;
 }
 
-/// Lights pixels in blocks. The last block ends where the line does, and so it may overlap the one
+/// Lights pixels in blocks. The last block ends where the line does, so it may overlap the one
 /// before it.
 ///
-/// Not inlined: compilers would mix the loop, which takes all registers, with what is before it.
+/// Not inlined: the loop takes all registers, and compilers would mix it with the code before it.
 /// Expects: pixels >= block.
 template <bool x_major, bool prefetches>
 [[gnu::noinline]] void light_blocks(std::uint32_t* at, swift_minors minors, std::int64_t pixels,
@@ -75,8 +76,8 @@ template <bool x_major, bool prefetches>
     light_block();
 }
 
-/// The steps of a line that are seen, as plain numbers: a struct would be passed in memory.
-/// `at` is the word of the first of them, had the minor not changed.
+/// Lights the steps of a line that are seen. The numbers are apart, as a struct would be passed in
+/// memory. `at` is the word of the first step, if the minor were as at the line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,
@@ -100,7 +101,8 @@ void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std:
         light_blocks<x_major, false>(at, minors, pixels, along, stride, color);
 }
 
-/// Not inlined: short lines need not save the registers that blocks take.
+/// Lights a long line. Not inlined, so that short lines need not save the registers that blocks
+/// take.
 template <bool x_major>
 [[gnu::noinline]] void light_long(std::uint32_t* at, std::int32_t length, std::int32_t rise,
                                   std::ptrdiff_t along, std::ptrdiff_t stride,
@@ -108,8 +110,8 @@ template <bool x_major>
     light_steps<x_major>(at, length, rise, 0, std::int64_t{length} + 1, along, stride, color);
 }
 
-/// Lights a line from its first end on, even backwards: the rule of l3d_rasterizer_2d::draw_line
-/// gives the same pixels from both ends.
+/// Lights a line from its first end on, even backwards. By the rule of
+/// l3d_rasterizer_2d::draw_line, both directions give the same pixels.
 template <bool x_major>
 void light_whole(std::uint32_t* at, std::int32_t length, std::int32_t rise, std::ptrdiff_t along,
                  std::ptrdiff_t stride, std::uint32_t color) {
@@ -160,7 +162,7 @@ void l3d_detail::mark_seen(line_steps& line, l3d_size size) {
     const std::int64_t minor_size = line.x_major ? size.height : size.width;
     const whole_range among{std::max<std::int64_t>(0, -line.major),
                             std::min<std::int64_t>(line.length, major_size - 1 - line.major)};
-    // 0 <= pixel's minor < minor_size, with the floor written out
+    // The pixels with 0 <= minor < minor_size. The floor in the minor is written out.
     const wide_integer length = line.length;
     const whole_range seen =
         where_within(among, 2 * wide_integer{line.rise}, -2 * length * line.minor - length + 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// smooth_line: set-up and clipping, by arithmetic alone.
+// smooth_line: sets up and clips a line, by arithmetic alone.
 #include "raster/lines/smooth_line_p.h"
 
 #include "raster/shapes/polygon_corners_p.h"
@@ -29,7 +29,7 @@ l3d_detail::smooth_line::smooth_line(l3d_point_2d from, l3d_point_2d to, l3d_siz
     denominator_ = l3d_subpixel_one * length;
     const wide_integer first = floor_quotient(first_major_, l3d_subpixel_one);
     const wide_integer last = ceil_quotient(last_major_, l3d_subpixel_one);
-    // -1 <= floor < minor_size: one of the two pixels is in the picture
+    // One of a column's two pixels is in the picture while -1 <= floor < minor_size.
     seen_ = where_within(
         {std::max<wide_integer>(first, 0), std::min<wide_integer>(last, size.width - 1)}, slope_,
         -wide_integer{denominator_} - start_,

@@ -22,7 +22,7 @@ struct target {
 #define L3D_HAS(feature) false
 #endif
 
-/// The features that Highway expects of each, in the order of L3D_SIMD_TABLE.
+/// The features that Highway needs for each target, in the order of L3D_SIMD_TABLE.
 constexpr std::array<target, 4> targets{
     {{"AVX3",
       [] {
@@ -46,7 +46,8 @@ std::size_t best_place() {
     return place;
 }
 
-/// The chosen place, for the whole process, like any cache of the processor's features.
+/// The place of the chosen target. The whole process has one, like any cache of the processor's
+/// features.
 std::atomic<std::size_t>& chosen_place() {
     static std::atomic<std::size_t> place = best_place();
     return place;

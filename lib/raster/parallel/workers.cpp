@@ -54,11 +54,12 @@ private:
 
 } // namespace
 
-/// Threads that sleep until there is work. The caller's is worker 0, and the others follow.
+/// Threads that sleep until there is work. The caller's thread is worker 0.
 ///
-/// They are made by pthread_create, since stacks of std::thread are as large as the user's limit.
+/// The others are made by pthread_create, since stacks of std::thread are as large as the user's
+/// limit.
 struct l3d_workers::threads {
-    /// Makes so many threads but one, or as many as the system makes.
+    /// Makes `wanted` - 1 threads, or as many as the system allows.
     explicit threads(int wanted) : members(static_cast<std::size_t>(wanted)) {
         pthread_attr_t attributes;
         pthread_attr_init(&attributes);
@@ -87,7 +88,8 @@ struct l3d_workers::threads {
             pthread_join(members[static_cast<std::size_t>(worker)].thread, nullptr);
     }
 
-    /// Calls work(worker) on this thread, and on each other one that joins before it returns.
+    /// Calls work(worker) on this thread, and on each other thread that joins before this call
+    /// ends.
     /// Cost: allocates nothing if the function holds a reference.
     void run(const std::function<void(int)>& work) {
         {
@@ -110,8 +112,8 @@ struct l3d_workers::threads {
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Stack of a thread: larger than needed, since sanitizers have larger frames. Only touched
-    /// pages take memory.
+    /// Size of a thread's stack. It is larger than needed, since sanitizers have larger frames.
+    /// Only touched pages take memory.
     static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {
@@ -124,7 +126,7 @@ struct l3d_workers::threads {
     std::vector<member> members;
     int made = 1; ///< the threads that exist, the caller's included
     int why_no_more = 0;
-    std::atomic<bool> has_failed{false}; ///< work has thrown: nothing more is begun
+    std::atomic<bool> has_failed{false}; ///< work has thrown, so no other item is begun
 
 private:
     static void* begin(void* context) noexcept {
@@ -150,8 +152,8 @@ private:
         }
     }
 
-    /// Watches for the others' last items for as long as falling asleep and waking take. On a busy
-    /// machine, a sleeper waits for everybody's turn.
+    /// Spins until the others' last items are done, at most for as long as falling asleep and
+    /// waking take. On a busy machine, a sleeper would wait for its turn.
     void watch() const {
         using clock = std::chrono::steady_clock;
         constexpr auto sleep_and_wake = std::chrono::microseconds(50);
@@ -171,9 +173,9 @@ private:
 
     std::mutex mutex; ///< guards all below
     std::condition_variable begun, ended;
-    const std::function<void(int)>* present = nullptr; ///< work that others may join
-    std::uint64_t rounds = 0; ///< rounds of work, so that nobody joins one twice
-    std::atomic<int> busy{0}; ///< others that work; written under the lock
+    const std::function<void(int)>* present = nullptr; ///< work that other threads may join
+    std::uint64_t rounds = 0; ///< counts calls of run(), so that nobody joins one twice
+    std::atomic<int> busy{0}; ///< other threads at work; written under the lock
     bool is_over = false;
     std::exception_ptr failure; ///< the first exception of the work
 };
@@ -209,7 +211,7 @@ l3d_workers::l3d_workers(int wanted) {
 l3d_workers::~l3d_workers() = default;
 
 void l3d_workers::ask_if_due() {
-    constexpr std::chrono::milliseconds pause{20}; // nobody feels a wait of less than 50
+    constexpr std::chrono::milliseconds pause{20}; // nobody feels a wait of less than 50 ms
     const auto now = std::chrono::steady_clock::now();
     if (now - asked_ < pause)
         return;
@@ -237,8 +239,8 @@ void l3d_workers::run(int items, item_call call, void* context) {
     threads_->run(std::cref(take_items));
 }
 
-/// Each worker has a range, which it takes from its outer end. When that is empty, it steals from
-/// the others' ranges, its neighbours' first, at the end far from their owner.
+/// Gives each worker a range of its own, from whose outer end it takes items. When that is empty,
+/// it takes items of other ranges, its neighbours' first, from the end far from their owner.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

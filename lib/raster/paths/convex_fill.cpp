@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convex_fill: a row a lane, for every instruction set that the processor may have.
+// convex_fill: spans between two chains, a row in each lane, for every instruction set that the
+// processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/convex_fill.cpp"
 #include <hwy/foreach_target.h>
@@ -21,22 +22,22 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The spans' windows in all rows of both chains.
+/// The values where two chains pass through rows: a window for each chain and row.
 struct row_windows {
     window left, right;
     alignas(64) double heights[rows];
-    std::int32_t others[rows]; ///< not 0: the row is left to others
+    std::int32_t others[rows]; ///< not 0: the caller fills this row
     std::int32_t joint[rows];  ///< not 0: the chains share columns
     /// The fields of each row's covered_span, if the chains share no columns.
     alignas(64) std::int32_t begins[rows][4]; ///< row, first, between, beyond
     std::int32_t ends[rows][2];               ///< last, value
-    /// Whether each row has a group of values on both sides, and a middle long enough for a span.
-    /// The groups on both sides.
+    /// Whether each row has one group of values on either side, and a middle that is long enough
+    /// for a span. If so, `groups` holds these values.
     bool alike = true;
     std::int32_t groups[rows][2];
 };
 
-/// The first and last values of a window. They form whole groups.
+/// The first value of a window and the one behind its last. The values form whole groups.
 struct window_ends {
     integers first, end;
 
@@ -52,10 +53,10 @@ struct window_ends {
     }
 };
 
-/// A span costs as much as some columns of values.
+/// A span takes as long as this many columns of values.
 constexpr std::int32_t few_columns = 32;
 
-/// Finds the windows' ends, and tells whether windows share columns in any row.
+/// Finds the ends of the windows. Returns whether the two windows of any row share columns.
 HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
                                    const side_lanes& left, const side_lanes& right,
                                    std::size_t lane, std::size_t at, row_windows& result) {
@@ -73,8 +74,7 @@ HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
     return !hn::AllFalse(di, joint);
 }
 
-/// Fills the windows of lanes from begin + at on; only straight chains have lanes from `begin` =
-/// rows on.
+/// Fills the windows of the lanes from begin + at on. Only straight chains have `begin` > 0.
 HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t begin, std::size_t at,
                                       row_windows& result) {
     const eight_doubles d;
@@ -122,7 +122,7 @@ HWY_INLINE void put_words(const window& from, std::size_t row, std::uint8_t* val
         std::memcpy(values + used, &from.words[used / group][row], group);
 }
 
-/// Puts the values of windows that share columns, and gives the number of their columns.
+/// Stores the values of two windows that share columns. Returns the number of their columns.
 HWY_INLINE std::int32_t put_joint(const row_windows& windows, std::size_t row, double full,
                                   std::uint8_t* values) {
     const window &left = windows.left, &right = windows.right;
@@ -146,7 +146,7 @@ HWY_INLINE covered_span span_of(const row_windows& windows, std::size_t row, std
     return {y, first, between, beyond, last, value, place};
 }
 
-/// Makes spans of rows that are alike.
+/// Makes the spans of rows that are all alike, see row_windows::alike.
 HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     std::memcpy(to.values + to.value_count, windows.groups, sizeof(windows.groups));
     covered_span* const span = to.spans + to.span_count;
@@ -157,10 +157,11 @@ HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     to.value_count += sizeof(windows.groups);
 }
 
-/// Makes spans of the rows from a lane on.
+/// Makes the spans of the rows from a lane on. Returns the rows that are left to the caller, as
+/// bits.
 std::uint32_t put_rows(const side_pair& pair, std::size_t begin, const row_windows& windows,
                        pair_spans& to) {
-    const side_pair p = pair; // values may be anywhere, for all the compiler knows
+    const side_pair p = pair; // a copy: values may overwrite `pair`, for all the compiler knows
     covered_span* span = to.spans + to.span_count;
     std::uint8_t* values = to.values + to.value_count;
     std::size_t place = to.values_before + to.value_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_steps: the bound of a chord's distance.
+// flat_steps: a bound of the distance between chords and their curve.
 #include "raster/paths/flat_curve_p.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         hull[i] = {hull[i].x - origin.x, hull[i].y - origin.y};
         least_weight = std::min(least_weight, p[i][2]);
     }
-    // Second differences from the origin.
+    // Second differences of the control points, with places relative to the origin.
     std::array<l3d_point_2d, 2> bends;
     std::array<double, 2> weights{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -25,7 +25,7 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         weights[i] = plain ? 0 : second(2);
         bends[i] = {second(0) - origin.x * weights[i], second(1) - origin.y * weights[i]};
     }
-    // The largest bend - x weight for places x of chords, which are as near to the hull.
+    // The largest bend - x weight for places x on chords, which are within `distance` of the hull.
     const auto most_of = [&](l3d_point_2d bend, double weight) {
         double most = 0;
         for (const l3d_point_2d& corner : hull) {
@@ -41,11 +41,11 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
     const double third =
         6 * most_of({bends[1].x - bends[0].x, bends[1].y - bends[0].y}, weights[1] - weights[0]);
     // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance. The h
-    // in brackets is taken from third = 0. The quotients need not wait for the roots.
+    // in brackets is that for third = 0. In this form, the quotients need not wait for the roots.
     const double squared = second / (16 * distance * least_weight);
     const double inner = std::sqrt(squared + 0.3 * third / second * std::sqrt(squared));
     const double steps = std::ceil(std::max(inner + 2 * (1 - flat_step_at_ends), 2.0));
-    // Where one half bends less than the other, it saves more steps than it costs.
+    // Where one half bends less than the other, uneven steps save more than they cost.
     constexpr double most_uneven_steps = 24;
     return {steps, steps > (third < second / 4 ? most_flat_steps : most_uneven_steps)};
 }

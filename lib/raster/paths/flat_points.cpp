@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_points: a point a lane, for every instruction set that the processor may have.
+// flat_points: finds a point in each lane, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/flat_points.cpp"
 #include <hwy/foreach_target.h>
@@ -16,8 +16,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A coordinate of the curve minus 1/16 of the square of the step, h, times its second derivative.
-/// That is a cubic, too.
+/// A coordinate of points beside a curve, which is a cubic, too. Let h be the step. The curve's
+/// coordinate is reduced by h^2 / 16 times its second derivative.
 struct moved_cubic {
     double a, b, c, d;
 

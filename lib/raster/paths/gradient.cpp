@@ -94,7 +94,7 @@ l3d_gradient::numbers l3d_gradient::piece::at(double place) const {
     return result;
 }
 
-/// Finds the piece of a place, and the place within its period.
+/// Returns the piece that a place lies in, and sets the place within its period.
 const l3d_gradient::piece& l3d_gradient::piece_at(double place, double& in_period) const {
     in_period = period_ > 0 ? place - period_ * std::floor(place / period_) : place;
     const auto found = std::ranges::upper_bound(pieces_, in_period, {}, &piece::to);
@@ -107,9 +107,9 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
     return of_first == &piece_at(to, last) && last - first >= (to - from) / 2;
 }
 
-/// Adds the integral of a weight, which is linear, times the colours from one place to another:
-/// red, green and blue times alpha, and alpha. The products are quadratic at most within a piece,
-/// so cubic with the weight: two places of Gauss are exact.
+/// Adds the integral of the colours from one place to another, times a linear weight. The colours
+/// are red, green and blue times alpha, and alpha. Within a piece they are quadratic at most, so
+/// cubic with the weight, and two points of Gauss are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
@@ -127,8 +127,8 @@ void l3d_gradient::add_in_period(double from, double to, double weight_from, dou
     }
 }
 
-/// Adds the integral over any number of periods: all whole ones count as one with the sum of their
-/// weights.
+/// Adds the integral over any number of periods. All whole periods count as a single one with the
+/// sum of their weights.
 void l3d_gradient::add(double from, double to, double weight_from, double weight_to,
                        numbers& sum) const {
     if (period_ == 0)
@@ -148,8 +148,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
     add_in_period(0, to - behind, weight_at(behind), weight_to, sum);
 }
 
-/// The mean over a square over which the place is linear. The share of the square by place is a
-/// trapezoid, as long as both changes together.
+/// The mean colour of a square over which the place changes linearly. The density of places in the
+/// square is a trapezoid, which is as wide as both changes together.
 l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     const double wide = std::max(std::abs(of.right), std::abs(of.down));
     const double narrow = std::min(std::abs(of.right), std::abs(of.down));
@@ -160,7 +160,7 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
         const piece& p = piece_at(of.place, place);
         return p.at(place);
     }
-    constexpr double least = 0x1p-40; // the smallest change that counts
+    constexpr double least = 0x1p-40; // a smaller change counts as none
     if (wide < least) {
         double place = 0;
         sum = piece_at(of.place, place).at(place);
@@ -177,7 +177,8 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     return sum;
 }
 
-/// Along a ray d from the focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
+/// The place of a colour and its change from pixel to pixel. Along a ray d from the focus f to the
+/// unit circle, the place is 1 / s with |f + s d| = 1.
 l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     const l3d_point_2d unit = to_unit_.at(at), &across = to_unit_.across, &down = to_unit_.down;
     if (!radial_)
@@ -194,9 +195,9 @@ l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     return {(along + root) / inside, change(across), change(down)};
 }
 
-/// The number of parts that a pixel needs along either axis. At r pixels from the focus of a
-/// circle, the place of a colour is h^2 / 4 r off in a square of h, if it counts as linear there.
-/// With a focus beside the middle, or if the circle is an ellipse, distances count less.
+/// The number of parts along either axis that a pixel is cut into. At r pixels from the focus of a
+/// circle, a square of side h errs by a place of h^2 / 4 r if places count as linear in it. With a
+/// focus beside the middle, or an ellipse for a circle, r counts for less.
 double l3d_gradient::parts_at(l3d_point_2d at) const {
     constexpr double most = 32, exact = 1.0 / 512;
     const l3d_point_2d unit = to_unit_.at(at);
@@ -208,7 +209,8 @@ double l3d_gradient::parts_at(l3d_point_2d at) const {
 std::uint32_t l3d_gradient::word_at(l3d_point_2d at) const {
     const slope whole = slope_at(at);
     double parts = radial_ ? parts_at(at) : 1;
-    // Between stops, the mean of a curved run differs from its middle by a 24th of its bend.
+    // Between two stops, the mean of a curved run of places differs from its middle by a 24th of
+    // its bend.
     const double change = std::abs(whole.right) + std::abs(whole.down);
     constexpr double nothing = 1.0 / 16; // levels
     if (parts > 1 && is_opaque_ && steepest_ * change * parts * parts < 24 * 128 * nothing &&
@@ -255,8 +257,9 @@ l3d_mesh_patch l3d_mesh_patch::coons(const std::array<l3d_point_2d, 12>& around,
         p[3][3 - i] = around[6 + i];
         p[3 - i][0] = around[9 + i];
     }
-    // An inner point by the corner next to it: a, the neighbours of a on the borders, the corners
-    // beside a, what is opposite of the neighbours, the corner opposite of a.
+    // An inner point depends on the corner next to it, a. The terms are: a, its neighbours on the
+    // borders, the corners beside it, the points opposite of these neighbours, and the corner
+    // opposite of it.
     const auto inner = [&p](std::size_t row, std::size_t column) {
         const std::size_t r = row == 1 ? 0 : 3, c = column == 1 ? 0 : 3;
         const std::size_t far_r = 3 - r, far_c = 3 - c;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_borders: sets of parameters that run along common borders, the same way or the other way.
+// mesh_borders: finds parameters that run along common borders, the same way or the other way.
 #include "raster/paths/mesh_steps_p.h"
 
 #include "base/number_hash_p.h"
@@ -23,7 +23,7 @@ border backwards(const border& of) {
     return {of[6], of[7], of[4], of[5], of[2], of[3], of[0], of[1]};
 }
 
-/// Disjoint sets of parameters. Each member runs as the set does, or backwards.
+/// Disjoint sets of parameters. Each member runs in its set's direction or backwards.
 class parameter_sets {
 public:
     struct place {
@@ -41,7 +41,7 @@ public:
         while (parents_[result.set].set != result.set) {
             place& parent = parents_[result.set];
             const place above = parents_[parent.set];
-            parent = {above.set, parent.is_backwards != above.is_backwards}; // halves the way
+            parent = {above.set, parent.is_backwards != above.is_backwards}; // halves the path
             result = {parent.set, result.is_backwards != parent.is_backwards};
         }
         return result;
@@ -71,7 +71,7 @@ private:
 } // namespace
 
 void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings) {
-    // Parameter 2 i is u of patch i, and 2 i + 1 is its v.
+    // Parameter 2 i is u of patch i, and parameter 2 i + 1 is v of patch i.
     parameter_sets sets(2 * patches.size());
     std::unordered_map<border, parameter_sets::place, number_hash> first_with;
     first_with.reserve(4 * patches.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_dicer: the places of corners and their colours, in lanes of double.
+// mesh_dicer: finds the places of corners and their colours, in lanes of double.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/mesh_dicer.cpp"
 #include <hwy/foreach_target.h>
@@ -18,7 +18,7 @@ namespace {
 
 static_assert(mesh_row::room >= hn::MaxLanes(eight_doubles()));
 
-/// The sum of four products; backwards it is the same.
+/// The sum of four products. Both arrays backwards give the same sum, bit for bit.
 HWY_ATTR HWY_INLINE number mixed(const std::array<double, 4>& p, const std::array<number, 4>& w) {
     return (same(p[0]) * w[0] + same(p[3]) * w[3]) + (same(p[1]) * w[1] + same(p[2]) * w[2]);
 }

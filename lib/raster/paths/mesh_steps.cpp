@@ -10,25 +10,25 @@ namespace l3d_detail {
 
 namespace {
 
-/// Largest distance of a place from the patch's own place of that colour, in pixels; largest error
-/// of a linear colour against the bilinear one, in levels.
+/// The largest errors of a dicing: how far a colour may be from its place on the patch, in pixels,
+/// and how far a linear colour may be from the bilinear one, in levels.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The limit of steps in a quarter: then the triangles of a patch cover some 2^-5 pixels in
-/// pictures of 2^14.
+/// The most steps in a quarter. With these, each triangle of a patch covers some 2^-5 pixels in
+/// pictures of 2^14 pixels a side.
 constexpr int most_steps = 128;
 
-/// A coordinate of control points; or, of a second derivative, of control vectors as a bicubic
-/// patch has them.
+/// One coordinate of a bicubic patch's control points, or of the control vectors of its second
+/// derivative.
 using curve = std::array<double, 4>;
 using net = std::array<curve, 4>;
 
-/// Both coordinates, and a function of each.
+/// Both coordinates, and a function that is applied to each.
 using nets = std::array<net, 2>;
 template <class Function> auto of_both(const nets& of, const Function& function) {
     return std::array{function(of[0]), function(of[1])};
 }
 
-/// The control vectors of a curve of lower degree as those of a cubic.
+/// Raises the degree of a curve's control vectors to that of a cubic.
 curve as_cubic(double a, double b) {
     const double step = (b - a) / 3;
     return {a, a + step, a + 2 * step, b};
@@ -49,7 +49,7 @@ net turned(const net& p) {
     return result;
 }
 
-/// Suu, and of a turned net Svv, turned.
+/// The control vectors of Suu. With a turned net, the result is Svv, turned.
 net along_rows(const net& p) {
     net result;
     for (std::size_t r = 0; r < 4; ++r)
@@ -57,7 +57,7 @@ net along_rows(const net& p) {
     return result;
 }
 
-/// Suv, turned.
+/// The control vectors of Suv, turned.
 net twist_of(const net& p) {
     net rows; // three rows, cubics along u
     for (std::size_t r = 0; r < 3; ++r) {
@@ -72,7 +72,7 @@ net twist_of(const net& p) {
     return result;
 }
 
-/// The four quarters of all columns: twice by de Casteljau in the middle.
+/// Cuts all columns into quarters, by de Casteljau's algorithm twice in the middle.
 std::array<net, 4> quarters(const net& p) {
     constexpr auto middle = [](const curve& a, const curve& b) {
         curve result;
@@ -92,7 +92,7 @@ std::array<net, 4> quarters(const net& p) {
     return {first, second, third, fourth};
 }
 
-/// A bound of the length of the patch's vectors.
+/// An upper bound of the length of the vectors in a patch: that of its control vectors.
 double longest(const nets& of) {
     curve squares{}; // squares of four vectors at once
     for (std::size_t r = 0; r < 4; ++r)
@@ -102,8 +102,8 @@ double longest(const nets& of) {
     return std::sqrt(*std::ranges::max_element(squares));
 }
 
-/// The largest x y a + y z b + z x c of all x + y + z = 1 that are not negative. If one number is
-/// not below the sum of the others, it is in the middle of that one's side; else it is inside.
+/// The largest x y a + y z b + z x c for x, y, z >= 0 with the sum 1. If one of a, b and c is at
+/// least the sum of the others, the largest value is in the middle of its side. Else it is inside.
 double largest_mix(double a, double b, double c) {
     const double most = std::max({a, b, c});
     if (2 * most >= a + b + c)
@@ -114,18 +114,19 @@ double largest_mix(double a, double b, double c) {
     return most * (a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c));
 }
 
-/// Steps of equal length, at most 1 / steps, that are short enough for a part of a patch.
+/// Steps of equal length, at most 1 / `steps`, that are short enough for a part of a patch.
 struct needed_steps {
     double steps;
-    bool rising; ///< with these diagonals
+    bool rising; ///< cells are cut along the rising diagonal
 };
 
-/// A linear triangle errs by at most the largest_mix of its sides' second derivatives, halved.
-/// Those of a cell of h are h^2 times Suu, Svv and, for its diagonal, Suu +- 2 Suv + Svv. A cell
-/// that is shorter along u or v alone errs by no more (NUMERICS 20).
+/// The steps that keep places within place_error. A linear triangle errs by at most half of the
+/// largest_mix of the second derivatives along its sides. In a cell of side h, these are h^2 times
+/// Suu, Svv and, along the diagonal, Suu +- 2 Suv + Svv. A cell that is shorter along u or v alone
+/// errs by no more (NUMERICS 20).
 ///
-/// Source:  Waldron: The error in linear interpolation at the vertices of a simplex (SIAM J.
-///          Numerical Analysis 35, 1998).
+/// Source: Waldron: The error in linear interpolation at the vertices of a simplex (SIAM J.
+/// Numerical Analysis 35, 1998).
 needed_steps steps_for_places(const nets& along, const nets& down, const nets& twist) {
     nets falling, rising;
     for (std::size_t k = 0; k < 2; ++k)
@@ -141,7 +142,8 @@ needed_steps steps_for_places(const nets& along, const nets& down, const nets& t
     return {std::sqrt(most / place_error), if_rising < if_falling};
 }
 
-/// Linear colours err by at most h^2 / 4 of the bilinear ones' twist.
+/// The steps that keep colours within level_error. In a cell of side h, linear colours err by at
+/// most h^2 / 4 of the twist of the bilinear ones.
 double steps_for_colors(const l3d_mesh_patch& patch) {
     int most = 0;
     for (const int shift : {0, 8, 16}) {
@@ -155,7 +157,7 @@ int whole_steps(double steps, int most) {
     return static_cast<int>(std::ceil(std::clamp<double>(steps, 1, most)));
 }
 
-/// The dicing that a patch needs by itself.
+/// The dicing that a patch needs by itself, without regard to its neighbours.
 mesh_dicing dicing_of(const l3d_mesh_patch& patch, mesh_colors colors) {
     mesh_dicing result;
     if (!is_finite(patch))
@@ -228,7 +230,8 @@ void mesh_knots::set(const mesh_steps& steps) {
     for (std::vector<double>* of : {&at, &weights[0], &weights[1], &weights[2], &weights[3]})
         of->resize(most + 1 + room);
     quarter.resize(most + 1);
-    // Polynomials at i / n; those at (n - i) / n are the same numbers backwards.
+    // Weights at i / n. Those at (n - i) / n are the same numbers in the opposite order, bit for
+    // bit.
     const auto add = [this](int i, int n, std::size_t of_quarter) {
         const double t = static_cast<double>(i) / n, s = static_cast<double>(n - i) / n;
         at[size] = t;

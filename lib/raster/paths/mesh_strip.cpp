@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_strip: set up in lanes of double, filled by small_fill.
+// mesh_strip: triangles are set up in lanes of double, and filled by small_fill.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/mesh_strip.cpp"
 #include <hwy/foreach_target.h>
@@ -28,11 +28,11 @@ using lane_integers = hn::Rebind<std::int32_t, eight_doubles>;
 using lane_floats = hn::Rebind<float, eight_doubles>;
 using condition = hn::Mask<eight_doubles>;
 
-/// The state of a triangle that is set up.
+/// The state of a triangle after its set-up.
 enum : std::int32_t { left_to_others = 0, empty = 1, to_be_filled = 2 };
 
 /// The largest change of a channel from a lattice unit to the next: 2^12 levels over small_side. So
-/// sums are below 2^13, and a few roundings of theirs in float below 2^-9.
+/// a sum is below 2^13, and a few roundings of it in float are below 2^-9.
 constexpr double most_change = 4096.0 / (small_side * l3d_subpixel_one);
 /// The largest difference of a bilinear colour from the linear one, anywhere in a triangle's box.
 constexpr double most_bend = 4096;
@@ -45,8 +45,8 @@ struct set_up_triangles {
     alignas(64) integers_of_all state, left, top, columns, rows;
     alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
     alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
-    /// Added to the linear colour for a bilinear one: `twist` times the shares, in a place, of both
-    /// corners on the diagonal.
+    /// Twist of a bilinear colour. In each place, `twist` times the shares of the two corners on
+    /// the diagonal is added to the linear colour.
     alignas(64) std::array<floats_of_all, 3> twist;
     struct share {
         floats_of_all start, across, down;
@@ -105,8 +105,8 @@ public:
 private:
     using floats_of_all = set_up_triangles::floats_of_all;
 
-    /// Floats from this on are whole numbers: its sum with another is rounded to the nearest, and
-    /// the lowest bits are that number. All other bits are in the highest byte.
+    /// From this number on, floats are whole numbers. So its sum with a level is rounded to the
+    /// nearest, and the lowest bits are the level. All other bits are in the highest byte.
     static constexpr float whole_floats = 0x1p23F;
 
     static constexpr auto floats = Lanes::floats;
@@ -172,7 +172,7 @@ struct lane_range {
     }
 };
 
-/// The first pixel whose sample is not before a place.
+/// The first pixel whose sample is not before a place, along one axis.
 HWY_ATTR HWY_INLINE number first_sample(number place) {
     constexpr double pixel = l3d_subpixel_one;
     return {hn::Floor(((place + same(pixel - 1)) * same(1 / pixel)).v)};
@@ -190,10 +190,10 @@ HWY_ATTR HWY_INLINE void put_edge(const lane_corner& from, const lane_corner& to
 
 /// A function that is linear over triangles whose corners are relative to the first sample.
 struct lane_plane {
-    number start, across, down; ///< by a lattice unit
+    number start, across, down; ///< changes per lattice unit
 };
 
-/// The numbers that the planes of a triangle share.
+/// The numbers that all planes of a triangle have in common.
 struct lane_planes {
     number px, py, qx, qy, rx, ry, scale;
 

@@ -46,15 +46,15 @@ void l3d_path::rational_to(const std::array<l3d_point_2d, 3>& points,
     begin_if_needed();
     kinds_.push_back(kind::curve);
     points_.insert(points_.end(), points.begin(), points.end());
-    // a curve that begins with the weight 1 has to end with its own
+    // a curve that begins with the weight 1 must keep the weight at its end
     weights_.insert(weights_.end(), weights.begin(), weights.end());
     last_ = points[2];
 }
 
-/// A quarter or less is the rational quadratic with control points a, b, c and weights 1, w, 1.
-/// Here b is where the tangents meet, and w the cosine of half the angle. As a cubic it has the
-/// inner points (a + 2 w b) / (1 + 2 w) and (2 w b + c) / (1 + 2 w), each with weight (1 + 2 w)
-/// / 3.
+/// Adds arcs of at most a quarter each. Such an arc is the rational quadratic with control points
+/// a, b, c and weights 1, w, 1. Here b is where the tangents meet, and w the cosine of half the
+/// angle. As a cubic, its inner points have the weight (1 + 2 w) / 3. They are (a + 2 w b) / (1 + 2
+/// w) and (2 w b + c) / (1 + 2 w).
 void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, double begin,
                       double sweep) {
     const auto [cosine, sine] = l3d_turn_by(turn);
@@ -72,7 +72,7 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
         move_to(start);
     else if (start.x != last_.x || start.y != last_.y)
         line_to(start);
-    // The least of these is 60 000 where the sweep is no number, which no integer could hold.
+    // If the sweep is not a number, std::min gives 60 000, which an integer can hold.
     const double bounded = std::min(60000.0, std::abs(sweep));
     const int pieces = std::max(1, static_cast<int>(std::ceil(bounded / 90 - 1e-9)));
     const double half = sweep / pieces / 2, weight = direction(half).x;
@@ -91,8 +91,8 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
     }
 }
 
-/// Adds four arcs, whose ends need no sines: inner points are 2 w / (1 + 2 w) = 2 - sqrt 2 along
-/// the tangents, for w the cosine of an eighth of a turn.
+/// Adds four arcs, whose ends need no sines. With w the cosine of an eighth of a turn, inner points
+/// are 2 w / (1 + 2 w) = 2 - sqrt 2 along the tangents.
 void l3d_path::add_circle(l3d_point_2d center, double radius) {
     constexpr double along = 2 - std::numbers::sqrt2, weight = (1 + std::numbers::sqrt2) / 3;
     const auto at = [&](double x, double y) {
@@ -138,7 +138,7 @@ void l3d_path::add(const l3d_path& other, const l3d_placement_2d& place) {
     if (other.empty())
         return;
     const std::size_t kinds = other.kinds_.size(), points = other.points_.size();
-    const std::size_t weights = other.weights_.size(); // as other may be this path
+    const std::size_t weights = other.weights_.size(); // read first, as `other` may be this path
     for (std::size_t i = 0; i < kinds; ++i)
         kinds_.push_back(other.kinds_[i]);
     for (std::size_t i = 0; i < points; ++i)

@@ -32,7 +32,7 @@ void chain::enter_at_corners(std::int32_t row, const l3d_point_2d* all) {
     const double row_end = row + 1;
     const std::ptrdiff_t behind = last_ + step_;
     l3d_point_2d at = piece_.leaves;
-    // A level edge between two rows ties nothing together in either.
+    // A level edge on the border of two rows bounds no area in either.
     if (at.y == row)
         for (; next_ != behind && all[next_].y == at.y; next_ += step_)
             at = all[next_];
@@ -76,7 +76,7 @@ void path_chains::begin(l3d_point_2d corner) {
 
 void path_chains::lines(std::span<const l3d_point_2d> corners) {
     const double dx = move_.x, dy = move_.y;
-    // A bound has to wait for the one before it, so some are found side by side.
+    // Each bound waits for the one before it, so four are found side by side.
     constexpr std::size_t at_once = 4;
     std::array<double, at_once> least, most;
     least.fill(reached_.least);
@@ -118,15 +118,17 @@ void path_chains::cut_at_sides() {
     }
 }
 
-/// Chains begin at an edge that is not level, where the last edge that is not level led the other
-/// way. The outline's first corners, up to the first turn, are repeated behind its last one: so
-/// each chain's corners are beside each other. A dashed line may have a million outlines beside the
-/// picture.
+/// Ends an outline and cuts it into chains.
+///
+/// A chain begins at an edge that is not level, where the last such edge led the other way. The
+/// outline's corners before the first turn are repeated behind its last corner, so that each
+/// chain's corners lie side by side. Outlines beside the picture are dropped: a dashed line may
+/// have a million of them.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
     if (reached_.most <= 0 || reached_.least >= width_)
-        return corners_.keep(outline_); // closed beside the picture, it winds about no place in it
+        return corners_.keep(outline_); // being closed, it winds about no place of the picture
     if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
     const std::size_t last = corners_.size() - 1, before = chains_.size();
@@ -166,7 +168,7 @@ void path_chains::end(std::uint8_t layer) {
         add_outline(before);
 }
 
-/// Adds an outline with the columns and rows that it reaches.
+/// Adds an outline: its chains from `first` on, and the columns and rows that it reaches.
 void path_chains::add_outline(std::size_t first) {
     std::int32_t top = height_, bottom = 0;
     for (std::size_t i = first; i < chains_.size(); ++i) {
@@ -189,14 +191,14 @@ void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std:
         chains_.emplace_back(corners_.data(), first, last, height_, layer);
 }
 
-/// Goes down the outlines by their tops, and compares each with those that have begun and not
-/// ended.
+/// Finds the outlines that overlap no other one. Goes through them by their tops, and compares each
+/// with those that have begun and not ended.
 void path_chains::find_apart() {
     const auto is_pair = [](const outline& o) { return o.chains == 2; };
     if (std::ranges::none_of(outlines_, is_pair))
         return;
     std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
-    // Where very many outlines are beside each other, comparing all costs more than it saves.
+    // Where very many outlines lie side by side, comparing all costs more than it saves.
     std::size_t looks = 64 * outlines_.size();
     active_.clear();
     for (outline& next : outlines_) {
@@ -220,7 +222,8 @@ void path_chains::find_apart() {
     }
 }
 
-/// Counts the chains of each row, then puts them where their row begins.
+/// Sorts chains by the row that they begin in: counts those of each row, then puts each at its
+/// row's place. Returns the end of the lowest row.
 std::int32_t path_chains::sort() {
     const auto is_left_out = [](const chain& c) { return c.top() == c.bottom(); };
     top_ = height_;

@@ -13,8 +13,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Whether surely no point of `left` lies right of the point of `right` at the same height. Both
-/// lie between the same heights. Level edges give no answer.
+/// Whether it is certain that no point of `left` lies right of the point of `right` at the same
+/// height. Both lie between the same heights. With level edges it is never certain.
 bool is_left_of(const row_piece& left, const row_piece& right) {
     // Both are straight between their corners, so comparing corners is enough.
     const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {
@@ -61,7 +61,8 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     return spans_.all();
 }
 
-/// In the scan's coordinates, pixel 0 is [0, 1), and its sample is its middle.
+/// Cuts a path's outlines into chains. In the scan's coordinates, pixel 0 is [0, 1), and its sample
+/// is its middle.
 void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
     const seen_box seen{box_.left - 0.5, box_.top - 0.5, box_.right - 0.5, box_.bottom - 0.5};
     visit_flat(
@@ -79,7 +80,7 @@ void path_scan::add_all() {
     }
 }
 
-/// Adds the outlines of two chains that no other outline is near.
+/// Adds those outlines of two chains that no other outline comes near.
 void path_scan::add_pairs() {
     chains_.find_apart();
     for (const path_chains::outline& o : chains_.outlines())
@@ -161,7 +162,8 @@ void path_scan::add_borders(std::int32_t row, const row_piece& left_piece,
     }
 }
 
-/// From one row to the next few pieces change places; new ones may be anywhere.
+/// Lists the pieces of a row from left to right. Those that go on from the row above hardly change
+/// their order, so insertion sorts them. Those that begin here may be anywhere.
 void path_scan::begin_row(std::int32_t row) {
     const auto enter = [&](std::uint32_t index) {
         chain& entering = chains_.chains()[index];
@@ -207,7 +209,7 @@ void path_scan::add_row(std::int32_t row) {
         else
             add_cluster(row, std::span(places_).subspan(begin, i - begin), w);
         if (!bordered_)
-            continue; // the cluster's rest goes on
+            continue; // nothing changes: the solid span goes on through the cluster
         if (was_inside)
             add_solid(row, done, first, full_value_);
         add_values(row, {first, last}, was_inside ? 1 : 0);
@@ -217,7 +219,7 @@ void path_scan::add_row(std::int32_t row) {
         add_solid(row, done, width_, full_value_);
 }
 
-/// Goes on to the windings right of it.
+/// Adds the borders in a cluster. On return `w` holds the windings right of it.
 void path_scan::add_cluster(std::int32_t row, std::span<const place> places, windings& w) {
     for (std::size_t i = 0; i < places.size();) {
         const std::size_t begin = i;
@@ -253,12 +255,12 @@ void path_scan::add_border(const row_piece& piece, int sign) {
     });
 }
 
-/// Goes on to the windings right of it.
+/// Adds the borders in a run of pieces without a gap. On return `w` holds the windings right of it.
 void path_scan::add_run(std::int32_t row, std::span<const place> places, bool overlap,
                         windings& w) {
     const windings left = w;
     std::array<double, 2> risen{};
-    windings low = left, high = left; // anywhere in the run
+    windings low = left, high = left; // least and most anywhere in the run
     for (const place& p : places) {
         const row_piece& piece = piece_of(p);
         risen[piece.layer] += piece.direction * piece.height();
@@ -282,7 +284,7 @@ void path_scan::add_run(std::int32_t row, std::span<const place> places, bool ov
 }
 
 /// Adds pieces that lie side by side and only meet. Does nothing and returns false if they are
-/// many, or if inside and outside change along one of them.
+/// many, or if one of them has an edge of the inside in only a part of its height.
 bool path_scan::add_meeting(std::span<const place> places, const windings& left) {
     constexpr std::size_t most = 6;
     if (places.size() > most)
@@ -294,7 +296,7 @@ bool path_scan::add_meeting(std::span<const place> places, const windings& left)
         cuts[count++] = piece_of(p).leaves.y;
     }
     std::sort(cuts.begin(), cuts.begin() + count);
-    std::array<windings, 2 * most> between; // two cuts, left of the next piece
+    std::array<windings, 2 * most> between; // between two cuts, left of the next piece
     between.fill(left);
     std::array<int, most> signs{};
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -318,7 +320,8 @@ bool path_scan::add_meeting(std::span<const place> places, const windings& left)
     return true;
 }
 
-/// Adds columns, whose values follow those of the last span if this ends there.
+/// Makes room for a value in each of some columns: in the last span if it ends where they begin,
+/// else in a new span.
 void path_scan::add_span(std::int32_t row, std::int32_t first, std::int32_t end) {
     if (ends_at(row, first))
         spans_.back().between = spans_.back().beyond = spans_.back().last = end;
@@ -326,8 +329,8 @@ void path_scan::add_span(std::int32_t row, std::int32_t first, std::int32_t end)
         spans_.push({row, first, end, end, end, 0, values_.size()});
 }
 
-/// Whether the last span has values of its own in all columns up to a place, and these are the last
-/// of all.
+/// Whether the last span ends at a place with columns that have a value each, and these values are
+/// the last of all. Such a span can grow.
 bool path_scan::ends_at(std::int32_t row, std::int32_t column) {
     if (spans_.size() == 0)
         return false;
@@ -336,7 +339,7 @@ bool path_scan::ends_at(std::int32_t row, std::int32_t column) {
            s.values + s.values_before() == values_.size();
 }
 
-/// Adds a span of values that are still to be found.
+/// Adds a span and returns the place of its values, which are still to be found.
 std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& columns) {
     const std::int32_t end = std::min(columns.last + 1, width_) + box_.left;
     const std::int32_t first = columns.first + box_.left;
@@ -348,8 +351,8 @@ std::uint8_t* path_scan::add_values(std::int32_t row, const reached_columns& col
     return values;
 }
 
-/// Runs up the sums from the coverage on their left, and sets them back to 0. Gives the coverage on
-/// their right.
+/// Adds up the sums from left to right, stores the values of the coverage, and sets the sums back
+/// to 0. Takes the coverage on the columns' left, and returns that on their right.
 double path_scan::run_up(const reached_columns& columns, double covered, std::uint8_t* value) {
     double* sums = areas_.sums();
     for (std::int32_t column = columns.first; column <= columns.last; ++column) {
@@ -366,7 +369,8 @@ double path_scan::add_values(std::int32_t row, const reached_columns& columns, d
     return run_up(columns, covered, add_values(row, columns));
 }
 
-/// A few columns between two that have values get values, too: a span costs as much.
+/// Adds columns of one value. If they are few and follow columns with a value each, they get a
+/// value each, too: a span of their own would cost as much.
 void path_scan::add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value) {
     constexpr std::int32_t few = 32;
     if (first >= end || value == 0)

@@ -10,14 +10,15 @@
 namespace l3d_detail {
 namespace {
 
-/// The limit of a pen's width, as far as paths reach: such a pen covers every picture. Arcs of
-/// wider pens would have ever more pieces.
+/// The limit of a pen's width, the largest coordinate of paths. Such a pen covers every picture,
+/// and arcs of wider pens would have ever more pieces.
 constexpr double widest_pen = 1 << 30;
 
-/// The largest turn from point to point of an arc, so that a pixel's area is off by at most
-/// l3d_flat_enough. Chords of a turn u add up to r^2 u^3 / (81 sqrt 2) to one side before the other
-/// side makes up for it, and may do so four times in a pixel. Chords of large circles are nearer
-/// than sqrt 2 pixels of the rim allow. NUMERICS.md, section 20.
+/// The largest turn from point to point of an arc with which a pixel's area is off by at most
+/// l3d_flat_enough. Chords of a turn u add up to an error of r^2 u^3 / (81 sqrt 2) to one side
+/// before the other side makes up for it. That may happen four times in a pixel. For large circles,
+/// the distance of chords from the rim allows more, as the rim is at most sqrt 2 pixels long in a
+/// pixel. NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
@@ -31,7 +32,8 @@ l3d_point_2d opposite(l3d_point_2d direction) {
 
 } // namespace
 
-/// An arc of angle a is r (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
+/// The largest angle without points between follows from an arc's distance from its chord, r (1 -
+/// cos(a / 2)), which is at most r a^2 / 8.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
     : pen_(pen), result_(result), radius_(std::min(pen.width, widest_pen) / 2),
       most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),
@@ -80,8 +82,8 @@ void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed)
         add_chord(*last, leaves, points[0]);
 }
 
-/// Adds a chord; returns false if it has no length. The pen is square to a curve where this begins
-/// or ends.
+/// Adds a chord. Returns false if it has no length. Where the chord begins or ends a curve, the pen
+/// is square to the curve.
 bool pen_outline::add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to) {
     const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
     const double length = std::sqrt(dx * dx + dy * dy); // from numbers below 2^32
@@ -114,7 +116,7 @@ void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
     right_.push_back(beside(at, opposite(direction)));
 }
 
-/// The right side is the left one on the way back.
+/// Adds a joint on both sides. The right side is the left one of the way back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
     const joint there{after.from, before.ends, after.begins, std::min(before.length, after.length),
                       after.smooth ? l3d_join::round : pen_.join};
@@ -125,10 +127,12 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
     std::reverse(right_.begin() + begin, right_.end());
 }
 
-/// A turn so small that its arc is nearly its chord has one point, whatever the join: within a
-/// curve, and along the many points of a plot. On the outside it lies on the arc, and the sides of
-/// both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is where these sides
-/// cross, unless that is beyond the middle of one of them.
+/// Adds the left side of a joint.
+///
+/// A turn so small that its arc is nearly its chord gets one point, whatever the join. Such turns
+/// are within curves, and at the many points of a plot. On the outside, the point lies on the arc,
+/// and the sides of both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is
+/// where these sides cross, unless that is beyond the middle of one of them.
 void pen_outline::add_left(const joint& j, side& to) {
     const double sine = j.ends.x * j.begins.y - j.ends.y * j.begins.x;
     const double cosine = j.ends.x * j.begins.x + j.ends.y * j.begins.y;
@@ -141,7 +145,7 @@ void pen_outline::add_left(const joint& j, side& to) {
     to.push_back(beside(j.at, j.ends));
     if (outside)
         add_outside(j, sine, cosine, to);
-    // The shorter way leaves out a triangle that both rectangles cover.
+    // Without the joint itself, the outline would leave out a triangle that both rectangles cover.
     else if (sine < 0 && radius_ * -sine > j.shortest)
         to.push_back(j.at);
     to.push_back(beside(j.at, j.begins));
@@ -152,14 +156,14 @@ void pen_outline::add_outside(const joint& j, double sine, double cosine, side& 
         find_turns(std::atan2(sine, cosine), turns_);
         return add_arc(j.at, {j.ends.y, -j.ends.x}, turns_, to);
     }
-    // From corner to corner a miter is 1 / sin(half the angle between the chords) widths long. The
-    // sine is the cosine of half the turn.
+    // From corner to corner, a miter is 1 / sin(half the angle between the chords) widths long.
+    // That sine is the cosine of half the turn.
     const double half_cosine = std::sqrt(std::max((1 + cosine) / 2, 0.0));
     if (j.join == l3d_join::miter && half_cosine * pen_.miter_limit >= 1)
         to.push_back(between(j, radius_ / (1 + cosine)));
 }
 
-/// Adds the cap at a place where the pen arrives in a direction.
+/// Adds the cap at the end of an outline, where the pen arrives in a direction.
 void pen_outline::add_cap(l3d_point_2d at, l3d_point_2d arrives) {
     if (pen_.cap == l3d_cap::round) {
         if (half_turn_.empty())
@@ -172,9 +176,10 @@ void pen_outline::add_cap(l3d_point_2d at, l3d_point_2d arrives) {
     }
 }
 
-/// Equal turns u lead from one point to the next, on a circle that is larger by r u^2 / 12 or so: a
-/// chord and its arc bound equal areas. The arc itself begins and ends on the circle: there the
-/// turn is by u / sqrt 2. A single chord has no neighbour to make up for the area that it cuts off.
+/// Finds the points of an arc. Equal turns u lead from one point to the next, on a circle that is
+/// larger by about r u^2 / 12. So chords and their arcs bound equal areas. The arc's ends are on
+/// the pen's circle, and their turns are u / sqrt 2. A single chord has no neighbour to make up for
+/// the area that it cuts off.
 void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) const {
     constexpr double at_ends = 1 / std::numbers::sqrt2;
     constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of
@@ -185,7 +190,7 @@ void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) con
     const double radius = radius_ * std::sqrt(turn / sine);
     double x = radius * std::cos(turn * at_ends), y = radius * std::sin(turn * at_ends);
     turns.clear();
-    for (int i = 1; i < pieces; ++i) { // a few hundred turns at most: rounding stays below 2^-40
+    for (int i = 1; i < pieces; ++i) { // a few hundred turns at most, so rounding stays below 2^-40
         turns.push_back({x, y});
         const double turned = x * cosine - y * sine;
         y = y * cosine + x * sine;

@@ -21,7 +21,8 @@ double x_at(const row_edge& p, double y) {
     return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
 }
 
-/// The part of an edge between two columns. Its ends on them are the same in both strips beside.
+/// The part of an edge between two columns. Strips on both sides of a column get the same end on
+/// it.
 row_edge cut(const row_edge& e, double from, double to) {
     const auto y_at = [&e](double x) {
         return std::clamp(e.y0 + (e.y1 - e.y0) * ((x - e.x0) / (e.x1 - e.x0)), e.y0, e.y1);
@@ -65,7 +66,7 @@ void row_areas::set_width(std::int32_t width) {
 
 void row_areas::add_cluster(std::span<const row_edge> edges, const windings& left,
                             const fill_rules& rules) {
-    constexpr std::size_t many = 256; // fewer take longer to be cut than slabs of all of them
+    constexpr std::size_t many = 256; // fewer edges take longer to cut than slabs of all of them
     changes_.clear();
     if (edges.size() > many)
         add_in_strips(edges, left, rules);
@@ -73,8 +74,9 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
         add_strip(edges, left, rules);
 }
 
-/// Where n edges lie side by side in a row, slabs of all of them would take n^2. A slab of a strip
-/// has only the edges of its own columns.
+/// Cuts edges into strips of a few columns, and adds these. Where n edges lie side by side in a
+/// row, slabs of all of them would take n^2 steps. A slab of a strip has only the edges of its own
+/// columns.
 void row_areas::add_in_strips(std::span<const row_edge> edges, const windings& left,
                               const fill_rules& rules) {
     constexpr double width = 2; // wide enough that few edges are cut
@@ -190,7 +192,8 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
     }
 }
 
-/// Two neighbouring chords change places at a crossing, and the inside changes at these two alone.
+/// Adds chords that cross. Two neighbouring chords change places at a crossing, and the inside
+/// changes along these two alone.
 windings row_areas::add_crossing(std::span<const chord> chords, double top, double bottom,
                                  const windings& left, const fill_rules& rules) {
     find_crossings(chords, top, bottom);
@@ -233,8 +236,8 @@ windings row_areas::add_crossing(std::span<const chord> chords, double top, doub
         tracks_[c.from_right].place = place;
         return true;
     };
-    // Where several cross in one place, rounding may change the order of their crossings. One whose
-    // chords are not beside each other yet waits for those that part them.
+    // Where several chords cross in one place, rounding may change the order of their crossings. A
+    // crossing of chords that are not yet beside each other waits for those that part them.
     waiting_.clear();
     for (const crossing& c : crossings_) {
         waiting_.push_back(c);
@@ -247,7 +250,7 @@ windings row_areas::add_crossing(std::span<const chord> chords, double top, doub
     return w;
 }
 
-/// Sorts places by the lower ends, by insertion: two that change places cross.
+/// Sorts chords by their lower ends, by insertion. Two chords that change places cross.
 void row_areas::find_crossings(std::span<const chord> chords, double top, double bottom) {
     crossings_.clear();
     by_lower_.clear();
@@ -267,7 +270,7 @@ void row_areas::find_crossings(std::span<const chord> chords, double top, double
     std::ranges::sort(crossings_, {}, &crossing::y);
 }
 
-/// Adds chords that do not cross, and gives the windings right of them.
+/// Adds chords that do not cross. Returns the windings right of them.
 windings row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
                                 const windings& left, const fill_rules& rules) {
     windings w = left;

@@ -23,12 +23,12 @@ void side_walk::skip_level() {
 std::size_t side_walk::straight_rows(std::int32_t row) const {
     if (next_ + step_ == behind_)
         return side_block::most_straight_rows;
-    // A whole number of rows, as far as a block goes.
+    // Only whole rows count, up to the most that a block holds.
     const double rows = std::min<double>(next_->y - row, side_block::most_straight_rows);
     return static_cast<std::size_t>(rows);
 }
 
-/// The x at a height of the edge that leads to the next corner.
+/// The x at a height on the edge that leads to the next corner.
 double side_walk::edge_at(double y) {
     if (edge_end_ != next_) {
         edge_ = straight_edge(*(next_ - step_), *next_);
@@ -90,8 +90,9 @@ void side_walk::lay_out(std::int32_t row, std::size_t count, side_block& block) 
         block.corners[lane] = static_cast<double>(corners);
     }
     y_ = row + static_cast<double>(count);
-    // All lanes wait for the row with the most, and a few more than the mean cost less than a row
-    // by itself. Circles and dashes are drawn fastest with four more; two or eight are slower.
+    // All lanes wait for the row with the most corners. Rows with a few more corners than the mean
+    // still cost less in lanes than one by one. Circles and dashes are drawn fastest with four
+    // more; two or eight are slower.
     const auto all = static_cast<double>((next - first) * step_);
     block.few_corners =
         std::min<double>(side_block::most_corners, all / static_cast<double>(count) + 4);

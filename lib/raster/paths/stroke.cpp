@@ -22,24 +22,25 @@ bool is_set(l3d_point_2d direction) {
     return direction.x != 0 || direction.y != 0;
 }
 
-/// The vector with its direction and length 1. (0, 0) has no direction.
+/// A vector's direction with length 1. (0, 0) has no direction and stays (0, 0).
 l3d_point_2d unit(l3d_point_2d v) {
     const double length = std::sqrt(v.x * v.x + v.y * v.y); // from numbers below 2^500
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
-/// The way between two points over the square of its length. Two chords of a circle that meet turn
-/// by half their lengths at either end, so its direction there is that of the sum of these.
+/// The way between two points, divided by the square of its length. The sum of two of these, for
+/// chords of a circle that meet, has the circle's direction where they meet. For each chord turns
+/// from the circle there by half the angle of its arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
 }
 
-/// The directions of a curve at both ends of a chord. (0, 0): no curve.
+/// The directions of a curve at both ends of a chord. They are (0, 0) if the chord is on no curve.
 struct chord_ends {
     l3d_point_2d first, last;
 
-    /// The chord that ends at point i.
+    /// Finds the directions for the chord that ends at point i.
     chord_ends(const std::vector<pen_point>& points, std::size_t i) {
         const pen_point &from = points[i - 1], &to = points[i];
         if (!to.smooth && !is_set(to.arrives))
@@ -56,15 +57,15 @@ struct chord_ends {
     }
     chord_ends() = default;
 
-    /// The direction at a part t of the chord: it turns evenly from end to end, as along a circle.
+    /// The direction at a part t of the chord. It turns evenly from end to end, as along a circle.
     l3d_point_2d at(double t) const {
         return is_set(last) ? unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)})
                             : l3d_point_2d{};
     }
 };
 
-/// The directions of a curve at its first and its last point: to the next control point that is
-/// elsewhere.
+/// The directions of a curve at its first and its last point. Each is that of the next control
+/// point that is elsewhere.
 std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
     const auto from = [&](std::size_t at, std::size_t first, int step) {
         for (std::size_t i = first, n = 0; n < 3; ++n, i += static_cast<std::size_t>(step)) {
@@ -81,7 +82,7 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
 
 constexpr std::size_t most_dashes = 1000000;
 
-/// The length of a path's control polygons: no outline is longer.
+/// The length of a path's control polygons. No outline is longer than these.
 struct length_visitor {
     double length = 0;
     l3d_point_2d begin{}, at{};
@@ -98,7 +99,7 @@ struct length_visitor {
     void close() { line(begin); }
 };
 
-/// Whether a path may have more dashes than are made.
+/// Whether a path may have more dashes than most_dashes.
 bool has_too_many_dashes(const l3d_path& path, const l3d_stroke& pen, double sum) {
     length_visitor visitor;
     path.visit(visitor);
@@ -106,8 +107,8 @@ bool has_too_many_dashes(const l3d_path& path, const l3d_stroke& pen, double sum
            static_cast<double>(most_dashes);
 }
 
-/// The part of a chord that may lie in a picture, in lengths from its begin: within `reach` of the
-/// largest one, by its lines x and y. Source: Liang, Barsky 1984.
+/// The part of a chord that may lie in a picture, in lengths from the chord's begin. It is within
+/// `reach` of the largest picture in both x and y. Source: Liang, Barsky 1984.
 struct seen_part {
     double begin = 0, end;
 
@@ -132,7 +133,7 @@ private:
 /// Cuts outlines into dashes.
 class dasher {
 public:
-    /// If `leaves_out`, makes no dashes that no picture shows, except the outermost.
+    /// If `leaves_out` is set, makes no dashes that no picture shows, except the outermost ones.
     dasher(const l3d_stroke& pen, pen_outline& outline, double sum, bool leaves_out)
         : pen_(pen), outline_(outline), sum_(sum), leaves_out_(leaves_out) {}
 
@@ -149,7 +150,7 @@ public:
         if (closed)
             go(points.back(), points[0], [] { return chord_ends(); });
         if (held_)
-            return outline_.add(points, true); // one dash is longer than all
+            return outline_.add(points, true); // a single dash is longer than the outline
         join_first();
         end_dash();
     }
@@ -175,7 +176,8 @@ private:
 
     double length() const { return pen_.dashes[turn_ % pen_.dashes.size()]; }
 
-    /// Goes along a chord. find_ends() gives the curve's directions at its ends.
+    /// Goes along a chord, and ends and begins dashes on it. find_ends() gives the curve's
+    /// directions at both of its ends.
     template <class FindEnds>
     void go(const pen_point& from, const pen_point& to, const FindEnds& find_ends) {
         const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
@@ -199,7 +201,7 @@ private:
                 direction};
             if (is_set(direction))
                 dash_.along = direction;
-            // A chord that is cut may be so short that only the curve's directions tell how the pen
+            // A part of a chord may be so short that only the curve's directions tell how the pen
             // goes on from it.
             if (drawing()) {
                 if (dash_.points.back().smooth)
@@ -221,8 +223,8 @@ private:
             turn(dash_.points.back(), ends.last);
     }
 
-    /// In a gap: the length of whole turns of dashes ahead that no picture shows. It ends a turn
-    /// before what is seen, or before the chord's end.
+    /// In a gap, the length ahead that can be skipped, in whole turns through the dashes that no
+    /// picture shows. It ends a turn before the part that is seen, or before the chord's end.
     double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
         const seen_part seen(from, direction, whole, 2 * pen_.width);
         const double twice = 2 * sum_; // an odd number of lengths is run through twice
@@ -234,7 +236,8 @@ private:
         point.arrives = point.leaves = direction;
     }
 
-    /// The first dash of a closed outline waits for the last one.
+    /// Hands the dash to the pen. The first dash of a closed outline waits for the last one, as
+    /// they may meet.
     void end_dash() {
         if (dash_.points.empty())
             return;
@@ -275,7 +278,8 @@ bool is_sound(const l3d_stroke& pen) {
            (pen.dashes.empty() || (sum >= shortest && std::isfinite(2 * sum)));
 }
 
-/// The chords of a path, outline by outline. Joints inside of a curve are marked.
+/// Collects the chords of a path, outline by outline. Points inside of a curve are marked as
+/// smooth.
 template <class Outline> struct chord_visitor {
     const Outline& outline;
     std::vector<pen_point> points;

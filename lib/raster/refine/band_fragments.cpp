@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_fragments: from items to polygons that reach marked pixels.
+// band_fragments: finds the polygons of items that reach marked pixels.
 #include "raster/refine/band_fragments_p.h"
 
 #include "raster/refine/sample_places_p.h"
@@ -12,11 +12,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// Fragments before what is hidden is left out for the first time: 1 MB, and up to 10 MB of
-/// polygons. A band of a usual frame has fewer.
+/// The number of fragments before hidden ones are left out for the first time. They take 1 MB, and
+/// their polygons up to 10 MB. A band of a usual frame has fewer.
 constexpr std::size_t least_most_fragments = std::size_t{1} << 16;
 
-/// The pixels that may have a sample between the least and the most of some places.
+/// The pixels that may have a sample in a box.
 l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
     constexpr std::int32_t first = l3d_subpixel_one / sample_places::cells / 2;
     return {(box.left + first - 1) >> l3d_subpixel_bits, (box.top + first - 1) >> l3d_subpixel_bits,
@@ -40,7 +40,8 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
-        // Rows are told by the centres that they may cover: one more on either side is reached.
+        // `reached` are the rows whose centres the quads may cover. They reach one more row on
+        // either side.
         const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),
                                   inside_.right, std::min(reached.bottom + 1, inside_.bottom)};
@@ -78,7 +79,7 @@ void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
         polygon.close(4, turns.area2());
         if (!cover(polygon, box))
             return;
-        const float side = grid.shows_both && turns.area2() > 0 ? -1.0f : 1.0f; // see show_side
+        const float side = grid.shows_both && turns.area2() > 0 ? -1.0f : 1.0f; // as show_side()
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < at.size(); ++i)
                 polygon.light[k][i] = side * grid.normal[k][at[i]];
@@ -121,14 +122,14 @@ void band_fragments::add_triangle(const std::array<l3d_micro_vertex, 3>& corners
     keep(polygon, color);
 }
 
-/// The place of a polygon that is not kept yet.
+/// Room for a polygon that is not kept yet.
 fragment_polygon& band_fragments::next_polygon() {
     if (polygons_.size() == polygon_count_)
         polygons_.resize(2 * polygon_count_ + 1);
     return polygons_[polygon_count_];
 }
 
-/// Makes its fragments. Returns whether there are any.
+/// Makes a polygon's fragments. Returns whether there are any.
 bool band_fragments::cover(const fragment_polygon& polygon, const l3d_pixel_box& box) {
     const std::size_t room = std::min(static_cast<std::size_t>(box.area()), pixels().size());
     if (fragments_.size() < count_ + room + 1)
@@ -148,7 +149,7 @@ void band_fragments::keep(fragment_polygon& polygon, std::uint32_t color) {
         leave_out_hidden();
 }
 
-/// Keeps the fragments that are seen so far, and their polygons, in their order.
+/// Keeps the fragments that are seen so far, and their polygons, in the same order.
 void band_fragments::leave_out_hidden() {
     finish();
     names_.assign(polygon_count_, fragment::none);

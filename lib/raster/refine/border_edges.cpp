@@ -33,13 +33,13 @@ int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
                : -1;
 }
 
-/// The same of a triangle.
+/// How a triangle turns: 1 to the right, -1 to the left, 0 if it covers nothing.
 int turn_of(const l3d_micro_triangles& all, int triangle) {
     const std::int64_t area = all.double_area(static_cast<std::size_t>(triangle));
     return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
 }
 
-/// A number of an edge, the same for both directions.
+/// A hash of an edge, which is the same for both directions.
 std::uint32_t hash_of(const contour_edge& edge) {
     const auto of = [](scan_point p) {
         const std::uint32_t mixed = static_cast<std::uint32_t>(p.x) * 0x9e3779b1u +
@@ -79,7 +79,8 @@ void border_edges::add(const band_item& item) {
             add_edge(e, turn_at(part.grid, e));
 }
 
-/// A vertex on a pixel's border belongs to the pixel above.
+/// Whether an edge reaches the band's rows. A vertex on a pixel's border belongs to the pixel above
+/// it.
 bool border_edges::reaches_rows(const l3d_border_edge& edge) const {
     const auto [high, low] = std::minmax(edge.from_y, edge.to_y);
     return (high - 1) >> l3d_subpixel_bits < bottom_ && low >> l3d_subpixel_bits >= top_ &&
@@ -119,7 +120,7 @@ std::span<const contour_edge> border_edges::match() {
                 equal(other.edge.from, here.edge.to) && equal(other.edge.to, here.edge.from);
             if (!along && !against)
                 continue;
-            here.is = kind::inside; // the other one stands for both
+            here.is = kind::inside; // `other` stands for both
             if (along)
                 other.is = kind::fold;
             else
@@ -128,7 +129,8 @@ std::span<const contour_edge> border_edges::match() {
             break;
         }
     }
-    // The two sides of a crease may both be nearer to the eye, by what depth changes in a pixel.
+    // The surfaces on both sides of a crease may be nearer to the eye than the crease, by a change
+    // of depth in a pixel.
     constexpr float in_front = 1 + 1.0f / 512;
     for (border& b : edges_) {
         if (b.is == kind::crease)

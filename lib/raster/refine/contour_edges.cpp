@@ -36,9 +36,9 @@ HWY_INLINE std::uint64_t bits_of(hn::Mask<decltype(floats)> mask) {
 }
 
 /// Finds the turns of a row's quads, from column `begin` to `end`. Quad c has bit c % 64 of word c
-/// / 64. Differences and products are rounded, of quads up to 16 pixels not at all; everybody who
-/// asks gets the same answer.
-/// Expects: begin a multiple of 64; words are 0.
+/// / 64. Differences and products are exact for quads up to 16 pixels, and rounded for larger ones.
+/// Everybody who asks gets the same answer.
+/// Expects: begin is a multiple of 64, and the words are 0.
 void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::uint64_t* right,
                   std::uint64_t* folded) {
     const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(ints));
@@ -48,7 +48,7 @@ void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::
     const auto load = [&](const std::vector<std::int32_t>& of, std::ptrdiff_t at) HWY_ATTR {
         if (HWY_LIKELY(at + lanes <= size))
             return hn::LoadU(ints, of.data() + at);
-        // The last of the arrays' last vector is no first corner of a quad.
+        // The last element of an array's last vector is not the first corner of any quad.
         std::copy(of.data() + at, of.data() + size, copy);
         return hn::LoadU(ints, copy);
     };
@@ -93,7 +93,7 @@ namespace {
 
 constexpr int word_bits = 64;
 
-/// Whether the piece of a folded quad at its side `side` turns to the right.
+/// Whether the piece of a folded quad at one of its sides turns to the right.
 bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, std::size_t side) {
     const scan_point from = position(v[side]);
     return cross(position(v[(side + 1) % 4]) - from, position(centre) - from) > 0;
@@ -103,7 +103,7 @@ bool has(const std::uint64_t* bits, int column) {
     return (bits[column / word_bits] >> (column % word_bits) & 1) != 0;
 }
 
-/// Sides of quads, in the order of quad_corners.
+/// The sides of a quad, in the order of quad_corners.
 enum side : std::size_t { upper, right_side, lower, left_side };
 
 } // namespace
@@ -125,8 +125,8 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
     };
     int filled = -1; // the row whose turns are in here_
     for (int row = cells.row_begin; row < cells.row_end; ++row) {
-        // An item's rows are those of the centres that it may cover: it reaches one more on either
-        // side.
+        // `reached` are the rows whose centres the quads may cover. The quads reach one more row on
+        // either side.
         const band_rows& reached = list.rows(item)[row - cells.row_begin];
         if (reached.top - 1 >= bottom || reached.bottom + 1 <= top)
             continue;
@@ -189,7 +189,8 @@ void contour_edges::add_row(const l3d_surface_part& part, const grid_cells& cell
     }
 }
 
-/// The edge from one vertex to another, if only the polygon on one of its sides turns to the right.
+/// Adds the edge between two vertices if the polygon on exactly one of its sides turns to the
+/// right.
 void contour_edges::add_between(const l3d_micro_vertex& from, const l3d_micro_vertex& to,
                                 bool right_turns, bool left_turns) {
     const float nearest = std::max(from.inv_w, to.inv_w);
@@ -199,8 +200,8 @@ void contour_edges::add_between(const l3d_micro_vertex& from, const l3d_micro_ve
         edges_.push_back({position(to), position(from), nearest});
 }
 
-/// The edges between the pieces of a folded quad. The piece at a side goes from the centre to the
-/// side's first corner.
+/// Adds the edges between the pieces of a folded quad. The edge from the centre to a corner lies
+/// between the pieces of the two sides that meet there.
 void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
     const quad_corners v = corners_of(grid, grid.index(row, column));
     const l3d_micro_vertex centre = projective_centre(v, grid.is_parallel);

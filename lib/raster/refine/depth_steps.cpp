@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// depth_steps: the few pixels that are far from a neighbour, by vectors of channels.
+// depth_steps: finds the few pixels whose levels jump, by vectors of channels.
 #include "raster/refine/depth_steps_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -44,7 +44,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Channels are bytes of pixel words, in the order of memory; the last of four is transparency.
+/// The channels of a pixel are bytes of its word, in the order of memory. The last of four is
+/// transparency.
 constexpr std::int32_t channels = sizeof(std::uint32_t);
 constexpr hn::CappedTag<std::uint8_t, 64> levels;
 constexpr auto vector_pixels = static_cast<std::int32_t>(hn::MaxLanes(levels)) / channels;
@@ -55,7 +56,7 @@ HWY_ATTR HWY_INLINE level_lanes load(const std::uint32_t* from) {
     return hn::LoadU(levels, reinterpret_cast<const std::uint8_t*>(from));
 }
 
-/// Sets a bit for each channel that is beyond levels of no jump.
+/// Sets a bit for each channel above jump_levels, except for transparency.
 HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     const auto most = hn::Set(levels, std::uint8_t{jump_levels});
     std::uint8_t bytes[sizeof(std::uint64_t)] = {};
@@ -65,8 +66,8 @@ HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     return bits & 0x7777777777777777;
 }
 
-/// Whether a channel of some pixels may jump to the pixel on the right, or below. Transparency
-/// counts here, too.
+/// Whether a channel of some pixels may jump to the pixel on the right, or to that below.
+/// Transparency counts as a channel here.
 HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
     const auto here = load(row), beside = load(row + 1), below = load(next);
     const auto range =
@@ -75,7 +76,7 @@ HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* 
     return !hn::AllTrue(levels, hn::Eq(hn::Max(range, most), most));
 }
 
-/// Tests as is_jump, for some pixels side by side: a bit for each channel that jumps.
+/// Tests some pixels side by side as is_jump does, and sets a bit for each channel that jumps.
 HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, level_lanes c,
                                                 level_lanes e) {
     const auto most_kink = hn::Set(levels, std::uint8_t{most_kink_levels});
@@ -89,7 +90,7 @@ HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, le
                 rest(hn::SaturatedSub(b, c), hn::SaturatedSub(a, b), hn::SaturatedSub(c, e))));
 }
 
-/// Sets the bits of pixels from x up to `end` that have channels with a bit.
+/// Marks the pixels from x up to `end` that have a bit in any of their channels.
 HWY_INLINE void add_pixels(std::uint64_t bits, std::int32_t x, std::int32_t end,
                            std::uint64_t* to) {
     constexpr std::uint64_t first_channels = 0x1111111111111111;
@@ -107,7 +108,7 @@ void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_ju
         const std::uint32_t *const above = row_at(y - 1), *const here = row_at(y),
                                    *const below = row_at(y + 1), *const last = row_at(y + 2);
         std::uint64_t *const right = jumps.right.row(y), *const down = jumps.down.row(y);
-        // Whole vectors before here, with two pixels behind the last.
+        // Whole vectors begin before this column, so that there are two pixels behind the last one.
         const std::int32_t inside = std::min(where.right, picture.width - vector_pixels - 1);
         for (std::int32_t x = where.left; x < where.right;) {
             if (vector_pixels > 0 && x > 0 && x < inside) {
@@ -125,7 +126,7 @@ void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_ju
                 }
                 continue;
             }
-            // A row goes on beyond its ends with its first and last pixel.
+            // Beyond its ends, a row goes on with its first and its last pixel.
             const auto at = [&](std::int32_t i) {
                 return here[std::clamp(i, 0, picture.width - 1)];
             };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// half_planes: each line against each place.
+// half_planes: tests each line against each place.
 #include "raster/refine/half_planes_p.h"
 
 #include "raster/refine/sample_places_p.h"
@@ -16,7 +16,8 @@ half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const st
         std::uint64_t* const row = masks_.data() + turn * in_row;
         for (std::size_t i = 0; i < x.size(); ++i) {
             const double right = (x[i] + 0.5) / cells - 0.5, down = (y[i] + 0.5) / cells - 0.5;
-            // It is on the side from the first step on in whose middle e + dx y - dy x >= 0.
+            // The place is on the line's side from the first step on whose middle e has e + dx y -
+            // dy x >= 0.
             const double first = std::ceil((0.5 + dy * right - dx * down) * steps - 0.5);
             if (first < steps)
                 row[static_cast<std::size_t>(std::max(first, 0.0)) + 1] |= std::uint64_t{1} << i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// marked_pixels: rows of bits become tiles.
+// marked_pixels: rearranges rows of bits into tiles.
 #include "raster/refine/marked_pixels_p.h"
 
 #include "raster/refine/pixel_samples_p.h"
@@ -52,7 +52,7 @@ bool marked_pixels::reopen() {
     return !reached.empty();
 }
 
-/// A word of a row has the rows of eight tiles.
+/// Gathers the bits of tiles. A word of a row holds one row of eight tiles.
 void marked_pixels::gather_bits(const l3d_pixel_bits& marks) {
     constexpr std::size_t in_word = l3d_pixel_bits::word_pixels / side;
     constexpr std::uint64_t row_bits = (1u << side) - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture_refiner: contours and jumps mark pixels, and these are sampled.
+// picture_refiner: contours and jumps mark pixels, and marked pixels are sampled.
 #include "raster/refine/picture_refiner_p.h"
 
 #include "raster/refine/drawn_depth_p.h"
@@ -19,14 +19,14 @@ l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
             std::min(top + frame.rows, frame.window.bottom)};
 }
 
-/// Whether all that was drawn where an item reaches, and around, is nearer than all of it.
+/// Whether surfaces in and around an item's box are all nearer than the item.
 bool is_hidden(const drawn_frame& frame, const band_item& item) {
     return frame.coarse.hidden(item.box.grown(1).intersected(frame.window),
                                std::nextafter(item.nearest, HUGE_VALF));
 }
 
-/// Marks the pixels of a band that an edge passes through where it is not hidden. Edges on the
-/// border of two pixels count for the first one.
+/// Marks the pixels of a band that an edge passes through, where it is not hidden. An edge on the
+/// border of two pixels counts for the first one.
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
                l3d_pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };
@@ -36,7 +36,7 @@ void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_d
         std::swap(high, low);
     const std::int32_t first = std::max((high.y - 1) >> l3d_subpixel_bits, box.top);
     const std::int32_t last = std::min((low.y - 1) >> l3d_subpixel_bits, box.bottom - 1);
-    // How far the edge goes to the right from row to row, in parts of 2^32.
+    // How far the edge goes to the right per lattice unit downwards, in parts of 2^32.
     const std::int64_t slope =
         low.y > high.y ? (std::int64_t{low.x - high.x} << 32) / (low.y - high.y) : 0;
     const auto place_at = [&](std::int32_t y) {
@@ -75,7 +75,7 @@ std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& work
     return refined;
 }
 
-/// Contours and jumps of a band. A pixel beside a drawn tile may be partly covered, too.
+/// Finds the contours and jumps of a band. A pixel beside a drawn tile may be partly covered, too.
 void picture_refiner::find_edges(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
     jumps_.clear(box.top, box.bottom);
@@ -99,16 +99,16 @@ void picture_refiner::find_edges(const drawn_frame& frame, int band, worker_spac
         mark_edge(edge, box, depth, marks_);
 }
 
-/// Adds both sides of jumps to the marks of a band.
+/// Marks the pixels on both sides of a band's jumps.
 void picture_refiner::join_marks(const drawn_frame& frame, const l3d_pixel_box& box) {
     const std::size_t words = marks_.row_words();
     for (std::int32_t y = box.top; y < box.bottom; ++y) {
         const bool has_above = y > frame.window.top;
-        std::uint64_t before = 0; // the last pixel of the word before jumps to this word's first
+        std::uint64_t before = 0; // whether the word before jumps to this word's first pixel
         for (std::size_t w = 0; w < words; ++w) {
             const std::uint64_t right = jumps_.right.row(y)[w], down = jumps_.down.row(y)[w];
             const std::uint64_t above = has_above ? jumps_.down.row(y - 1)[w] : 0;
-            // The last words of rows go on beyond the picture with its last column.
+            // The jumps of a row's last word go on beyond the picture.
             marks_.row(y)[w] |=
                 (right | right << 1 | before | down | above) &
                 l3d_pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);

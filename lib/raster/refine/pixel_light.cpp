@@ -45,10 +45,12 @@ struct light_sum {
     }
 };
 
-/// The level of a polygon of mode l3d_shade::levels: the plane of its corners' levels, higher by
-/// what the surface is above it in the mean. Where a side's middle is up by h, that is a third of h
-/// in the mean over a triangle, as 4 h times the mean of a product of two parts of corners, 1/12.
-/// Over a quad it is two thirds of the mean of opposite sides, so a third of h, too.
+/// The levels of a polygon in mode l3d_shade::levels: a plane through its corners' levels, raised
+/// by the mean height of the surface above it.
+///
+/// If a side's middle is up by h, its share is 4 h times the product of two barycentric
+/// coordinates. That product has the mean 1/12 over a triangle, so the mean height is h / 3. Over a
+/// quad it is two thirds of the mean of opposite sides, so h / 3 for each side, too.
 class level_surface {
 public:
     explicit level_surface(const fragment_polygon& of)
@@ -60,7 +62,8 @@ public:
         most_ = most;
     }
 
-    /// Between the corners' levels, as the plane of a sliver is steep. Units: pixels.
+    /// The level at a place, held between the corners' levels, as the plane of a sliver is steep.
+    /// Units: pixels.
     float at(const fragment_polygon& of, float x, float y) const {
         return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;
     }
@@ -97,10 +100,10 @@ public:
                 levels_.emplace_back(polygon);
     }
 
-    /// Whether no light has a hue.
+    /// Whether all light is grey.
     bool is_grey() const { return has_bends<Shader> && !has_color_ && !shading_.fog.is_on(); }
 
-    /// The amount of all channels, if they are the same.
+    /// The amount of light in each channel. Expects: is_grey().
     float grey_of(const seen_fragment& seen) const { return tables_.light_between(level_of(seen)); }
 
     light_sum of(const seen_fragment& seen) {
@@ -188,7 +191,8 @@ private:
     std::vector<level_surface> levels_;   ///< one per polygon, if the shader takes levels
 };
 
-/// The word of light before what is behind all surfaces, which fills `empty` of the pixel.
+/// The word of a pixel with some light from surfaces, and with `behind` in the part `empty` that
+/// shows no surface.
 std::uint32_t word_before(light_sum light, std::uint32_t behind, float empty,
                           const linear_light& tables) {
     if (!(empty > 0))
@@ -211,8 +215,8 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   const l3d_pixels& target) {
     const linear_light& tables = linear_light_tables();
     constexpr float part = 1.0f / sample_places::count;
-    // Where sides meet, two samples may be in none of the polygons. Pixels have four such places at
-    // most, in all tilings that were tried.
+    // Where sides meet, two samples may be in none of the polygons. All tilings that were tried
+    // have at most four such places in a pixel.
     constexpr int closed_count = sample_places::count - 8;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
@@ -238,7 +242,7 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
             mean.add(sum, shares ? 1 / static_cast<float>(count) : part);
             const float empty = shares ? 0.0f : 1 - part * static_cast<float>(count);
             const std::uint32_t behind =
-                empty > 0 ? shading.background.word(y, target.height) : 0; // it does not matter
+                empty > 0 ? shading.background.word(y, target.height) : 0; // not used then
             word = word_before(mean, behind, empty, tables);
         }
     };

@@ -18,7 +18,8 @@
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
 namespace l3d_detail {
 
-/// A fragment that is seen so far, and its plane of depth in the pixel's middle.
+/// A fragment that none so far hides wholly, and the plane of its depth relative to the pixel's
+/// middle.
 struct seen_so_far {
     std::uint64_t samples;
     std::uint32_t polygon;
@@ -39,10 +40,11 @@ constexpr hn::CappedTag<float, 4> floats;
 constexpr hn::RebindToSigned<decltype(floats)> side_ints;
 constexpr hn::CappedTag<std::int32_t, 16> ints;
 
-/// The four sides of a polygon, and what is on their inner sides.
+/// The four sides of a polygon, and the samples on their inner sides.
 ///
-/// A side's numbers are those of going down, or to the right, whichever polygon asks. The polygon
-/// on the other side takes the samples that are left. So each sample has one of both.
+/// A side is measured downwards, or to the right if it is level, whichever of its two polygons
+/// asks. One of them takes the samples on one side of it, and the other one all the rest. So each
+/// sample is in exactly one of both.
 class polygon_sides {
 public:
     HWY_ATTR HWY_INLINE void begin(const fragment_polygon& of) {
@@ -57,7 +59,7 @@ public:
             const auto right = hn::Sub(x1, x0);
             const auto dx = hn::IfThenElse(is_up, hn::Neg(right), right),
                        dy = hn::Abs(hn::Sub(y1, y0)), size = hn::Add(hn::Abs(dx), dy);
-            // All is on the inner side of a side that is a point.
+            // A side that is a point has all samples on its inner side.
             const auto is_point = hn::Eq(size, zero);
             const auto scale = hn::Div(one, hn::IfThenElse(is_point, one, size));
             const auto to_steps =
@@ -86,7 +88,7 @@ public:
         }
     }
 
-    /// The pixels of a tile that have samples, and a few more.
+    /// The pixels of a tile that have samples in the polygon, and a few more.
     HWY_ATTR HWY_INLINE std::uint64_t reached(std::int32_t left, std::int32_t top,
                                               const std::uint64_t* masks) {
         constexpr float middle = marked_pixels::side * l3d_subpixel_one / 2;
@@ -95,7 +97,7 @@ public:
                       1.0f / marked_pixels::side, in_tile_, masks);
     }
 
-    /// The samples of a pixel.
+    /// The samples of a pixel that lie in the polygon.
     HWY_ATTR HWY_INLINE std::uint64_t samples(std::int32_t x, std::int32_t y,
                                               const std::uint64_t* masks) {
         constexpr float middle = l3d_subpixel_one / 2;
@@ -104,12 +106,13 @@ public:
     }
 
 private:
-    /// Numbers of this size have no digits behind the point: adding it rounds.
+    /// Floats of this size have no fraction, so adding this one rounds a number.
     static constexpr float whole = 1 << 23;
     static constexpr float last_step = half_planes::steps + 1;
 
-    /// A pixel's square goes 1/2 pixel beyond its middle, in the measure of half_planes, and there
-    /// are half a step in direction, for places up to 1/2 away, and half a step of e.
+    /// How far the test of a tile reaches beyond its pixels' middles, in the measure of
+    /// half_planes. A pixel's border is 1/2 pixel away. Half a step in direction counts at places
+    /// up to 1/2 away, and half a step of e is added.
     static constexpr float tile_margin =
         0.5f / marked_pixels::side + 1.0f / half_planes::turns + 0.5f / half_planes::steps;
 
@@ -176,7 +179,8 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
     return count;
 }
 
-/// The least and the most of two rows of vertices in each column.
+/// Finds the pixels whose samples may lie in each quad between two rows of vertices, as a box
+/// within `inside` for each column.
 void find_boxes(const l3d_micro_grid& grid, std::size_t first, std::size_t count,
                 const l3d_pixel_box& inside, std::int32_t* const (&to)[4]) {
     constexpr std::int32_t step = l3d_subpixel_one / sample_places::cells / 2;
@@ -257,8 +261,8 @@ HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, see
     return left;
 }
 
-/// Adds a pixel's fragments, the last that came first. No two of those seen share a sample, so they
-/// are 64 at most.
+/// Finds a pixel's fragments that are seen, beginning with the one that came last. No two of these
+/// share a sample, so there are 64 at most.
 HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
                                     std::span<const fragment> fragments, const marked_pixel& pixel,
                                     const half_planes& planes,

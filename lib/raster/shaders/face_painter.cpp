@@ -21,7 +21,7 @@ double dot(const vector& a, const vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// A vertex in the picture: x and y in pixels times w, and w.
+/// A vertex in homogeneous coordinates of the picture: x and y in pixels times w, and w.
 vector placed(const l3d_matrix<double>& m, const l3d_vector<double, 3>& v) {
     vector result;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -57,9 +57,12 @@ void face_painter::begin(std::uint32_t name) {
     begin_triangle(model, model.triangles[name - model.first]);
 }
 
+/// Sets up the planes that give a pixel's barycentric coordinates in a triangle.
+///
 /// A place in the picture is a direction (x, y, 1) in the space of x w, y w and w. The plane
-/// through it and two corners is 0 on the side between them. So a corner's share of what is seen
-/// there is its distance from that plane, over the sum of all three. No corner need be visible.
+/// through the origin and two corners is 0 on the side between them. So the share of the third
+/// corner is the distance of (x, y, 1) from that plane, over the sum of all three. No corner need
+/// be visible.
 void face_painter::begin_triangle(const l3d_painted_model& model,
                                   const l3d_painted_triangle& triangle) {
     triangle_ = &triangle;
@@ -95,7 +98,8 @@ void face_painter::begin_triangle(const l3d_painted_model& model,
         flat_color_ = flat_color_ << 8 | tables.level(channel);
 }
 
-/// With u the quotient of two linear numbers n / d, a step in x changes it by (n_x - u d_x) / d.
+/// The place of the texture that a pixel shows. With u = n / d, both linear, a step in x changes u
+/// by (n_x - u d_x) / d.
 /// Expects: shares that add up to d.
 l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) const {
     const double over = 1 / (shares[0] + shares[1] + shares[2]);
@@ -112,13 +116,13 @@ l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) co
     return place;
 }
 
-/// Corners are drawn where 1/256 of a pixel is. So a pixel at a side may lie beside the exact
-/// triangle, and has no negative shares then.
+/// Finds a pixel's light and its place in the texture. Corners are drawn on a lattice of 1/256
+/// pixel. So a pixel at a side may lie beside the exact triangle; negative shares count as 0.
 void face_painter::place(double x, double y, std::size_t pixel) {
     std::array<double, 3> shares;
     for (std::size_t k = 0; k < shares.size(); ++k)
         shares[k] = std::max(sides_[k][0] * x + sides_[k][1] * y + sides_[k][2], 0.0);
-    // Less is no triangle but a line, as far as numbers tell.
+    // With a smaller sum, the triangle is a line, as far as numbers tell.
     if (!(shares[0] + shares[1] + shares[2] > 0x1p-1000))
         shares = {1, 0, 0};
     const double over = 1 / (shares[0] + shares[1] + shares[2]);
@@ -148,7 +152,7 @@ void face_painter::paint(const named_pixels& pixels) {
     batch_.finish();
 }
 
-/// Expects: pixels that all show one polygon or material.
+/// Paints neighbouring pixels. Expects: all of them show one polygon or one material.
 void face_painter::paint_face(const named_pixels& from, const pixel_range& range) {
     if (from.names[range.begin] != name_)
         begin(from.names[range.begin]);

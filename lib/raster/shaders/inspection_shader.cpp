@@ -16,8 +16,8 @@ using vector = l3d_inspected_patches::vector;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// The distance at which the ray passes a point, along the picture's axes. For a direction, it is
-/// the change with that direction.
+/// How far a point is from the ray through a pixel, along the picture's axes. For a direction, it
+/// is the change of that distance along the direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)
@@ -30,7 +30,7 @@ public:
     parameter_steps(const l3d_patch_place& at, const vector& ray)
         : u_(at.along_u, ray), v_(at.along_v, ray), determinant_(u_.x * v_.y - v_.x * u_.y) {}
 
-    /// Whether the inverse exists after rounding.
+    /// Whether the inverse exists in spite of rounding.
     bool exists() const {
         constexpr double least = 0x1p-40;
         return std::abs(determinant_) > least * (std::abs(u_.x * v_.y) + std::abs(v_.x * u_.y));
@@ -43,8 +43,8 @@ private:
     double determinant_;
 };
 
-/// The change of an angle whose cosine changes by so much. At 0 and at 180 degrees it has no limit
-/// in terms of the cosine; there the stripes are as wide as they can be, and this is enough.
+/// The change of an angle for a change of its cosine. At 0 and at 180 degrees, it has no bound.
+/// Stripes are widest there, so the bound of 1 / `least` is enough.
 double angle_change(double cosine, double change) {
     constexpr double least = 1e-4;
     return change / std::max(std::sqrt(std::max(0.0, 1 - cosine * cosine)), least);
@@ -56,10 +56,10 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v) {
     const vector ray = frame.ray(x, y);
-    // Convergence doubles the digits each time. Guesses are good to a part of a quad.
+    // Each step doubles the exact digits. Guesses are right up to a part of a quad.
     constexpr int most_steps = 12;
-    constexpr double farthest = 0.5; // from the guess: points beyond are on another sheet
-    constexpr double exact = 1e-6;   // pixels that a step may leave
+    constexpr double farthest = 0.5; // from the guess; points further away are on another sheet
+    constexpr double exact = 1e-6;   // pixels that may remain
     const patch_parameters guess{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
     patch_parameters at = guess;
     double first_miss = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
         const parameter_steps steps(place, ray);
         if (at.is_solved || !steps.exists())
             break;
-        // A pixel beside a border may stand for the border itself.
+        // A pixel beside a border may show the border itself.
         const patch_parameters next{std::clamp(at.u - steps.of_u(off.x, off.y), 0.0, 1.0),
                                     std::clamp(at.v - steps.of_v(off.x, off.y), 0.0, 1.0)};
         const bool is_border = next.u == at.u || next.v == at.v;
@@ -95,10 +95,10 @@ struct inspection_shader::sight {
     vector ray;                       ///< unit
     std::array<vector, 2> ray_change; ///< a pixel to the right, and one down
     l3d_patch_bend bend;              ///< its normal turned to the eye
-    std::array<vector, 2> turn;       ///< change of the normal, likewise
+    std::array<vector, 2> turn;       ///< change of the normal for the same two steps
 };
 
-/// Nothing where the surface has no normal.
+/// The view of a point of the patch. It is empty where the surface has no normal.
 std::optional<inspection_shader::sight> inspection_shader::look_at(patch_parameters at, double x,
                                                                    double y) const {
     const l3d_patch_jet jet = l3d_jet_of(*net_, at.u, at.v);
@@ -116,7 +116,7 @@ std::optional<inspection_shader::sight> inspection_shader::look_at(patch_paramet
         result.bend.normal_v = -bend->normal_v;
         result.bend.mean = -bend->mean;
     }
-    // A seen point moves from pixel to pixel by its distance over the focal length.
+    // From pixel to pixel, the seen point moves by its distance over the focal length.
     const parameter_steps steps(jet, ray);
     const double pixel = jet.point[2] / patches_.focal;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -130,7 +130,8 @@ std::optional<inspection_shader::sight> inspection_shader::look_at(patch_paramet
     return result;
 }
 
-/// A stripe of `zebra` or `isophotes`, in the mean over the pixel, as if the angle were linear.
+/// The colour of a stripe of `zebra` or `isophotes`. It is the mean over the pixel, as if the angle
+/// changed linearly.
 std::uint32_t inspection_shader::stripe(const sight& of) const {
     const vector& n = of.bend.normal;
     const bool is_zebra = shading_.mode == l3d_shade::zebra;
@@ -170,7 +171,8 @@ std::uint32_t inspection_shader::word_around(const float* guess, double x, doubl
 std::uint32_t inspection_shader::word_of(patch_parameters place, double x, double y) {
     auto seen = look_at(place, x, y);
     if (!seen) {
-        // At a pole, where a side is a point, the nearest normals are a little inside.
+        // At a pole, where a side is a single point, the nearest normals are a little inside of the
+        // patch.
         constexpr double inside = 0x1p-10;
         place.u += inside * (0.5 - place.u);
         place.v += inside * (0.5 - place.v);

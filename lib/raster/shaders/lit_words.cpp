@@ -60,7 +60,7 @@ HWY_INLINE float_vec whole_power(float_vec base, int exponent) {
     }
 }
 
-/// Amounts of light in each of three channels, or in all of them alike.
+/// Amounts of light in three channels, or one amount for all three.
 template <std::size_t Channels> struct light_amounts {
     float_vec of[Channels];
 
@@ -78,7 +78,8 @@ template <std::size_t Channels> struct light_amounts {
 /// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
 template <std::size_t Channels> class lane_light {
 public:
-    /// The part of the way from the eye that differs from pixel to pixel, as lit_shader has it.
+    /// `own` is the part of the way from the eye that differs from pixel to pixel, as in
+    /// lit_shader.
     HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
                           const lane_vector& own, float_vec depth)
         : shading_(shading), look_(look_of(shading, own)), distance_(length_of(look_)) {
@@ -119,7 +120,7 @@ public:
     }
 
 private:
-    /// Where a light is seen from places, and how bright.
+    /// A light as it is seen from the pixels' places: its direction and its brightness.
     struct seen_light {
         lane_vector direction;
         float_vec strength;
@@ -209,23 +210,23 @@ private:
     float_vec distance_, against_;
 };
 
-/// Numbers in the upper halves of words.
+/// The signed numbers in the upper halves of words, as floats.
 HWY_INLINE float_vec upper(word_vec word) {
     const hn::RebindToSigned<floats> whole;
     return hn::ConvertTo(floats(), hn::ShiftRight<16>(hn::BitCast(whole, word)));
 }
 
-/// Pixels side by side, `valid` of them.
+/// Pixels side by side.
 struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
-    const std::uint32_t* colors; ///< or null, as lit_pixels has them
-    lane_vector own;             ///< look, or with parallel rays aside, in column 0 of the picture
+    const std::uint32_t* colors; ///< null if materials tell the colours; see lit_pixels
+    lane_vector own;             ///< `look`, or `aside` with parallel rays, where x is 0
     lane_vector own_right;       ///< the change from a column to the next
 };
 
-/// The words of filled pixels, a material after the other. Mostly there is one.
+/// The words of filled pixels, found for one material at a time. Most vectors have a single one.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {
@@ -268,7 +269,7 @@ HWY_INLINE void color_vector(const l3d_shading& shading, const lit_material* mat
                row.words + i);
 }
 
-/// The last pixels of a row that are not a whole vector.
+/// Colours the last pixels of a row, which do not fill a whole vector.
 template <std::size_t Channels>
 HWY_NOINLINE void color_last(const l3d_shading& shading, const lit_material* materials,
                              const pixel_row& row, std::size_t from, std::size_t end, float_vec x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material_words: two products of 16 bits colour a pixel.
+// material_words: colours each pixel by two products of 16-bit lanes.
 #include "raster/shaders/material_words_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -27,14 +27,15 @@ HWY_INLINE void color_pixel(std::uint32_t& word, const std::uint32_t* colors) {
 constexpr hn::Repartition<std::uint16_t, decltype(words)> halves;
 using half_vec = hn::Vec<decltype(halves)>;
 
-/// The products of levels and colours over 255, rounded, as the upper bytes of halves of words.
-/// With x the product plus 128, (x + floor(x / 256)) / 256 is that quotient, and all fit 16 bits.
+/// The rounded products of levels and colours over 255, in the upper bytes of halves of words. With
+/// x the product plus 128, (x + floor(x / 256)) / 256 is that quotient, and all numbers fit 16
+/// bits.
 HWY_INLINE half_vec products(half_vec levels, half_vec colors) {
     const half_vec x = hn::Add(hn::Mul(levels, colors), hn::Set(halves, 128));
     return hn::Add(x, hn::ShiftRight<8>(x));
 }
 
-/// Colours of a vector of words, apart: red and blue, and green.
+/// The colours of a vector of words, cut apart: red and blue in one vector, and green in another.
 struct color_halves {
     half_vec red_blue, green;
 
@@ -51,7 +52,7 @@ struct color_halves {
     }
 };
 
-/// Most vectors are full and of the material of the one before.
+/// Colours vectors of words. Most of them are full, and of the material of the one before.
 class word_colorer {
 public:
     HWY_INLINE explicit word_colorer(const std::uint32_t* colors)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// own_shader: from parameters to places in the world.
+// own_shader: finds the places in the world of a patch's parameters.
 #include "raster/shaders/own_shader_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_batch: from names to places, and from places to words.
+// paint_batch: finds the places of named pixels, and the words of places.
 #include "raster/shaders/paint_batch_p.h"
 
 #include "raster/color/linear_light_p.h"
@@ -24,7 +24,8 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
                 find_triangle_place(part, index - quads, from.x + static_cast<double>(i), from.y, i,
                                     pixels_);
     }
-    add(part.texture, {begin, run.end}); // before the light: lanes change it behind what waits
+    // This comes before the light is set, as finish() also changes lanes behind its last pixel.
+    add(part.texture, {begin, run.end});
     const linear_light& tables = linear_light_tables();
     for (std::size_t c = 0; c < pixels_.light.size(); ++c)
         std::fill(pixels_.light[c].begin() + static_cast<std::ptrdiff_t>(begin),
@@ -33,7 +34,7 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
     return run.end;
 }
 
-/// Between what waits and the range, pixels show nothing.
+/// Adds a range to the pixels that wait. Pixels between these and the range show nothing.
 void paint_batch::add(const l3d_texture* texture, const pixel_range& range) {
     if (texture != texture_)
         finish();

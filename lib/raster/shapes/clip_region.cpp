@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_clip_region: points slide along the line until they are inside.
+// l3d_clip_region: moves a line's ends along the line until they are inside.
 #include "raster/rasterizer_2d.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Whole pixels as l3d_line_2d has them: coordinates go as far as those of paths.
+/// A coordinate as a whole pixel, for l3d_line_2d. Coordinates reach as far as those of paths.
 int whole(double at) {
     constexpr double most = 1 << 30;
     return static_cast<int>(std::floor(std::clamp(at, -most, most) + 0.5));
@@ -21,7 +21,8 @@ l3d_line_2d between_pixels(l3d_point_2d a, l3d_point_2d b) {
 } // namespace
 
 bool l3d_clip_region::clip(l3d_point_2d& from, l3d_point_2d& to) const {
-    // Each end slides to two sides at most. Rounding at a corner could move it to and fro.
+    // Each end is moved to at most two sides. Rounding at a corner could move it to and fro, so the
+    // number of moves is limited.
     constexpr int most_slides = 8;
     for (int i = 0; i < most_slides; ++i) {
         const unsigned a = outcode(from), b = outcode(to);
@@ -47,7 +48,7 @@ bool l3d_clip_region::clip(l3d_point_2d& from, l3d_point_2d& to) const {
         else
             at_width(least.x);
     }
-    return false; // it touches a corner
+    return false; // the line touches a corner
 }
 
 void l3d_clip_region::draw_line(l3d_rasterizer_2d& rasterizer, l3d_point_2d from, l3d_point_2d to,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polygon_corners: rounding, and the reasons to draw nothing.
+// polygon_corners: rounds corners, and finds the polygons that cannot be drawn.
 #include "raster/shapes/polygon_corners_p.h"
 
 #include <algorithm>

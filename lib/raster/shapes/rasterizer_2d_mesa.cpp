@@ -54,8 +54,8 @@ void l3d_rasterizer_2d_mesa_imp::do_set_target(l3d_pixels target) {
                                   static_cast<float>(gl_target_.middle_y()));
 }
 
-/// Black in memory costs less than black in GL and the way back. Other colours are uploaded once
-/// something is drawn on them.
+/// Clears the picture in memory if the colour is black, which costs less than in GL and the way
+/// back. Other colours are uploaded once something is drawn on them.
 void l3d_rasterizer_2d_mesa_imp::do_clear_buffer(std::uint32_t color) {
     batch_.clear();
     cpu_.clear_buffer(color);
@@ -86,7 +86,7 @@ void l3d_rasterizer_2d_mesa_imp::flush() {
     batch_.clear();
 }
 
-/// The word's highest byte, which is GL's alpha, stays what it was.
+/// Sets how GL mixes colours. The word's highest byte, which is GL's alpha, stays as it was.
 void l3d_rasterizer_2d_mesa_imp::set_blending(blending wanted) {
     if (wanted == blending_)
         return;
@@ -116,7 +116,7 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_lines(std::span<const l3d_line_2d> line
         draw_line(line, color);
 }
 
-/// One rectangle for each run of pixels with the same minor coordinate.
+/// Draws one rectangle for each run of pixels with the same coordinate along the shorter axis.
 void l3d_rasterizer_2d_mesa_imp::draw_line(const l3d_line_2d& line, std::uint32_t color) {
     if (line.x0 == line.x1 && line.y0 == line.y1)
         return do_draw_point(line.x0, line.y0, color);
@@ -208,7 +208,7 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_outlines(std::span<const l3d_outline_2d
         add_rectangle(span.first, span.row, span.last, span.row + 1, color);
 }
 
-/// One rectangle for each run of pixels that are covered alike.
+/// Draws one rectangle for each run of pixels that are covered alike.
 void l3d_rasterizer_2d_mesa_imp::do_draw_coverage(const l3d_coverage_2d& shape,
                                                   std::uint32_t color) {
     if (!fits_)
@@ -235,7 +235,7 @@ void l3d_rasterizer_2d_mesa_imp::do_draw_mesh(std::span<const l3d_mesh_patch> pa
     cpu_.draw_mesh(patches);
 }
 
-/// GL has no exact areas.
+/// Draws the path in memory, as GL has no exact areas.
 void l3d_rasterizer_2d_mesa_imp::do_draw_path(const l3d_path& path, const l3d_fill& fill) {
     do_finish();
     cpu_.draw_path(path, fill);

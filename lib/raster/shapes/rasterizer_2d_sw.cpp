@@ -113,7 +113,7 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
     });
 }
 
-/// Calls paint(x, y, word, share of 255) for each covered pixel, and stores the word that it
+/// Calls paint(x, y, word, share of 255) for each pixel of a run, and stores the word that it
 /// returns.
 template <class Paint>
 void l3d_rasterizer_2d_sw_imp::paint_run(const covered_run& run, const Paint& paint) const {
@@ -155,7 +155,7 @@ void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill
         s.visit_runs(paint);
 }
 
-/// An opaque image that is only moved is copied where it covers pixels wholly.
+/// Draws an image. Where it covers pixels wholly, an opaque image that is only moved is copied.
 void l3d_rasterizer_2d_sw_imp::do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) {
     const color_mixer mixer(fill.blending);
     image_sampler sampler(image, mixer);

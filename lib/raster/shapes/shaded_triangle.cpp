@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaded_triangle: edges first, then the spans between them.
+// shaded_triangle: walks along the edges first, and then along the spans between them.
 #include "raster/shapes/shaded_triangle_p.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Further left a span is not counted from its first column: floats are whole numbers exactly up to
-/// 2^24, and pictures are at most 2^23 wide.
+/// The farthest left column from which a span's colours are counted. Floats hold whole numbers
+/// exactly up to 2^24, and pictures are at most 2^23 wide.
 constexpr std::int32_t farthest_anchor = -(1 << 23);
 
 std::array<double, 3> between(const std::array<double, 3>& from, const std::array<double, 3>& to,

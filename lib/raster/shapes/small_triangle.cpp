@@ -20,7 +20,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The words of a triangle of one colour.
+/// The words of a triangle that has a single colour.
 template <class Lanes> struct one_color {
     std::uint32_t color;
 
@@ -28,7 +28,7 @@ template <class Lanes> struct one_color {
     HWY_INLINE auto next_row() { return hn::Set(Lanes::words, color); }
 };
 
-/// Rounds to whole units of 1/256 pixel. Expects: |position| <= 2^15.
+/// A position in whole units of 1/256 pixel. Expects: |position| <= 2^15 pixels.
 HWY_INLINE std::int32_t units(double position) {
     return static_cast<std::int32_t>(std::lrint(position * l3d_subpixel_one));
 }
@@ -43,7 +43,7 @@ struct bounds {
     HWY_INLINE bool small_within(double end) const {
         return low >= 0 && high <= end && high - low <= small_side;
     }
-    /// The pixels whose samples are not before the low or the high end.
+    /// The first pixel whose sample is not before the low end, and that for the high end.
     HWY_INLINE std::int32_t first() const { return first_sample(low); }
     HWY_INLINE std::int32_t last() const { return first_sample(high); }
 
@@ -56,7 +56,7 @@ private:
 /// The edge function between two corners, relative to the first sample.
 HWY_INLINE small_edge edge_between(scan_point from, scan_point to) {
     const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
-    // negative on a left or top edge, where dy < 0, or dy = 0 and dx > 0; for |dx| < 2^14
+    // a left or top edge has dy < 0, or dy = 0 and dx > 0: then this is negative, for |dx| < 2^14
     const std::int32_t order = dy * (1 << 14) - dx;
     return {dy * from.x - dx * from.y - 1 - (order >> 31), -l3d_subpixel_one * dy,
             l3d_subpixel_one * dx};
@@ -74,7 +74,7 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
                                   const std::array<double, 2>& ends, std::uint32_t color) {
     const l3d_point_2d &a = corners[0], &b = corners[1], &c = corners[2];
     if (std::isnan(a.x + b.x + c.x + a.y + b.y + c.y))
-        return false; // comparisons may lose a NaN, a sum does not
+        return false; // comparisons may lose a NaN, but a sum does not
     const bounds x(a.x, b.x, c.x), y(a.y, b.y, c.y);
     if (!x.small_within(ends[0]) || !y.small_within(ends[1]))
         return false;
@@ -92,7 +92,7 @@ bool fill_small_triangle_in_lanes(const l3d_pixels& target,
         std::swap(q, r);
     const std::array<small_edge, 3> edges{edge_between(p, q), edge_between(q, r),
                                           edge_between(r, p)};
-    constexpr int narrow = 8; // many processors do vectors of 64 bytes in two steps
+    constexpr int narrow = 8; // many processors handle vectors of 64 bytes in two steps
     if (box.columns <= narrow)
         fill<pixel_lanes<narrow>>(target, box, edges, color);
     else

@@ -26,8 +26,8 @@ constexpr hn::RebindToSigned<decltype(words)> integers;
 constexpr hn::RebindToFloat<decltype(words)> floats;
 using word_lanes = hn::Vec<decltype(words)>;
 
-/// Fills less than a vector by two halves, which may overlap. Expects: 1 <= count < Lanes, or both
-/// 1.
+/// Fills a span that is shorter than a vector by two halves, which may overlap.
+/// Expects: 1 <= count < Lanes, or count and Lanes both 1.
 template <std::size_t Lanes>
 HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     if constexpr (Lanes == 1) {
@@ -41,7 +41,7 @@ HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint3
     }
 }
 
-/// Fills a span by vectors; the last one ends with the span and may overlap the one before.
+/// Fills a span by vectors. The last one ends with the span and may overlap the one before it.
 /// Expects: count >= 1.
 HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     constexpr std::size_t lanes = hn::MaxLanes(words);
@@ -52,7 +52,8 @@ HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t co
         else
             return fill_short_span<lanes>(at, count, color);
     }
-    // A vector across two cache lines costs twice as much.
+    // A store across two cache lines costs twice as much, so all but the first and the last are
+    // aligned.
     hn::StoreU(colors, words, at);
     const std::size_t beyond = reinterpret_cast<std::uintptr_t>(at) / sizeof(std::uint32_t) % lanes;
     for (std::size_t i = lanes - beyond; i < count - lanes; i += lanes)
@@ -78,9 +79,9 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
                   static_cast<std::size_t>(s.last - s.first), color);
 }
 
-/// Moves words towards a colour by shares of 255, each channel to nearest. Two channels share a
-/// lane, 16 bits each: sums stay below 2^16. For whole t, t / 255 to nearest is (u + u / 256) / 256
-/// with u = t + 128, rounded down each time, up to t = 255^2.
+/// Moves words towards a colour by shares of 255, and rounds each channel to the nearest level. Two
+/// channels share a lane, 16 bits each, and sums stay below 2^16. Up to t = 255^2, t / 255 to the
+/// nearest is (u + u / 256) / 256 with u = t + 128, rounded down each time.
 /// Expects: the highest eight bits of words and of the colour are 0.
 template <class D>
 HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {
@@ -96,7 +97,7 @@ HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::
     return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::AndNot(low, odd));
 }
 
-/// Blends a vector of neighbours. Does nothing and returns false if one may be transparent.
+/// Blends a vector of words. Does nothing and returns false if one of them may be transparent.
 template <class D, class Shares>
 HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const Shares& shares,
                              std::size_t i) {
@@ -107,7 +108,7 @@ HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const 
     return true;
 }
 
-/// Blends one by one, as a word may be transparent.
+/// Blends words from i on one by one, as one of them may be transparent.
 template <class Shares>
 HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t color,
                              const Shares& shares, std::size_t i) {
@@ -116,7 +117,7 @@ HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t
             at[i] = blended_over_gap(at[i], color, shares.one(i));
 }
 
-/// Blends neighbours.
+/// Blends words side by side.
 template <class Shares>
 HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color,
                           const Shares& shares) {
@@ -125,11 +126,11 @@ HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t co
     for (; i + lanes <= count; i += lanes)
         if (!cover_vector(words, at, color, shares, i))
             return cover_each(at, count, color, shares, i);
-    // A straight side of a path has four values.
+    // A straight side of a path often has four values.
     if (constexpr hn::CappedTag<std::uint32_t, 4> four;
         count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
         return;
-    // A mask lets nothing beyond the last be read. Where it is not cheap, it is worth it for more
+    // A mask keeps words beyond the last from being read. Where it is not cheap, it pays for more
     // than three words.
     constexpr std::size_t few = masked_stores_are_cheap ? 0 : 3;
     if (count - i > few) {
@@ -161,8 +162,8 @@ struct listed_shares {
 };
 
 #if HWY_MAX_BYTES >= 32
-/// Blends four columns of values before the middle of a span and four behind it. Does nothing and
-/// returns false if a word may be transparent.
+/// Blends the four columns before a span's middle and the four behind it. Does nothing and returns
+/// false if a word may be transparent.
 HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const std::uint8_t* values,
                            std::uint32_t color) {
     constexpr hn::CappedTag<std::uint32_t, 4> four;
@@ -177,7 +178,7 @@ HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const st
     return true;
 }
 #else
-/// Both do not fit into a vector.
+/// Returns false: both groups of four columns do not fit into a vector.
 bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32_t) {
     return false;
 }
@@ -185,9 +186,9 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Other rows are on other pages of memory, which no processor fetches by itself. Where rows are
-    // a power of two of bytes apart, a side of a shape has one set of lines in the first cache.
-    // Most processors have eight or more in a set, and two more may be in use.
+    // Other rows are on other pages of memory, which no processor fetches by itself. If rows are a
+    // power of two of bytes apart, all lines of a shape's side fall into one set of the first
+    // cache. Most processors have eight or more lines in a set, and two of them may be in use.
     constexpr std::size_t ahead = 6;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const covered_span& s = spans[i];
@@ -219,8 +220,7 @@ void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span
     }
 }
 
-/// A channel of neighbouring columns, without a bound: rounding brings the numbers back to [0,
-/// 255].
+/// A channel of neighbouring columns. It needs no clamping, as rounding brings it into [0, 255].
 HWY_INLINE word_lanes channel_at(const shaded_span& span, std::size_t channel,
                                  hn::Vec<decltype(floats)> i) {
     const auto value = hn::Add(hn::Set(floats, span.start[channel]),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_lanes: for every instruction set that the processor may have.
+// band_lanes: bounds of vertices, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/surfaces/band_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -34,8 +34,8 @@ HWY_INLINE lane_bounds nothing() {
             hn::Set(integers, -most), hn::Zero(floats)};
 }
 
-/// Takes `count` elements from `begin` into account. Lanes of others are masked; the vector starts
-/// earlier where it would end behind the last of `size` elements.
+/// Takes `count` elements from `begin` on into account, and masks the lanes of others. If the
+/// vector would end behind the last of `size` elements, it starts earlier.
 /// Expects: size >= 16.
 HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
                      const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {

@@ -28,7 +28,7 @@ struct block_range {
     }
 };
 
-/// The blocks of a range as bits of l3d_surface_part::unseen.
+/// The blocks in a range of rows and columns, as bits of l3d_surface_part::unseen.
 unsigned bits_of(block_range rows, block_range columns) {
     const unsigned in_row = ((1u << columns.count) - 1) << columns.first;
     unsigned bits = 0;
@@ -37,11 +37,11 @@ unsigned bits_of(block_range rows, block_range columns) {
     return bits;
 }
 
-/// Calls visit(cells) for every item's share of a grid. A grid of fewer than 32 x 32 quads is one
-/// item, since its rows would leave lanes idle if they were cut into blocks. Else an item is a
-/// block, or up to 2 x 2 of them while that is fewer than 128. The fill kernel leaves out hidden
-/// quads one by one; items only make that cheaper. Blocks that nobody sees are left out; those
-/// beside them are then items of their own.
+/// Calls visit(cells) for every item's part of a grid. A grid of fewer than 32 x 32 quads is one
+/// item, since blocks of its rows would leave lanes idle. In other grids, an item is a block, or up
+/// to 2 x 2 blocks while these have fewer than 128 quads. The fill kernel leaves out hidden quads
+/// one by one; items only make that cheaper. Blocks that nobody sees are left out, and their
+/// neighbours are then items of their own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 128, few_in_all = 32 * 32;
     const l3d_block_starts &rows = part.block_rows, &columns = part.block_columns;
@@ -92,8 +92,8 @@ void band_list::make(std::span<const l3d_surface_part* const> parts, const frame
     share_out(of);
 }
 
-/// Gives every part its place among the items, so that they can be made in any order. A vertex
-/// from the middle of a grid says well enough where the part is.
+/// Gives every part its place among the items, so that threads can make them in any order. The
+/// height of a vertex from the middle of a grid says well enough where the part is.
 void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels) {
     places_.clear();
     by_height_.clear();
@@ -143,8 +143,9 @@ void band_list::list_part(const l3d_surface_part& part, place at, const frame& o
 
 /// Orders the items that are in the window, nearest first.
 ///
-/// Positive floats are ordered like their bits. Two passes by 8 bits sort by the exponent's 8 and
-/// 8 of the mantissa; each pass keeps the order of equals, so of those the first comes first.
+/// Positive floats are ordered like their bits. Two passes by 8 bits sort by the 8 bits of the
+/// exponent and 8 of the mantissa. Each pass keeps the order of equals, so equally near items stay
+/// in the order of the parts.
 void band_list::sort() {
     order_.clear();
     for (std::uint32_t i = 0; i < items_.size(); ++i)
@@ -179,7 +180,8 @@ void band_list::share_out(const frame& of) {
     const auto last_band = [&](const band_item& item) {
         return static_cast<std::size_t>((item.box.bottom - 1 - top) / of.rows);
     };
-    // Counted one place too far, so that after the sums a band's begin is where its end will be.
+    // Each band is counted one place too far, so that the loop below moves each begin to the right
+    // place.
     band_begins_.assign(static_cast<std::size_t>(bands) + 2, 0);
     for (const sort_key& key : order_)
         for (std::size_t b = first_band(items_[key.item]); b <= last_band(items_[key.item]); ++b)

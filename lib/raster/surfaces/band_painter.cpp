@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// band_painter: what is hidden, what the kernel takes, and what is left for the scalar filler.
+// band_painter: sorts out hidden items, fills by the kernel, and leaves the rest to the scalar
+// filler.
 #include "raster/surfaces/band_painter_p.h"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ void band_painter::reserve_as(const band_painter& other) {
     queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
-/// Between being asked for and being drawn, an item waits for its memory. It may be hidden by then,
-/// but what is hidden before is hidden then, too.
+/// Draws items. After an item's memory is asked for, it waits for some turns. It is tested again
+/// before it is drawn, as others may hide it by then.
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     scalar_.begin(band, frame.shading, frame.materials, frame.words);
@@ -79,7 +80,8 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
     draw_cells(frame, band, list, item);
 }
 
-/// Front to back, triangles lie anywhere in memory.
+/// Asks for the memory of an item's triangles. Items come from front to back, so their triangles
+/// lie anywhere.
 void band_painter::fetch(const band_item& item) {
     constexpr std::size_t cache_line = 64;
     if (item.triangle_begin >= item.triangle_end)
@@ -103,7 +105,7 @@ void band_painter::draw_triangles(const band_frame& frame, const fill_band& band
         scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
 }
 
-/// Leaves out rows of quads that are above or below the band.
+/// Draws an item's quads in the band. Rows of quads above or below it are left out.
 void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
                               const band_item& item) {
     const band_rows* const rows = list.rows(item) - item.cells.row_begin;

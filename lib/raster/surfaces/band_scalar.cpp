@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_scalar: choosing the shader, and the walk over a grid's cells.
+// band_scalar: chooses the shader, and walks over a grid's cells.
 #include "raster/surfaces/band_scalar_p.h"
 
 #include "raster/shaders/shader_choice_p.h"
@@ -51,7 +51,7 @@ void band_scalar::begin(const fill_band& band, const l3d_shading& shading,
     shading_ = &shading;
 }
 
-/// Calls draw with a filler for the frame's shader.
+/// Calls draw with a filler that has the frame's shader.
 template <class Draw> void band_scalar::with_filler(std::uint32_t error_color, const Draw& draw) {
     if (target_.coding.has_normals)
         return draw(surface_fill(target_, later_shader()));
@@ -89,7 +89,7 @@ void band_scalar::fill(const l3d_surface_part& part, std::size_t first, std::siz
 
 void band_scalar::fill(const fill_rest& rest) {
     target_.by_lanes = true;
-    constexpr std::uint32_t no_color = 0; // the kernel does not take mode `error`
+    constexpr std::uint32_t no_color = 0; // the kernel does not draw mode `error`
     with_filler(no_color, [&](auto fill) {
         for (const fill_rest::quad& quad : rest.quads) {
             target_.material = quad.material;
@@ -106,7 +106,7 @@ void band_scalar::fill(const fill_rest& rest) {
 void band_scalar::fill(const cut_triangle& triangle, std::span<const plane_cut> cuts) {
     target_.cuts = cuts;
     target_.material = target_.coding.of_material(triangle.material);
-    constexpr std::uint32_t no_color = 0; // only triangles of parts have one in mode `error`
+    constexpr std::uint32_t no_color = 0; // only the triangles of parts have one in mode `error`
     with_filler(no_color, [&](auto fill) {
         fill.use_material(triangle.material);
         fill.triangle(triangle.v);

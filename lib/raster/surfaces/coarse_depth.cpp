@@ -26,9 +26,10 @@ inline l3d_pixel_box tiles_of(const fill_band& band) {
     return tiles_of(l3d_pixel_box{0, band.top, band.width, band.bottom});
 }
 
-/// The pixels of some tiles in a row; at the right and lower end of the picture they are smaller.
+/// The pixels of some tiles side by side. Tiles at the right and lower borders of the picture are
+/// smaller.
 struct tile_pixels {
-    std::ptrdiff_t words_at, depths_at; ///< the first pixel's places, in the band
+    std::ptrdiff_t words_at, depths_at; ///< places of the first pixel in the band's arrays
     std::int32_t width, height;
 
     tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
@@ -40,8 +41,8 @@ struct tile_pixels {
     }
 };
 
-/// Calls visit(word, bits) for all words of a bit table's row that hold bits [begin, end), until it
-/// says no. Returns whether it never did.
+/// Calls visit(word, bits) for all words of a bit table's row that hold bits [begin, end), until a
+/// call returns false. Returns whether none did.
 template <class Visit> bool visit_bits(std::int32_t begin, std::int32_t end, const Visit& visit) {
     constexpr std::int32_t bits = 64;
     for (std::int32_t word = begin / bits; word * bits < end; ++word) {
@@ -54,7 +55,7 @@ template <class Visit> bool visit_bits(std::int32_t begin, std::int32_t end, con
     return true;
 }
 
-/// Calls visit(tile) for every bit that is set.
+/// Calls visit(tile) for every set bit of a word.
 template <class Visit> void visit_set(std::size_t word, std::uint64_t bits, const Visit& visit) {
     for (; bits != 0; bits &= bits - 1)
         visit(static_cast<std::int32_t>(64 * word) + std::countr_zero(bits));
@@ -80,7 +81,7 @@ std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets depths to 0.
+/// Sets the depths of tiles to 0.
 void clear(const tile_pixels& p, const fill_band& band) {
     float* to = band.depths + p.depths_at;
     if (p.width == depth_tile::width) // most often; the compiler then calls no memset
@@ -108,8 +109,8 @@ void open(tile_table& table, const l3d_pixel_box& box, const fill_band& band) {
     }
 }
 
-/// Calls visit(pixels) for every run of tiles side by side that have been drawn to, or of those
-/// that have not.
+/// Calls visit(pixels) for every run of tiles side by side that have been drawn to. If `drawn` is
+/// false, it takes those that have not.
 template <class Visit>
 void visit_runs(const tile_table& table, const fill_band& band, bool drawn, const Visit& visit) {
     const l3d_pixel_box tiles = tiles_of(band);
@@ -151,7 +152,7 @@ std::int64_t covered(const tile_table& table, const fill_band& band) {
         for (std::int32_t y = 0; y < p.height; ++y) {
             const float* const depths = band.depths + p.depths_at + y * band.depth_pitch;
             std::int32_t x = 0;
-            for (; x + lanes() <= p.width; x += lanes()) // a float's bits are 0 only if it is
+            for (; x + lanes() <= p.width; x += lanes()) // only the float 0 has bits of 0
                 in_lanes = hn::Add(in_lanes,
                                    hn::Min(hn::BitCast(bits, hn::LoadU(floats, depths + x)), one));
             for (; x < p.width; ++x)
@@ -161,7 +162,7 @@ std::int64_t covered(const tile_table& table, const fill_band& band) {
     return rest + static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(bits, in_lanes)));
 }
 
-/// A tile's farthest depth, or any depth below `limit`, which is enough to know.
+/// A tile's farthest depth. If that is below `limit`, any depth below `limit` is enough.
 float find(std::int32_t column, std::int32_t row, const fill_band& band, float limit) {
     const tile_pixels p(column, column + 1, row, band);
     const float* depths = band.depths + p.depths_at;

@@ -22,7 +22,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Whether a pixel centre in [begin, end) lies between the corners: l3d_centres_filled, in lanes.
+/// Whether a pixel centre in [begin, end) lies between the least and the greatest of four
+/// coordinates: l3d_centres_filled, in lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int32_t end) {
     const V least = hn::Min(hn::Min(v[0], v[1]), hn::Min(v[2], v[3]));
@@ -31,7 +32,7 @@ HWY_INLINE hn::Mask<D> meets(D d, const V (&v)[4], std::int32_t begin, std::int3
                   hn::Min(first_centre_of(d, most), hn::Set(d, end)));
 }
 
-/// The lanes of a mask in their order, four bits each, of up to eight lanes.
+/// For each mask of up to eight lanes, the indices of its lanes in their order, four bits each.
 struct lane_lists {
     std::uint32_t of[256] = {};
 
@@ -44,8 +45,9 @@ struct lane_lists {
 };
 constexpr lane_lists lists_of_lanes;
 
-/// Indices that bring the lanes of a mask to the front, in their order. One list for many vectors
-/// costs less than to compress each, above all where the instruction set has no compression.
+/// Indices that bring the lanes of a mask to the front, in their order. Several vectors share one
+/// list, which costs less than to compress each, above all where the instruction set has no
+/// compression.
 template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
     constexpr std::size_t listed = 8;
     if constexpr (hn::MaxLanes(D()) > listed) {
@@ -60,15 +62,16 @@ template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
     }
 }
 
-/// Keeps those polygons that may cover a pixel, and fills them when there are enough.
+/// Queues the polygons that may cover a pixel, and fills them once there are enough.
 ///
-/// Shape: Light makes their greys: lambert_lanes and others.
+/// Shape: `Light` makes the polygons' greys, as lambert_lanes does.
 template <class Light> class fill_stream {
 public:
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Polygons side by side. The first one's name is `name`, the others' follow by `step`.
+    /// Polygons side by side. `name` is the name of the first one; each next one's is larger by
+    /// `step`.
     struct row {
         const corner_arrays& corners;
         corner_places at;
@@ -76,10 +79,10 @@ public:
         std::size_t count;
         const void* source;
         std::int32_t name, step;
-        bool shows_both;                          ///< as l3d_micro_grid has it
-        std::uint32_t material;                   ///< material of all, unless they have their own:
-        const std::uint32_t* materials = nullptr; ///< as l3d_micro_triangles has them
-        bool names_quads = false;                 ///< as l3d_surface_part has it
+        bool shows_both;                          ///< see l3d_micro_grid::shows_both
+        std::uint32_t material;                   ///< material of all, unless each has its own:
+        const std::uint32_t* materials = nullptr; ///< see l3d_micro_triangles::materials
+        bool names_quads = false;                 ///< see l3d_surface_part::names_quads
     };
 
     HWY_INLINE void take(const row& from) {
@@ -113,7 +116,8 @@ private:
             take_last(d, from, i, count);
     }
 
-    /// Those at an array's end. Few are, so one copy of this serves all rows.
+    /// Takes polygons at an array's end, where vectors would reach beyond it. They are few, so one
+    /// copy of this function serves all rows.
     template <class D>
     HWY_NOINLINE void take_last(D d, const row& from, std::size_t i, std::size_t count) {
         take_vector<false>(d, from, i, count);
@@ -144,7 +148,7 @@ private:
                 v = hn::TableLookupLanes(v, kept);
             hn::StoreU(v, d, place + to);
         };
-        vec other_side = hn::Zero(d); // the sign's bit
+        vec other_side = hn::Zero(d); // flips the sign of normals
         if (Light::numbers > 1 && HWY_UNLIKELY(from.shows_both))
             other_side = hn::ShiftLeft<31>(hn::VecFromMask(d, turns_right(d, x, y)));
         for (std::size_t k = 0; k < 4; ++k) {
@@ -169,7 +173,7 @@ private:
             fill_enough();
     }
 
-    /// The materials of those of the row from `i` on that are live.
+    /// Queues the materials of the row's polygons from `i` on whose lanes are live.
     template <class D>
     HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
         std::uint32_t* const to = queue_.material + queue_.count;
@@ -190,7 +194,7 @@ private:
                 to[found++] = material_of(lane);
     }
 
-    /// Adds a piece. Expects: room.
+    /// Adds a piece. Expects: room in the queue.
     void add(const fill_piece& triangle) {
         const std::size_t to = queue_.count++;
         for (std::size_t k = 0; k < 4; ++k)
@@ -201,8 +205,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills as many as are enough, and moves the others, fewer than the widest vector, to the
-    /// front.
+    /// Fills the first polygons of the queue, `enough` of them, and moves the rest to its front.
+    /// The rest are fewer than the lanes of the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);
@@ -302,7 +306,7 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
     }
 }
 
-/// Runs of columns that there is room for the greys of.
+/// Fills quads in runs of columns, since there is room for the greys of one run only.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     constexpr int run_of_quads = fill_queue::run;

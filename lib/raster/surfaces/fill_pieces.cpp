@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_pieces: folded quads round their projective centre, skew ones in halves.
+// fill_pieces: cuts folded quads at their projective centre, and skew ones into halves.
 #include "raster/surfaces/fill_kernel_p.h"
 
 #include "raster/surfaces/quad_cut_p.h"

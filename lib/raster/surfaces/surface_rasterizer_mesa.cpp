@@ -16,10 +16,10 @@ namespace {
 
 using namespace l3d_detail;
 
-// `shade` counts as l3d_shade does, `flat` is `lambert` with one normal for all corners. 1 / 8192
-// is mesa_target::reach, 2^-32 its depth_scale; 1.2e-38 is a little more than the least float with
-// all its bits: a zero normal then has cosine 0. Levels are rounded here: the rule is not GL's to
-// choose.
+// `shade` counts as l3d_shade does, and `flat` is `lambert` with one normal for all corners. 1 /
+// 8192 is mesa_target::reach, and 2^-32 its depth_scale. 1.2e-38 is a little more than the least
+// normalized float, so that a zero normal has cosine 0. Levels are rounded here, since GL may round
+// them in other ways.
 const mesa_target::program_text shaded_surfaces{.vertex = R"(#version 120
         attribute vec3 position;
         attribute vec3 normal;
@@ -73,7 +73,7 @@ static_assert(mesa_target::reach == 8192);
 static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
               static_cast<int>(l3d_shade::normals) == 3 && static_cast<int>(l3d_shade::error) == 4);
 
-/// Vertices that are gathered before GL gets them: 28 bytes each, 1.4 MB.
+/// Vertices that are gathered before GL gets them. They have 28 bytes each, 1.4 MB in all.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
 
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
@@ -146,7 +146,7 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     counts_.quads += polygons(part);
 }
 
-/// Vertices that are added from now on are of this material.
+/// Sets the material of all vertices that are added from here on.
 void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
     const std::uint32_t word =
         materials().empty() ? l3d_material().color : materials()[material].color;
@@ -215,7 +215,7 @@ void l3d_surface_rasterizer_mesa::flush() {
         gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         gl.DepthMask(GL_TRUE);
     }
-    gl.DepthFunc(GL_GREATER); // the first of equals stays
+    gl.DepthFunc(GL_GREATER); // the first of equally near ones stays
     counts_.written += draw();
     batch_.clear();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_scalar: a picture as one band.
+// l3d_surface_rasterizer_scalar: draws the whole picture as one band.
 #include "raster/surfaces/surface_rasterizer_scalar.h"
 
 #include "raster/shaders/face_painter_p.h"

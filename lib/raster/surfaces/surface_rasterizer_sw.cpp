@@ -20,9 +20,10 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Size of a band. Workers have a dozen bands to share. Colour and depth of a band take no more
-/// than half a megabyte, which is all or half of the second-level cache of a core of 2020. Not more
-/// of them for more workers: what is counted would depend on it.
+/// The number of rows in a band. A dozen bands let the workers share a picture. Colour and depth of
+/// a band take no more than half a megabyte, which is all or half of the second-level cache of a
+/// core of 2020. The number of workers has no influence, as counts of what is drawn depend on the
+/// bands.
 int rows_of_band(l3d_size size, bool with_normals) {
     constexpr int most_bytes = 512 << 10, bands_wanted = 12;
     const int bytes_of_pixel = 4 + 4 + (with_normals ? 4 : 0);
@@ -35,7 +36,8 @@ int rows_of_band(l3d_size size, bool with_normals) {
 /// The normals' second words, in rows like depths.
 using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 
-/// In mode `flat` a polygon has one normal, which the lanes do not make.
+/// Whether lanes can light pixels of these materials. In mode `flat` a polygon has one normal,
+/// which the lanes do not make.
 bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
     if (shading.paints && shading.paints->parts)
         return false; // each of their quads has a name, and how many will come is not known
@@ -43,7 +45,7 @@ bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material>
     return shading.mode != l3d_shade::flat && names <= fill_words::most_lit_materials;
 }
 
-/// The tiles that a box meets, so far as they are in the picture.
+/// A box, grown to the borders of tiles and cut to the picture.
 l3d_pixel_box in_whole_tiles(const l3d_pixel_box& box, l3d_size size) {
     constexpr std::int32_t width = depth_tile::width, height = depth_tile::height;
     return l3d_pixel_box{box.left / width * width, box.top / height * height,
@@ -83,8 +85,8 @@ void l3d_surface_rasterizer_sw::begin_work() {
     work_->worker_depths.resize(static_cast<std::size_t>(workers_.count()));
 }
 
-/// Memory that serves pictures of the largest size so far is given back for one of less than a
-/// quarter.
+/// Gives memory back when the picture has less than a quarter of the area that the memory is made
+/// for.
 void l3d_surface_rasterizer_sw::fit_memory(l3d_size size) {
     const std::int64_t area = l3d_whole(size).area();
     if (4 * area < largest_area_) {
@@ -110,7 +112,8 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     start(depth, shading);
 }
 
-/// Filling gives the depths; its words are of no use.
+/// Begins a frame that only smooths the edges of a finished picture. Filling finds the depths for
+/// that; its words go to a picture of their own and are not used.
 void l3d_surface_rasterizer_sw::begin_over(l3d_pixels picture, const l3d_shading& shading) {
     begin_frame(shading);
     draw_into_own(picture.size());
@@ -175,7 +178,7 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
         make_room_for_normals();
 }
 
-/// As much as depths have, and for the same pixels.
+/// Makes the normals' planes as large as the depths, for the same pixels.
 void l3d_surface_rasterizer_sw::make_room_for_normals() {
     const l3d_depth_buffer& like = depth_ ? *depth_ : work_->worker_depths.front();
     const auto size =
@@ -258,14 +261,14 @@ void l3d_surface_rasterizer_sw::finish_band(int index, const fill_band& band) {
     if (!drawn_ && wanted && part_.empty())
         coarse.open_others(band);
     if (wanted)
-        coarse.refresh(band); // `hidden` may be asked by many, so it finds nothing itself
+        coarse.refresh(band); // several threads may ask `hidden`, so it updates nothing itself
     if (counts_pixels())
         work_->covered[static_cast<std::size_t>(index)] = coarse.covered(band);
     if (!depth_ && changes_words())
-        color_band(band); // nothing more will come, and all is in the cache
+        color_band(band); // nothing else will be drawn, and the band is in the cache
 }
 
-/// Depth and normals are the worker's own if nobody wants the picture's.
+/// The memory of a band. Depth and normals are the worker's own if nobody wants the picture's.
 fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
     const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
     l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
@@ -283,13 +286,13 @@ fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
             normals};
 }
 
-/// Whether words that were filled are not yet what is to be seen.
+/// Whether filled words still have to be coloured, or to get fog, before they can be seen.
 bool l3d_surface_rasterizer_sw::changes_words() const {
     return (work_->frame.words.has_materials && !is_over()) || work_->frame.shading.fog.is_on();
 }
 
-/// Only tiles that something was drawn to have defined depths. Pixels drawn in another
-/// way have their colours.
+/// Gives a band's words their colours and their fog. Only tiles that something was drawn to have
+/// defined depths. Pixels that were drawn in another way have their colours already.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
     const l3d_shading& shading = work_->frame.shading;
     work_->coarse.visit_drawn(band, [&](const l3d_pixel_box& box) {
@@ -364,7 +367,8 @@ void l3d_surface_rasterizer_sw::do_finish() {
                         : l3d_surface_counts::none_counted;
 }
 
-/// Parts that were drawn by several calls are listed once more, as by one.
+/// Smooths the edges. Parts that several calls have drawn are listed once more, as if one call had
+/// drawn them.
 void l3d_surface_rasterizer_sw::refine() {
     band_list& list = work_->list;
     if (work_->parts.size() > last_parts_)

@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using row_kind = row_light::kind;
 
-/// How many numbers lie behind inv_w.
+/// How many numbers of a pixel follow inv_w, to be interpolated.
 constexpr std::size_t numbers_of(row_kind kind) {
     switch (kind) {
     case row_kind::held:
@@ -42,8 +42,8 @@ constexpr std::size_t numbers_of(row_kind kind) {
     }
 }
 
-/// attribute_planes::at of some planes at the starts of some rows, a row a lane, operation by
-/// operation.
+/// Values of planes at the starts of rows, with a row in each lane. The operations are those of
+/// attribute_planes::at.
 template <std::size_t Count> struct first_numbers {
     alignas(64) float of[Count][wide_runs::room];
 
@@ -66,15 +66,15 @@ template <std::size_t Count> struct first_numbers {
     }
 };
 
-/// round(255 intensity).
+/// The level of an intensity from 0 to 1: round(255 intensity).
 template <class D>
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_of_intensity(D d, hn::Vec<D> intensity) {
     const auto level = hn::Add(hn::Mul(hn::Set(d, 255.0f), intensity), hn::Set(d, 0.5f));
     return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), level));
 }
 
-/// Operation by operation what lambert_shader does, so that each pixel gets the same bits. That
-/// turns a cosine round where this does a product, which only changes the sign of either.
+/// Light by the operations of lambert_shader, so that each pixel gets the same bits. That shader
+/// changes the sign of a cosine, and this one that of a product, which gives the same numbers.
 template <class D> class normal_light {
 public:
     using vec = hn::Vec<D>;
@@ -84,7 +84,7 @@ public:
             light_[i] = hn::Set(D(), light[i]);
     }
 
-    /// The light of normals, turned to the eye where they point `away` from it.
+    /// The light of normals. Those that point `away` from the eye are turned to it.
     HWY_INLINE vec intensity(vec x, vec y, vec z, hn::Mask<D> away) const {
         const D d;
         const vec square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
@@ -104,7 +104,7 @@ private:
     vec light_[3];
 };
 
-/// Operation by operation what the shaders do, so that each pixel gets the same bits.
+/// Fills rows by the operations of the shaders, so that each pixel gets the same bits.
 template <class D, row_kind Kind> class wide_filler {
 public:
     static constexpr std::size_t numbers = 1 + numbers_of(Kind);
@@ -120,7 +120,7 @@ public:
         word_ = hn::Set(word_tag(), of.light.word);
     }
 
-    /// Returns how many pixels were written.
+    /// Fills a row. Returns how many pixels were written.
     HWY_INLINE std::int64_t fill(const wide_runs& runs, const starts& first,
                                  std::size_t run) const {
         const band_row row(*this, runs, first, run);
@@ -130,7 +130,7 @@ public:
         return written;
     }
 
-    /// The same of a row that a vector holds.
+    /// Fills a row that fits into one vector. Returns how many pixels were written.
     HWY_INLINE std::int64_t fill_short(const wide_runs& runs, const starts& first,
                                        std::size_t run) const {
         return fill_vector(band_row(*this, runs, first, run), runs.begin[run]);
@@ -143,7 +143,7 @@ private:
     using word_vec = hn::Vec<word_tag>;
     static constexpr std::int32_t lanes = static_cast<std::int32_t>(hn::MaxLanes(D()));
 
-    /// A row, where it is in the band, and its numbers at its start.
+    /// A row's place in the band, and its numbers at its start.
     struct band_row {
         std::uint32_t* words;
         float* depths;
@@ -165,8 +165,8 @@ private:
         }
     };
 
-    /// Fills from a column on. The last vector begins where it still fits the picture, and leaves
-    /// what is done already.
+    /// Fills one vector of pixels from a column on. The row's last vector begins where it still
+    /// fits into the picture, and leaves out the pixels before that column.
     HWY_INLINE std::int64_t fill_vector(const band_row& row, std::int32_t x) const {
         const D d;
         const int_tag di;
@@ -240,13 +240,14 @@ private:
     normal_light<D> light_;
 };
 
-/// Rows that a vector holds, and others. Rows of no columns are in neither list.
+/// The rows that fit into a short vector, and the longer ones. Rows without columns are in neither
+/// list.
 struct rows_by_length {
     std::array<std::uint32_t, wide_runs::room> short_ones, long_ones;
     std::size_t shorts, longs;
 
     HWY_INLINE rows_by_length(const wide_runs& runs, std::int32_t short_length) {
-        std::size_t short_count = 0, long_count = 0; // in registers
+        std::size_t short_count = 0, long_count = 0; // local, so that they stay in registers
         for (std::size_t i = 0; i < runs.count; ++i) {
             const std::int32_t length = runs.end[i] - runs.begin[i];
             short_ones[short_count] = long_ones[long_count] = static_cast<std::uint32_t>(i);
@@ -258,8 +259,8 @@ struct rows_by_length {
     }
 };
 
-/// Short rows leave fewer lanes idle in short vectors. Small polygons have no others, so the longer
-/// vectors are not even made ready for them.
+/// Fills short rows by short vectors, which have fewer idle lanes. Small polygons have short rows
+/// only. So longer vectors are not even made ready for them.
 template <row_kind Kind>
 HWY_INLINE std::int64_t fill_rows_of(const fill_band& band, const wide_polygon& of,
                                      const wide_runs& runs) {

@@ -15,10 +15,10 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Seven rows of capitals are 0.7 of ten.
+/// The rows of an em: the seven rows of a capital are 0.7 em.
 constexpr int rows_of_em = 10;
 
-/// Smaller ones are drawn as they are.
+/// The width of a dot in letters of some size. It is at least one pixel.
 int pixels_of_dot(int size) {
     return std::max(1, (size + rows_of_em / 2 - 1) / rows_of_em);
 }
@@ -40,7 +40,7 @@ void l3d_font::built_in_face::draw(l3d_rasterizer_2d& rasterizer, int x, int bas
     l3d_draw_text(rasterizer, x, base - dot * font_height, text, color, dot);
 }
 
-/// Each run of dots in a row is a box.
+/// Adds a box for each run of dots in a row.
 double l3d_font::built_in_face::outline(l3d_path& to, l3d_point_2d base, std::string_view text,
                                         double size) {
     const double dot = size / rows_of_em;

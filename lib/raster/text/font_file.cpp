@@ -24,7 +24,7 @@ namespace {
 /// FreeType counts in 1/64 pixel.
 constexpr int units = 64;
 
-/// A glyph on its way into a path. FreeType's y points up.
+/// Adds a glyph's outlines to a path. FreeType's y points up.
 struct glyph_pen {
     l3d_path& to;
     l3d_point_2d origin;
@@ -51,7 +51,8 @@ glyph_pen& pen_of(void* user) {
     return *static_cast<glyph_pen*>(user);
 }
 
-/// Functions that FreeType calls for each piece. Its curves are those of paths.
+/// The functions that FreeType calls for the pieces of an outline. Its kinds of curves are those of
+/// paths.
 const FT_Outline_Funcs drawing{
     .move_to =
         [](const FT_Vector* to, void* user) {
@@ -83,23 +84,24 @@ int rounded_up(FT_Pos length) {
 
 } // namespace
 
-/// The letters of a file, and of others for what it lacks.
+/// The face of a font file. Characters that the file lacks come from other files.
 class l3d_font::file_face final : public face {
 public:
     explicit file_face(std::unique_ptr<l3d_detail::font_source> first)
         : first_(std::move(first)), shaper_(*first_) {}
 
 private:
-    /// A letter of one size, as it covers pixels around its place on the base line.
+    /// The coverage of a letter of one size, around its place on the base line.
     struct letter {
-        int left = 0, top = 0; ///< its coverage, from the place; top is above, so negative
+        int left = 0, top = 0; ///< first column and row from that place; top is above, so negative
         int width = 0, height = 0;
         std::vector<std::uint8_t> coverage; ///< row by row
     };
-    /// Font, glyph, size, and how many of `phases` its place is right of a pixel's.
+    /// Font, glyph, size, and the place's distance from the pixel on its left, in parts of 1 /
+    /// `phases`.
     using letter_key = std::tuple<const l3d_detail::font_source*, unsigned, int, int>;
 
-    /// So many places between two pixels: letters are at most 1/8 pixel off theirs.
+    /// The number of places within a pixel. Letters are at most 1/8 pixel off their own place.
     static constexpr int phases = 4;
 
     static FT_Face sized(const l3d_detail::font_source& source, int size) {
@@ -141,7 +143,7 @@ private:
         return found->second;
     }
 
-    /// A letter that the file cannot draw is as empty as a space.
+    /// Draws a letter. One that the file cannot draw is as empty as a space.
     static letter make(const letter_key& key) {
         const auto [source, index, size, phase] = key;
         const FT_Face face = sized(*source, size);
@@ -165,8 +167,9 @@ private:
         return made;
     }
 
-    /// At the size of its em square in pixels, FreeType's numbers are 64 times the font's own. So
-    /// nothing is rounded: the middle of two points is a whole number, too.
+    /// Adds a text's outlines to a path. At a size of units_per_EM pixels, FreeType's numbers are
+    /// 64 times the font's own. So nothing is rounded: the middle of two points is a whole number,
+    /// too.
     double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) override {
         const double scale = size / first_->face()->units_per_EM;
         const l3d_detail::shaped_line& line = shaper_.shape(text);
@@ -195,7 +198,8 @@ std::optional<l3d_font> l3d_font::load(const std::string& file, std::string& why
     return l3d_font(std::make_shared<file_face>(std::move(source)), file);
 }
 
-/// Faces with many scripts come first. Their folders are those of Debian, Fedora and Arch Linux.
+/// The font that L3D_FONT names, or the first of these that the system has, or the built-in one.
+/// Faces with many scripts come first, and the folders are those of Debian, Fedora and Arch Linux.
 l3d_font l3d_font::of_system(std::string& why) {
     constexpr std::array places{
         "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",

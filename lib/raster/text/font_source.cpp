@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// font_source: opening files, and glyphs of a run.
+// font_source: opens font files, and finds the glyphs of a run.
 #include "raster/text/font_source_p.h"
 
 #include <cerrno>
@@ -20,7 +20,7 @@ struct handle_closer {
 };
 template <class T> using owned = std::unique_ptr<T, handle_closer>;
 
-/// A font that counts in units of its own; null for formats that have no glyphs here.
+/// Opens a font for HarfBuzz, in its own units. Null for formats whose glyphs cannot be found here.
 hb_font_t* harfbuzz_font(const std::string& file, long index) {
     const owned<hb_blob_t> blob(hb_blob_create_from_file_or_fail(file.c_str()));
     if (!blob)
@@ -46,7 +46,7 @@ std::unique_ptr<font_source> font_source::open(const std::string& file, long ind
         why = file + ": " + std::strerror(error ? error.value() : ENOENT);
         return nullptr;
     }
-    if (!std::filesystem::is_regular_file(status)) { // to open a pipe would wait for its writer
+    if (!std::filesystem::is_regular_file(status)) { // opening a pipe would wait for its writer
         why = file + ": is no regular file";
         return nullptr;
     }

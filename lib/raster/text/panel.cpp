@@ -12,7 +12,7 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Letters are not made smaller: one cannot tell them apart. Units: pixels.
+/// The smallest size of letters: one cannot tell smaller ones apart. Units: pixels.
 constexpr int smallest_size = 8;
 constexpr int most_columns = 3;
 
@@ -29,7 +29,7 @@ void fill(l3d_rasterizer_2d& rasterizer, const l3d_pixel_box& box, std::uint32_t
                              color);
 }
 
-/// The colour at a place of a scale, from 0 to 1.
+/// The colour at a place of a scale. Places run from 0 to 1.
 std::uint32_t color_at(const std::vector<std::uint32_t>& colors, double place) {
     const double at = place * static_cast<double>(colors.size() - 1);
     const auto first = std::min(static_cast<std::size_t>(at), colors.size() - 2);
@@ -50,7 +50,7 @@ void draw_scale(l3d_rasterizer_2d& rasterizer, const l3d_pixel_box& box,
                              color_at(colors, static_cast<double>(x - box.left) / last));
 }
 
-/// Rows as the layout wants them, which borrow the texts.
+/// Rows in the form that the layout takes. They borrow the texts.
 template <class Rows> std::vector<panel_row> laid_out(const Rows& rows) {
     std::vector<panel_row> result;
     for (const auto& r : rows)
@@ -58,7 +58,7 @@ template <class Rows> std::vector<panel_row> laid_out(const Rows& rows) {
     return result;
 }
 
-/// The panel's place in the free part of a picture.
+/// The panel's place in the free part of a picture, at a corner.
 l3d_pixel_box place_of(l3d_size size, const l3d_pixel_box& free, l3d_corner corner) {
     const bool is_right = corner == l3d_corner::top_right || corner == l3d_corner::bottom_right;
     const bool is_low = corner == l3d_corner::bottom_left || corner == l3d_corner::bottom_right;
@@ -88,7 +88,7 @@ void l3d_panel::add_lines(const std::string& key, const std::string& text, bool 
 
 int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
     constexpr int part = 50, least = 12, most = 16;
-    constexpr int largest_part = 16; // a line is 1.2 times as high: 13 of them have room
+    constexpr int largest_part = 16; // a line is 1.2 times as high, so 13 lines have room
     const int at_usual_dots = std::clamp(picture.height / part, least, most);
     const auto wanted = static_cast<int>(std::lround(at_usual_dots * text_scale));
     return std::min(wanted, std::max(at_usual_dots, picture.height / largest_part));
@@ -123,7 +123,8 @@ std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key
     return {*this};
 }
 
-/// Panels of as many rows each, and with the line that tells of the key.
+/// Divides the panel into several ones of equally many rows. A last line in each names the key that
+/// leads on.
 std::vector<l3d_panel> l3d_panel::divided(std::size_t count, const std::string& key) const {
     if (count == 1)
         return {*this};

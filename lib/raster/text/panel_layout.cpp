@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel_layout: words to lines, lines to columns.
+// panel_layout: breaks words into lines, and shares out lines among columns.
 #include "raster/text/panel_layout_p.h"
 
 #include "raster/text/utf8_p.h"
@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view soft_hyphen_bytes = "\xc2\xad";
 
-/// How many bytes of a text fit into a width: at least one character, and none in part.
+/// The number of bytes of a text that fit into a width. It is at least one character, and no
+/// character in part.
 std::size_t fitting(const l3d_font& font, std::string_view text, int size, int width) {
     std::vector<std::size_t> ends; // end of each character
     for (std::string_view rest = text; !rest.empty();) {
@@ -27,14 +28,14 @@ std::size_t fitting(const l3d_font& font, std::string_view text, int size, int w
     return beyond == ends.begin() ? ends.front() : *std::prev(beyond);
 }
 
-/// A place where a line may end, and what it shows there.
+/// A place where a line may end, and the text that it shows there.
 struct line_end {
     std::size_t end = 0; ///< 0 for none
     bool has_hyphen = false;
 };
 
-/// Finds the last possible end of a line before a place: a blank, or a soft hyphen where a hyphen
-/// still fits.
+/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if a
+/// hyphen still fits.
 line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
                   std::size_t before) {
     const std::size_t space = text.rfind(' ', before);
@@ -76,7 +77,7 @@ int panel_layout::key_width_of(std::span<const panel_row> rows) const {
     return most;
 }
 
-/// The width that the texts of rows take, wrapped to `most`.
+/// The width of the rows' texts if they are wrapped to `most` pixels.
 int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const {
     const int key_width = key_width_of(rows);
     int width = 0;
@@ -122,7 +123,8 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
 }
 
-/// The widest word of rows, or part of one up to a soft hyphen: it is not to be torn apart.
+/// The width of the widest word in rows, or part of a word up to a soft hyphen. It is not to be
+/// torn apart.
 int panel_layout::word_width_of(std::span<const panel_row> rows) const {
     int most = 0;
     for (const panel_row& r : rows)
@@ -139,7 +141,7 @@ int panel_layout::word_width_of(std::span<const panel_row> rows) const {
     return most;
 }
 
-/// Returns where the column ends on the right.
+/// Lays out some rows as a column. Returns the column's right end.
 int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most_width) {
     const auto rows = rows_.subspan(first, end - first);
     const int key_width = key_width_of(rows);
@@ -153,7 +155,7 @@ int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most
     return x + key_width + text_width;
 }
 
-/// Lays out columns that are no wider than that.
+/// Lays out all rows in columns that are at most that wide.
 void panel_layout::add_columns(std::size_t columns, int most_width) {
     lines_.clear();
     lowest_ = 0;
@@ -167,7 +169,8 @@ void panel_layout::add_columns(std::size_t columns, int most_width) {
     size_ = {right + padding(), lowest_ + padding()};
 }
 
-/// Columns are as wide as their lines where that fits, else all have the same room.
+/// Lays out the rows, and returns whether they fit. Columns are as wide as their lines if that
+/// fits, else all get the same width.
 bool panel_layout::make(int size, int columns, l3d_size most) {
     letter_size_ = size;
     const int inside = most.width - 2 * padding() - 2 * (columns - 1) * gap();
@@ -180,7 +183,7 @@ bool panel_layout::make(int size, int columns, l3d_size most) {
 void panel_layout::cut(l3d_size most) {
     make(letter_size_, 1, most);
     const int line = font_.line(letter_size_);
-    const int last = most.height - padding() - line; // where the last line may begin
+    const int last = most.height - padding() - line; // the lowest place where a line may begin
     if (lowest_ - line > last) {
         std::erase_if(lines_, [&](const panel_line& l) { return l.y + line > last; });
         int y = padding();

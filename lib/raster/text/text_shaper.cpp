@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text_shaper: from characters to runs, and from runs to glyphs.
+// text_shaper: cuts characters into runs, and turns runs into glyphs.
 #include "raster/text/text_shaper_p.h"
 
 #include "raster/text/utf8_p.h"
@@ -20,7 +20,7 @@ bool is_blank(char32_t code) {
     return code == U' ' || code == U'\t';
 }
 
-/// Whether a character has no form of its own: it belongs to the one before.
+/// Whether a character has no form of its own and belongs to the one before it.
 bool is_joined(char32_t code) {
     switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), code)) {
     case HB_UNICODE_GENERAL_CATEGORY_FORMAT:
@@ -57,7 +57,8 @@ const shaped_line& text_shaper::shape(std::string_view text) {
     return line;
 }
 
-/// Source: Unicode Standard Annex #9; its rule L1, for blanks before tabs and at the end, is here.
+/// Finds the level of nesting of each character, which is odd from right to left. Source: Unicode
+/// Standard Annex #9. Its rule L1, for blanks before tabs and at the end, is here.
 void text_shaper::find_levels() {
     levels_.assign(text_.size(), 0);
     if (std::ranges::all_of(text_, [](char32_t c) { return c < first_right_to_left; }))
@@ -72,7 +73,7 @@ void text_shaper::find_levels() {
     FriBidiParType base = FRIBIDI_PAR_ON;
     if (fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count, &base,
                                             levels.data()) == 0)
-        return; // there was no memory for it
+        return; // the library had no memory
     const unsigned of_line = FRIBIDI_IS_RTL(base) ? 1 : 0;
     bool ends = true;
     for (std::size_t i = text_.size(); i-- > 0;) {
@@ -81,7 +82,8 @@ void text_shaper::find_levels() {
     }
 }
 
-/// Blanks, digits and marks are of the script before them, or of the first one.
+/// Finds the script of each character. Blanks, digits and marks are of the script before them, or
+/// of the first one.
 void text_shaper::find_scripts() {
     scripts_.resize(text_.size());
     std::ranges::transform(text_, scripts_.begin(), [](char32_t code) {
@@ -94,8 +96,9 @@ void text_shaper::find_scripts() {
         last = script = is_shared(script) ? last : script;
 }
 
-/// The first font, which has a sign for what nobody has, or another that has the letter. Characters
-/// without a form of their own stay with the letter before.
+/// Finds the font of each character: the first one if it has the letter, else another one that has
+/// it. If none has it, the first one shows its sign for missing letters. Characters without a form
+/// of their own stay with the letter before them.
 void text_shaper::find_sources() {
     sources_.assign(text_.size(), &first_);
     for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -107,7 +110,8 @@ void text_shaper::find_sources() {
     }
 }
 
-/// From the deepest level on, what is nested so deep is turned round: rule L2.
+/// The runs from left to right. From the deepest level on, each sequence of runs at least that deep
+/// is turned round: rule L2.
 std::vector<text_shaper::run> text_shaper::runs_from_left() const {
     std::vector<run> runs;
     for (std::size_t i = 0; i < text_.size(); ++i) {

@@ -33,7 +33,7 @@ HWY_INLINE float_vec difference(float_vec a, float_vec b, float_vec c, float_vec
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// A function that is 0, or any number, at (0, 0).
+/// A bilinear function, less its value at (0, 0).
 struct bilinear {
     float_vec s, t, st;
 
@@ -43,14 +43,15 @@ struct bilinear {
     HWY_INLINE float_vec along_s(float_vec at_t) const { return hn::Add(s, hn::Mul(at_t, st)); }
     HWY_INLINE float_vec along_t(float_vec at_s) const { return hn::Add(t, hn::Mul(at_s, st)); }
 
-    /// Less a number times another function.
+    /// This function, less `factor` times another one.
     HWY_INLINE bilinear less(float_vec factor, const bilinear& other) const {
         return {hn::Sub(s, hn::Mul(factor, other.s)), hn::Sub(t, hn::Mul(factor, other.t)),
                 hn::Sub(st, hn::Mul(factor, other.st))};
     }
 };
 
-/// The map from (s, t) to the distance of w x and w y from the pixel, and its inverse.
+/// How far (w x, w y) is at (s, t) from w times the pixel, its derivatives, and the inverse of
+/// their determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
 
@@ -66,21 +67,22 @@ struct lane_map {
     }
 };
 
-/// Parameters stay near the quad, where it is nearly linear.
+/// Keeps parameters near the quad, where the map is nearly linear.
 HWY_INLINE float_vec between(float_vec v, float least, float most) {
     return hn::Min(hn::Max(v, set(least)), set(most));
 }
 
-/// A quad as functions that are bilinear in s and t from 0 to 1. x and y are multiplied by w, which
-/// is 1 at (0, 0), where x and y are 0.
+/// A quad as functions that are bilinear in s and t from 0 to 1. The functions x and y are
+/// multiplied by w. At (0, 0), w is 1 and both of these are 0.
 struct lane_quad {
     float_vec left, top; ///< from the corner at (0, 0) to the pixel
     bilinear x, y, w;
-    float_vec places[2]; ///< in the picture, at (0, 0)
-    bilinear ways[2];    ///< from there
+    float_vec places[2]; ///< in the texture, at (0, 0)
+    bilinear ways[2];    ///< how places change from there
 
-    /// From corners at (0, 0), (1, 0), (0, 1) and (1, 1); of a triangle, the last one is not used.
-    /// Shape: x and y from the first corner.
+    /// Sets x, y and w from the corners at (0, 0), (1, 0), (0, 1) and (1, 1). The last one of a
+    /// triangle is not used.
+    /// Shape: `xs` and `ys` are relative to the first corner.
     HWY_INLINE void set_corners(const float_vec (&xs)[4], const float_vec (&ys)[4],
                                 const float_vec (&inv_w)[4], bool is_triangle) {
         const auto product = [&](int k, float_vec of)
@@ -96,18 +98,20 @@ struct lane_quad {
     }
 };
 
-/// Where places and ways go.
+/// Arrays for pixels' places in the texture, and for the changes to the pixels on the right and
+/// below.
 struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };
 
-/// Finds the pixels' places and ways. Those outside of `shown` get no ways.
+/// Finds the places that pixels show, and the changes to the next pixels. Those outside of `shown`
+/// get changes of 0.
 HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> shown,
                            const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);
-    // The map is linear but for s t. So the first step leaves an error in proportion to that
-    // term, and each of the others about that term times the square of its own length.
+    // The map is linear except for its terms in s t. The first step leaves an error in proportion
+    // to these terms. Any other one leaves about these terms times the square of its length.
     const auto step = [&](hn::Mask<decltype(floats)> moved) HWY_ATTR {
         const lane_map map(x, y, quad.left, quad.top, s, t);
         constexpr float beside = 0.25F; // how far a step may go beyond the quad
@@ -119,13 +123,13 @@ HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> sho
     };
     const auto all = hn::Eq(s, s);
     step(all);
-    // After a step of 1/16, the error is 1/256 of that term, which is no more than some pixels.
+    // After a step of 1/16, the error is 1/256 of these terms, which are no more than some pixels.
     const auto is_rough = hn::Gt(step(all), set(1.0F / 16));
     if (!hn::AllFalse(floats, is_rough))
         step(is_rough);
     s = between(s, 0, 1);
     t = between(t, 0, 1);
-    // A step of the pixel changes w x by w.
+    // A step of 1 of the pixel changes w x or w y by w.
     const lane_map map(x, y, quad.left, quad.top, s, t);
     const float_vec per_pixel =
         hn::IfThenElseZero(shown, hn::Mul(map.over, hn::Add(set(1), quad.w.at(s, t))));
@@ -148,7 +152,7 @@ public:
         : part_(part), columns_(parameters + part.columns), rows_(parameters + part.rows),
           pitch_(part.part->grid.pitch) {}
 
-    /// Expects: indices of quads' first corners.
+    /// The quads of some pixels. Expects: indices of the quads' first corners.
     HWY_INLINE lane_quad quad(int_vec index, float_vec x, float_vec y) const {
         const l3d_micro_grid& grid = part_.part->grid;
         const int_vec begins[2] = {index, hn::Add(index, hn::Set(integers, pitch_))};
@@ -177,13 +181,16 @@ public:
     }
 
 private:
-    /// Places are less than 2^15 pixels, so floats hold them.
+    /// Converts places to pixels. They are less than 2^15 pixels, so floats hold them.
     static HWY_INLINE float_vec pixels_of(int_vec place) {
         return hn::Mul(hn::ConvertTo(floats, place), set(1.0F / l3d_subpixel_one));
     }
 
-    /// Rows begin every 16 vertices or a multiple. So (n + 1/2) / m with n below 2^20 is a row and
-    /// more than half of 1/m: floats do not round it to another row.
+    /// Sets the places and changes of quads from the rows and columns of their first corners.
+    ///
+    /// Rows begin every m x 16 vertices, for a whole m. So the quotient (n + 1/2) / m with n below
+    /// 2^20 is the row and a fraction at least 1/(2 m) away from any other row. Floats do not round
+    /// it to another one.
     HWY_INLINE void put_ways(int_vec index, lane_quad& to) const {
         const float_vec sixteenth =
             hn::Add(hn::ConvertTo(floats, hn::ShiftRight<4>(index)), set(0.5F));
@@ -289,8 +296,8 @@ L3D_SIMD_TABLE(put_triangle_place);
 
 namespace {
 
-/// The map about some parameters. Places are made small without a change of what is seen there:
-/// floats hold fractions of pixels of the picture then.
+/// The map relative to some parameters. Places are moved by whole periods of the texture, which
+/// changes nothing that is seen. Then floats hold fractions of its pixels.
 near_map map_about(const picture_map& map, const l3d_patch_parameters& origin,
                    const l3d_texture& texture) {
     const picture_map::place at = map.at(origin);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t channels = 3;
 
-/// A picture of floats while the smaller ones are made of it.
+/// A picture in floats, from which the next smaller one is made.
 struct float_picture {
     int width = 0, height = 0;
     std::vector<float> light;
@@ -28,9 +28,11 @@ struct float_picture {
     }
 };
 
-/// Calls add(from, weight) for the pixels of `size` that one of `smaller` covers, and its share.
+/// Calls add(from, weight) for those of `size` pixels that pixel `at` of `smaller` ones covers. The
+/// weights are their shares of it.
 template <class Add> void visit_covered(int at, int smaller, int size, const Add& add) {
-    // In units in which a small pixel is `size` wide and a large one `smaller`.
+    // In these units, a pixel of the smaller picture is `size` wide, and one of the larger picture
+    // `smaller`.
     const std::int64_t begin = std::int64_t{at} * size, end = begin + size;
     for (auto from = static_cast<int>(begin / smaller); std::int64_t{from} * smaller < end;
          ++from) {
@@ -40,7 +42,7 @@ template <class Add> void visit_covered(int at, int smaller, int size, const Add
     }
 }
 
-/// The light of a pixel as texture_view has it.
+/// The light of a pixel in the form of texture_view::texels.
 std::uint32_t packed(const float* light) {
     std::uint32_t word = 0;
     for (std::size_t c = 0; c < channels; ++c) {
@@ -51,12 +53,12 @@ std::uint32_t packed(const float* light) {
     return word;
 }
 
-/// The pixel of a picture that is seen up to one pixel beyond its borders.
+/// The pixel that is seen at a place of at most one pixel beyond the picture's borders.
 int held(int at, int size, l3d_texture_wrap wrap) {
     return wrap == l3d_texture_wrap::repeat ? (at + size) % size : std::clamp(at, 0, size - 1);
 }
 
-/// The picture in half the width and height.
+/// A picture of half the width and half the height.
 float_picture halved(float_picture& from) {
     float_picture across(std::max(from.width / 2, 1), from.height);
     for (int y = 0; y < across.height; ++y)

@@ -35,10 +35,11 @@ HWY_INLINE int_vec set_int(int number) {
     return hn::Set(integers, number);
 }
 
-/// The largest width of a footprint: beyond any picture's, and its square is a number.
+/// The largest width of a footprint, in pixels of the texture. It is beyond any picture's, and its
+/// square is still a float.
 constexpr float widest = 0x1p60F;
 
-/// Places along one axis, from 0 to 1 at the picture's borders.
+/// Wraps places along one axis, so that they lie from 0 to 1, the picture's borders.
 HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     const float_vec one = set(1);
     switch (wrap) {
@@ -55,7 +56,7 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
 }
 
 /// The first of the two pixels around places along one axis, and the share of the second. Both may
-/// lie in the border.
+/// lie in the level's border of one pixel.
 struct neighbours {
     int_vec first;
     float_vec share;
@@ -105,7 +106,7 @@ struct light_sums {
 struct lane_levels {
     int_vec width, height, first;
 
-    /// Those of the whole picture.
+    /// The level of the whole picture.
     HWY_INLINE explicit lane_levels(const texture_view& texture)
         : width(set_int(texture.width)), height(set_int(texture.height)),
           first(set_int(texture.first[0])) {}
@@ -135,11 +136,12 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
     to.add(lower.second, lower_right);
 }
 
-/// The two levels whose pixels are next to as wide as the parts of pixels.
+/// The two levels whose pixels are nearest in width to a footprint: one not wider than it, and the
+/// next one.
 class level_pair {
 public:
-    /// The exponent of a width is the number of the larger picture, and its mantissa the share of
-    /// the smaller one.
+    /// The exponent of a width is the number of the larger level, and its mantissa tells the share
+    /// of the smaller one.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
         const float_vec held_width = hn::Min(hn::Max(width, set(1)), set(widest));
         const int_vec bits = hn::BitCast(integers, held_width), one = hn::BitCast(integers, set(1));
@@ -179,7 +181,7 @@ HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec 
     to.add(hn::GatherIndex(integers, words_of(texture), place), set(1));
 }
 
-/// The ways to the next pixels, in pixels of the texture.
+/// How places change from a pixel to those on its right and below, in pixels of the texture.
 struct footprint {
     float_vec right_u, right_v, down_u, down_v;
 
@@ -201,9 +203,11 @@ struct footprint {
     }
 };
 
-/// A circle becomes an ellipse under the linear map from the picture's pixels to the texture's. Its
-/// axes are the map's singular values, and the longer one is an eigenvector of the map times its
-/// transpose.
+/// Adds several samples along the longer axis of a pixel's footprint.
+///
+/// The linear map from the picture's pixels to the texture's makes an ellipse of a circle. Its half
+/// axes are as long as the map's singular values. The longer one is an eigenvector of the map times
+/// its transpose.
 HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of, float_vec u,
                                 float_vec v, light_sums& to) {
     const float_vec zero = hn::Zero(floats), one = set(1), half = set(0.5F);
@@ -219,7 +223,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
     const float_vec longer = hn::Sqrt(square);
     const auto has_axis = hn::Gt(longer, zero);
     const float_vec shorter = hn::IfThenElseZero(has_axis, hn::Div(area, longer));
-    // A footprint so nearly as long as so many samples needs no further one, which would blur more.
+    // A footprint that is hardly longer than some samples gets no further one, which would only
+    // blur.
     constexpr float round = 1.0F / 16;
     constexpr auto most = static_cast<float>(l3d_texture::most_samples);
     const float_vec wanted = hn::Ceil(hn::Sub(hn::Div(longer, hn::Max(shorter, one)), set(round)));
@@ -234,7 +239,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
         hn::Div(hn::Mul(along_u, scale), set(static_cast<float>(texture.width)));
     const float_vec step_v =
         hn::Div(hn::Mul(along_v, scale), set(static_cast<float>(texture.height)));
-    // One sample is as wide as the footprint is long, and no narrower ones than it is wide.
+    // A single sample is as wide as the footprint is long. Several ones are at least as wide as it
+    // is wide.
     const float_vec width =
         hn::IfThenElse(hn::Eq(count, one), longer, hn::Max(shorter, hn::Div(longer, count)));
     const level_pair levels(texture, width);
@@ -324,8 +330,8 @@ void take_names(const std::uint32_t* words, const float* depths, std::size_t cou
         to.names[i] = depths[i] > 0 ? words[i] >> 8 : no_name;
 }
 
-/// The product of a level and a channel over 255, rounded: with x the product plus 128, it is
-/// (x + floor(x / 256)) / 256.
+/// The product of a level and a channel, divided by 255 and rounded: with x the product plus 128,
+/// it is (x + floor(x / 256)) / 256.
 HWY_INLINE int_vec product_over_255(int_vec a, int_vec b) {
     const int_vec x = hn::Add(hn::Mul(a, b), set_int(128));
     return hn::ShiftRight<8>(hn::Add(x, hn::ShiftRight<8>(x)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter: places in an order as depths.
+// l3d_painter: turns places in an order into depths.
 #include "raster/zsort/painter.h"
 
 #include "raster/lines/line_cover_p.h"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A rising sequence of positive floats, from 1/2 on, which are ordered like their bits.
+/// Positive floats from 1/2 on that rise with the place. They are ordered like their bits.
 float depth_of_place(std::size_t place) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(0.5F) +
                                 static_cast<std::uint32_t>(place));
@@ -27,7 +27,7 @@ std::array<l3d_micro_vertex, 3> at_place(std::array<l3d_micro_vertex, 3> v, std:
 
 } // namespace
 
-/// Puts the whole triangles into parts, the topmost first: a rasterizer leaves out what is hidden.
+/// Puts the whole triangles into parts, the topmost first, as a rasterizer leaves out hidden items.
 void l3d_painter::make_parts(std::span<const l3d_painter_triangle> triangles,
                              std::span<const l3d_painter_piece> pieces, bool with_materials) {
     constexpr std::size_t in_part = 1024; // some 10^4 cycles of work, and 72 KB
