@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG by libpng's simplified interface; PPM and PFM by hand; JPEG elsewhere.
+// Image files: PNG by libpng's simplified interface, and PPM and PFM by hand. JPEG is elsewhere.
 #include "tool_2d/image.h"
 
 #include "base/error.h"
@@ -64,7 +64,7 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     });
 }
 
-/// The header of a PPM of that size, and the number of bytes that follow it.
+/// The head of a PPM of some size. ppm_bytes() is the number of bytes behind it.
 std::string ppm_head(l3d_size size) {
     return "P6\n" + std::to_string(size.width) + " " + std::to_string(size.height) + "\n255\n";
 }
@@ -73,7 +73,7 @@ std::size_t ppm_bytes(l3d_size size) {
     return rgb_bytes * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
-/// libpng's picture, which holds memory between its calls.
+/// A picture of libpng, which holds memory between calls.
 struct png_picture : png_image {
     png_picture() : png_image{} { version = PNG_IMAGE_VERSION; }
     png_picture(const png_picture&) = delete;
@@ -81,14 +81,14 @@ struct png_picture : png_image {
     ~png_picture() { png_image_free(this); }
 };
 
-/// Whether that many bytes can hold a picture of one bit for a pixel, the least there is. Deflate
+/// Whether a file of some bytes can hold a picture. The smallest pixel has one bit, and deflate
 /// shortens 258 bytes to 2 bits at best.
 bool may_hold(std::size_t bytes, const png_image& picture) {
     constexpr std::uint64_t most_pixels = std::uint64_t{258} * 4 * 8; // for each byte of the file
     return std::uint64_t{picture.width} * picture.height <= most_pixels * bytes;
 }
 
-/// The picture of a PNG file's text.
+/// Decodes a PNG file, whose bytes are `text`.
 /// Errors:  l3d_error(bad_input) that names the path and the reason.
 l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha alpha,
                   std::int64_t most_pixels = l3d_most_image_pixels) {
@@ -104,7 +104,7 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
                " pixels do not fit into a file of " + std::to_string(text.size()) + " bytes");
     l3d_detail::check_image_size(path, picture.width, picture.height, most_pixels);
     picture.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    picture.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // libpng would take 16 bits for amounts of light
+    picture.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // else libpng would take 16 bits for linear light
     std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(picture));
     const png_color black{};
     if (png_image_finish_read(&picture, with_alpha ? nullptr : &black, bytes.data(), 0, nullptr) ==
@@ -125,7 +125,7 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     return image;
 }
 
-/// A number in the head of a PPM: after blanks, and comments from # to the line's end.
+/// Reads a number in the head of a PPM. It skips blanks, and comments from # to the end of a line.
 std::optional<int> next_number(std::string_view text, std::size_t& at) {
     for (bool in_comment = false; at < text.size(); ++at) {
         in_comment = (in_comment || text[at] == '#') && text[at] != '\n';
@@ -138,7 +138,8 @@ std::optional<int> next_number(std::string_view text, std::size_t& at) {
     return error == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// The picture of a binary PPM's text, which begins with P6. Errors: as decoded.
+/// Decodes a binary PPM, whose text begins with P6. Errors: l3d_error(bad_input), as decoded()
+/// does.
 l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int64_t most_pixels) {
     const auto refuse = [&path](const std::string& why) {
         throw l3d_error(l3d_exit::bad_input, path + ": " + why);
@@ -214,7 +215,7 @@ std::string l3d_encoded_png(const l3d_pixels& pixels, l3d_alpha alpha) {
         char*& bytes;
         ~memory() { std::free(bytes); }
     };
-    const memory owner{bytes}; // which the stream moves as it grows
+    const memory owner{bytes}; // the stream moves the memory as it grows
     l3d_detail::unique_file file(open_memstream(&bytes, &size));
     if (!file)
         throw std::bad_alloc();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// decoded_jpeg: libjpeg, whose errors jump.
+// decoded_jpeg: reads by libjpeg, whose errors end in jumps.
 #include "tool_2d/jpeg_image_p.h"
 
 #include "base/error.h"
@@ -17,8 +17,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// A file that is read row by row. A fault ends a step by a jump, so a step has no locals that
-/// would have to be destroyed.
+/// Reads a JPEG file row by row. A fault ends a step by a jump, so a step has no locals that would
+/// have to be destroyed.
 class jpeg_reader {
 public:
     explicit jpeg_reader(const std::string& bytes) : bytes_(bytes) {
@@ -31,7 +31,7 @@ public:
     jpeg_reader& operator=(const jpeg_reader&) = delete;
     ~jpeg_reader() { jpeg_destroy_decompress(&info_); }
 
-    /// Each step returns false if it fails; why() says then what is wrong.
+    /// Reads the header. Like each step, returns false if it fails; then why() says what is wrong.
     bool read_header() {
         if (setjmp(back_) != 0)
             return false;
@@ -53,7 +53,7 @@ public:
         jpeg_read_scanlines(&info_, &row, 1);
         return true;
     }
-    /// A fault may show behind the last row only.
+    /// Ends the file. Some faults show only behind the last row.
     bool finish() {
         if (setjmp(back_) != 0)
             return false;
@@ -71,7 +71,8 @@ private:
         info->err->format_message(info, self->why_.data());
         std::longjmp(self->back_, 1);
     }
-    /// Below 0 are damages; others tell what is in the file.
+    /// Treats damages as errors. Their level is below 0, and other messages only tell of the file's
+    /// contents.
     static void warn(j_common_ptr info, int level) {
         if (level < 0)
             fail(info);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// output_file: nameless or temporary file, checked and synchronised, then linked or renamed.
+// output_file: writes a nameless or temporary file, checks and synchronises it, then links or
+// renames it.
 #include "tool_2d/output_file_p.h"
 
 #include "base/error.h"
@@ -25,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The mode of any new file, which the user's mask reduces.
+/// The mode of a new file, which the user's mask reduces.
 constexpr mode_t everybody = 0666;
 
 std::string folder_of(const std::string& target) {
@@ -33,8 +34,8 @@ std::string folder_of(const std::string& target) {
     return folder.empty() ? "." : folder.string();
 }
 
-/// Follows a name through links to its target, which need not exist. Expects: the links form no
-/// circle.
+/// Follows a name through links to its target, which need not exist.
+/// Expects: the links form no circle.
 std::string led_to(fs::path name) {
     constexpr int most_links = 40; // as many as Linux follows
     for (int i = 0; i < most_links; ++i) {
@@ -47,7 +48,7 @@ std::string led_to(fs::path name) {
     return name.string();
 }
 
-/// A temporary file's name in a folder, short enough for any file system.
+/// The name of a temporary file in a folder. It is short enough for any file system.
 std::string part_name(const std::string& folder, std::uint64_t number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "/.l3d-%016llx.part",
@@ -55,7 +56,7 @@ std::string part_name(const std::string& folder, std::uint64_t number) {
     return folder + name.data();
 }
 
-/// A name with 64 random bits, which nobody can guess who might put a link there.
+/// A name with 64 random bits. Nobody can guess it and put a link there.
 std::string free_name(const std::string& folder) {
     std::uint64_t number = 0;
     if (getrandom(&number, sizeof number, 0) != sizeof number)
@@ -63,14 +64,14 @@ std::string free_name(const std::string& folder) {
     return part_name(folder, number);
 }
 
-/// The name that a complete file has for the moment between its link and its renaming. It is always
-/// the same, so that the next writer finds a file left behind by a death in this moment. It need
-/// not be secret: a hard link follows and replaces nothing.
+/// The name of a complete file between its link and its renaming. It is always the same, so that
+/// the next writer finds a file that a dead writer left behind in this moment. It need not be
+/// secret, as a hard link follows no link and replaces no file.
 std::string complete_name(const std::string& target) {
     return part_name(folder_of(target), std::hash<std::string>()(target));
 }
 
-/// Removes the file that a dead writer left behind. A living writer holds a lock on its file.
+/// Removes a file that a dead writer left behind. A living writer holds a lock on its file.
 void remove_left_behind(const std::string& name) {
     const int descriptor = open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0)
@@ -80,7 +81,7 @@ void remove_left_behind(const std::string& name) {
     close(descriptor);
 }
 
-/// Calls make(name) with new names until it does not fail with EEXIST; returns what it returned.
+/// Calls make(name) with new names while it fails with EEXIST. Returns its last result.
 template <class Make> int with_free_name(const std::string& folder, std::string& name, Make make) {
     constexpr int most_tries = 100;
     int result = -1;
@@ -95,7 +96,7 @@ template <class Make> int with_free_name(const std::string& folder, std::string&
     return result;
 }
 
-/// The name by which the system knows an open file that has none.
+/// A name by which the system knows an open file without a name.
 std::string name_of(int descriptor) {
     return "/proc/self/fd/" + std::to_string(descriptor);
 }
@@ -161,7 +162,7 @@ int output_file::open_nameless() const {
         open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everybody);
     if (descriptor < 0 || access(name_of(descriptor).c_str(), F_OK) == 0)
         return descriptor;
-    close(descriptor); // without /proc it could get no name
+    close(descriptor); // without /proc, the file could get no name
     return -1;
 }
 
@@ -171,7 +172,7 @@ int output_file::open_named() {
     });
 }
 
-/// Gives a nameless file its name, or a temporary one if another file has the name.
+/// Gives a nameless file its name. If another file has that name, it gets a temporary one first.
 void output_file::link() {
     const std::string open_file = name_of(fileno(file_.get()));
     const auto link_to = [&](const char* name) {
@@ -181,7 +182,7 @@ void output_file::link() {
         return;
     if (errno != EEXIST)
         throw_write_error(path_);
-    // A hard link cannot replace a file, but a renaming can.
+    // A hard link cannot replace a file, but renaming can.
     const std::string name = complete_name(target_);
     int result = link_to(name.c_str());
     if (result != 0 && errno == EEXIST) {
@@ -194,7 +195,8 @@ void output_file::link() {
         throw_write_error(path_);
 }
 
-/// A name is on the disk when its folder is. Some file systems cannot be asked for that.
+/// Writes the folder to the disk, without which a new name may be lost. Some file systems cannot be
+/// asked for that.
 void output_file::sync_folder() const {
     const int folder = open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0)

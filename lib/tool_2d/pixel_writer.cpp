@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_writer: one loop per kind of pixel.
+// pixel_writer: converts rows of pixels, with one loop for each kind of pixel.
 #include "tool_2d/pixel_writer_p.h"
 
 #include <algorithm>
@@ -12,10 +12,11 @@ namespace {
 constexpr int dither_side = 8;
 constexpr int dither_pixels = dither_side * dither_side;
 
-/// One row of thresholds, t[x % 8]: a pixel goes up if n + t >= 64.
+/// A row of the thresholds t[x % 8] of ordered dithering. A pixel whose level has the fraction n /
+/// 64 goes up if n + t >= 64.
 ///
-/// Over the square, t takes each of 0..63 once, so exactly n of the pixels go up. The bits of x and
-/// y are interleaved, last bits first, so that any n of them are spread evenly.
+/// Over a square of 8 x 8 pixels, t takes each of 0..63 once, so exactly n of the pixels go up. The
+/// bits of x and y are interleaved, last bits first, so that any n of them are spread evenly.
 /// Source:  Bayer: An optimum method for two-level rendition of continuous-tone pictures (1973).
 std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
     std::array<std::uint32_t, dither_side> thresholds{};
@@ -29,10 +30,10 @@ std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
     return thresholds;
 }
 
-/// Stores a pixel, lowest byte first if Order is little.
+/// Stores a pixel, with the lowest byte first if Order is little.
 template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uint8_t* bytes) {
     if constexpr (Bytes == 4) {
-        // Whole words, which compilers turn into many at once.
+        // Stores whole words, as compilers turn these into vectors.
         if (Order != std::endian::native)
             pixel = pixel >> 24 | (pixel >> 8 & 0xFF00) | (pixel << 8 & 0xFF0000) | pixel << 24;
         std::memcpy(bytes, &pixel, Bytes);
@@ -44,8 +45,8 @@ template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uin
     }
 }
 
-/// Turns a row of pixels into one of squares, in place: from right to left, so that no pixel is
-/// overwritten before it was read.
+/// Enlarges a row of pixels in place: each is repeated `scale` times. It goes from right to left,
+/// so that no pixel is overwritten before it is read.
 template <int Bytes>
 void replicate(std::uint8_t* bytes, std::ptrdiff_t width, std::ptrdiff_t scale) {
     for (std::ptrdiff_t from = (width - 1) / scale; from >= 0; --from) {
@@ -72,7 +73,7 @@ auto choose_replicate(int bytes_per_pixel) {
 
 } // namespace
 
-/// Pixels by any masks.
+/// Pixels with any masks, by the tables of l3d_screen_info.
 struct pixel_writer::by_tables {
     const l3d_screen_info& info;
 
@@ -80,7 +81,7 @@ struct pixel_writer::by_tables {
     std::uint32_t operator()(std::uint32_t word, std::size_t) const { return info.by_masks(word); }
 };
 
-/// Masks of eight bits each: their order may differ from ours, or there is alpha.
+/// Pixels with masks of eight bits each. Their order may differ from ours, or there is alpha.
 struct pixel_writer::by_shifts {
     int red, green, blue;
     std::uint32_t opaque_bits;
@@ -94,7 +95,7 @@ struct pixel_writer::by_shifts {
     }
 };
 
-/// Masks of at most eight bits, some of fewer.
+/// Pixels with masks of at most eight bits, and some of fewer. They are dithered.
 struct pixel_writer::by_few_bits {
     const pixel_writer& writer;
     int red, green, blue;
@@ -113,7 +114,7 @@ struct pixel_writer::by_few_bits {
     }
 };
 
-/// Pixels from a cube of colours.
+/// Pixels that index a cube of colours. They are dithered.
 struct pixel_writer::by_cube {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -134,7 +135,7 @@ struct pixel_writer::by_cube {
     }
 };
 
-/// Pixels from a ramp of grays.
+/// Pixels that index a ramp of greys. They are dithered.
 struct pixel_writer::by_ramp {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -166,7 +167,8 @@ pixel_writer::pixel_writer(const l3d_screen_info& info, int scale)
     }
 }
 
-/// The share of level i + 1 is (value - level i) / gap, in 64ths to nearest.
+/// The levels of each value for dithering, in 64ths. The share of level i + 1 is (value - level i)
+/// / gap, rounded to the nearest 64th.
 pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
     dither_table table{};
     for (int value = 0, level = 0; value < 255 && levels > 1; ++value) {
@@ -182,7 +184,8 @@ pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
     return table;
 }
 
-/// A display with more bits in one channel and fewer in another is not worth tables of its own.
+/// Whether masks have fewer than eight bits and none has more. Displays with both are too rare for
+/// tables of their own.
 bool pixel_writer::has_few_bits() const {
     const auto [least, most] =
         std::minmax({info_.red().width, info_.green().width, info_.blue().width});
@@ -229,7 +232,7 @@ void pixel_writer::write_pixels(std::span<const std::uint32_t> words, int y,
         store<Order, Bytes>(pixel_of(words[x], x), bytes + x * Bytes);
 }
 
-/// Words that are native pixels as they stand.
+/// Copies words that are native pixels already.
 void pixel_writer::copy_words(std::span<const std::uint32_t> words, int,
                               std::uint8_t* bytes) const {
     std::memcpy(bytes, words.data(), words.size_bytes());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// decoded_png_levels: libpng's usual interface, since its simple one takes 16 bits for light.
+// decoded_png_levels: reads levels of 16 bits by libpng's usual interface, since its simple one
+// takes them for linear light.
 #include "tool_2d/png_levels_p.h"
 
 #include "base/error.h"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr std::size_t bytes_per_pixel = 6; ///< red, green and blue, the high byte of each first
 
-/// A fault ends a step by a jump, so a step has no locals that would have to be destroyed.
+/// Reads a PNG file in steps. A fault ends a step by a jump, so a step has no locals that would
+/// have to be destroyed.
 class png_reader {
 public:
     explicit png_reader(const std::string& bytes) : bytes_(bytes) {}
@@ -27,7 +29,7 @@ public:
     png_reader& operator=(const png_reader&) = delete;
     ~png_reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-    /// Each step returns false if it fails; why() says then what is wrong.
+    /// Reads the header. Like each step, returns false if it fails; then why() says what is wrong.
     bool read_header() {
         if (setjmp(back_) != 0)
             return false;
@@ -39,7 +41,7 @@ public:
         png_read_info(png_, info_);
         return true;
     }
-    /// All pixels are of 16 bits and have three colours then.
+    /// Begins to decode. All pixels come as three channels of 16 bits.
     bool start() {
         if (setjmp(back_) != 0)
             return false;
@@ -78,7 +80,7 @@ private:
     }
 
     const std::string& bytes_;
-    std::size_t at_ = 0; ///< bytes that were read
+    std::size_t at_ = 0; ///< number of bytes that were read
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
     std::jmp_buf back_{};

@@ -33,7 +33,7 @@ table bits_of(l3d_channel channel) {
     return bits;
 }
 
-/// The nearest level of each value, times the distance of levels in the palette.
+/// The nearest level of each value, times the distance in the palette from a level to the next.
 table places_of(int levels, int distance) {
     table places{};
     for (int value = 0, level = 0; value < 256; ++value) {

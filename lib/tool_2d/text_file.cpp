@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_text_file: sizes before memory, and no wait without an end.
+// l3d_read_text_file: checks sizes before it takes memory, and never waits without an end.
 #include "tool_2d/text_file.h"
 
 #include "base/error.h"
@@ -17,11 +17,13 @@
 
 namespace {
 
-/// A mesh counts in 32 bits, and so does the container of glTF.
+/// The limit of a file's size. A mesh counts in 32 bits, and so does the container of glTF.
 constexpr std::uint64_t most_of_file = std::uint64_t{1} << 32;
-/// A pipe that gives more than this has no end, as /dev/zero: no model is so large.
+/// The limit for pipes. One that gives more may have no end, as /dev/zero, and no model is so
+/// large.
 constexpr std::uint64_t most_of_stream = std::uint64_t{256} << 20;
-/// A shell starts both ends of a pipe together; one of them is there first.
+/// The longest wait for the first byte. A shell starts both ends of a pipe together, but one of
+/// them comes first.
 constexpr int patience_ms = 2000;
 
 /// An open file. Opening a pipe does not wait for a program at its other end.
@@ -37,7 +39,7 @@ public:
     }
     int get() const { return descriptor_; }
 
-    /// Waits until there is something to read, or its end. Errors: false after that time.
+    /// Waits until there is something to read, or the end. Errors: false if neither comes in time.
     bool is_ready_within(int milliseconds) const {
         pollfd waiting{descriptor_, POLLIN, 0};
         return poll(&waiting, 1, milliseconds) != 0;
@@ -62,7 +64,7 @@ std::string l3d_read_text_file(const std::string& path) {
     struct stat status {};
     if (file.get() < 0 || fstat(file.get(), &status) != 0)
         refuse(path);
-    // The system's own files, as in /proc, say that they are empty.
+    // The system's own files, as those in /proc, say that they are empty.
     const bool is_sized = S_ISREG(status.st_mode) && status.st_size > 0;
     const auto size = is_sized ? static_cast<std::uint64_t>(status.st_size) : 0;
     if (size > most_of_file)
@@ -74,7 +76,7 @@ std::string l3d_read_text_file(const std::string& path) {
     std::size_t length = 0;
     bool may_wait = S_ISFIFO(status.st_mode);
     for (;;) {
-        if (length == text.size()) // room for one more byte shows the end
+        if (length == text.size()) // room for one more byte finds the end
             text.resize(std::max(length == 0 ? size + 1 : 2 * length, least_step));
         const ssize_t count = read(file.get(), text.data() + length, text.size() - length);
         if (count > 0) {
@@ -85,7 +87,7 @@ std::string l3d_read_text_file(const std::string& path) {
         } else if (count < 0) {
             if (errno != EAGAIN || !file.is_ready_within(-1))
                 refuse(path);
-            may_wait = false; // somebody is there, but has said nothing yet
+            may_wait = false; // the other end is there, but has written nothing yet
         } else if (length == 0 && may_wait) {
             may_wait = false;
             if (!file.is_ready_within(patience_ms) &&

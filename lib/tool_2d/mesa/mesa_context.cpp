@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_context: tries one way after the other, and checks what a context can do.
+// mesa_context: tries one library after the other, and checks the abilities of the context.
 #include "tool_2d/mesa/mesa_context_p.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ bool may_try(mesa_way way, const std::string& wish) {
 }
 
 bool is_software_renderer(std::string_view renderer) {
-    // "Software Rasterizer" was swrast's own name for itself.
+    // The driver swrast called itself "Software Rasterizer".
     constexpr std::array names{"llvmpipe", "softpipe", "swrast", "Software Rasterizer"};
     return std::ranges::any_of(names, [renderer](const char* name) {
         return renderer.find(name) != std::string_view::npos;

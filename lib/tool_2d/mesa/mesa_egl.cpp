@@ -25,6 +25,7 @@ struct egl_calls {
     egl::get_error* error = nullptr;
     egl::get_proc_address* find = nullptr;
 
+    /// Finds the functions of libEGL.
     /// Errors:  false, with the reason in `why`.
     bool load(std::string& why) {
         const mesa_library library({"libEGL.so.1"});
@@ -44,7 +45,7 @@ struct egl_calls {
         return all;
     }
 
-    /// "<call>: EGL error 0x3001".
+    /// The text of a failure: "<call>: EGL error 0x3001".
     std::string failed(const char* call) const {
         std::ostringstream text;
         text << call << ": EGL error 0x" << std::hex << error();
@@ -52,7 +53,7 @@ struct egl_calls {
     }
 };
 
-/// Whether a blank-separated list holds a word. Errors: a null list holds none.
+/// Whether a list of words, separated by blanks, holds a word. A null list holds none.
 bool lists(const char* list, std::string_view word) {
     std::istringstream words(list ? list : "");
     for (std::string each; words >> each;)
@@ -61,7 +62,7 @@ bool lists(const char* list, std::string_view word) {
     return false;
 }
 
-/// While it lives, Mesa looks for no graphics card, unless the user has set the variable.
+/// Keeps Mesa from looking for graphics cards while it lives, unless the user has set the variable.
 class software_only {
 public:
     software_only() : ours_(!std::getenv(variable)) {
@@ -80,8 +81,8 @@ private:
     bool ours_;
 };
 
-/// The display is not terminated: all users of EGL in this process share it, and theirs would end
-/// with ours.
+/// A display of EGL. It is not terminated, as all users of EGL in this process share it, and theirs
+/// would end with ours.
 class egl_platform final : public mesa_platform {
 public:
     egl_platform(const egl_calls& calls, egl::display display, egl::context context)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_library: dlopen and its complaints.
+// mesa_library: opens a library, and keeps the reason if it cannot.
 #include "tool_2d/mesa/mesa_library_p.h"
 
 #include <dlfcn.h>
@@ -13,7 +13,7 @@ mesa_library::mesa_library(std::initializer_list<const char*> names) {
             problem_.clear();
             return;
         }
-        if (problem_.empty()) // the first name is the one to install
+        if (problem_.empty()) // users should install the library of the first name
             problem_ = dlerror();
     }
 }

@@ -48,7 +48,8 @@ private:
     }
     void* do_find(const char* name) override { return reinterpret_cast<void*>(calls_.find(name)); }
 
-    /// OSMesa wants a picture in memory; ours is a framebuffer object, as with EGL.
+    /// The side of the picture that OSMesa wants in memory. We draw into a framebuffer object
+    /// instead, as with EGL.
     static constexpr int side = 4;
 
     osmesa_calls calls_;

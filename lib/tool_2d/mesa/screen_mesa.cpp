@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen_factory_mesa: is there software GL, and is there a display?
+// l3d_screen_factory_mesa: finds out whether there is GL in software, and whether there is a
+// display.
 #include "tool_2d/mesa/screen_mesa.h"
 
 #include "tool_2d/mesa/mesa_context_p.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A screen that is an X11 window with an image, and the factories that choose the image's way.
+// A screen that is an X11 window with an image, and the factories that choose how the image reaches
+// the window.
 #include "tool_2d/x11/screen_x11.h"
 
 #include "tool_2d/image.h"
@@ -27,19 +28,20 @@ using namespace l3d_detail;
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
-// A window manager may take this long before we give up waiting for the window and just draw.
+// The longest wait for a window manager to show the window. After that, drawing begins anyway.
 constexpr auto longest_map = 2s;
-// Input must not wait longer than this for a slow connection.
+// The longest wait for a slow connection before input gets its turn.
 constexpr auto longest_put = 100ms;
-// Longest time between looks while the server owes an answer.
+// The longest time between two looks while the server owes an answer.
 constexpr auto longest_without_look = 1s;
-// More pictures over a network would fill the line, and input would wait behind them.
+// Pictures per second. More of them over a network would fill the line, and input would wait behind
+// them.
 constexpr double local_fps = 60, network_fps = 15;
 // Keeps a deadline inside the clock's range.
 constexpr std::chrono::nanoseconds longest_wait = 24h;
 
-/// The colour that would continue a picture to the right: the mean of its last column. A background
-/// of ours differs from row to row, and a window has one colour.
+/// The colour for the part of the window right of the picture: the mean of the picture's last
+/// column. Backgrounds may differ from row to row, but a window has one colour.
 std::uint32_t margin_word(const l3d_pixels& picture) {
     std::uint64_t sums[3]{};
     for (int y = 0; y < picture.height; ++y)
@@ -52,14 +54,14 @@ std::uint32_t margin_word(const l3d_pixels& picture) {
     return word;
 }
 
-/// Window, image and events of one display.
+/// A screen with the window, the image and the events of one display.
 ///
-/// If a picture is to be shown before there is a buffer for it, show waits a little. Then it leaves
-/// the picture to the next call that asks for events.
+/// If there is no buffer yet for a picture, show waits a little. Then the next call that asks for
+/// events shows the picture.
 class l3d_screen_x11 final : public l3d_screen {
 public:
-    /// Shape:   `no_shm` is why memory shall not be shared; empty: it shall. `sparing` is whether
-    ///          pictures that travel do so sparingly.
+    /// `no_shm` is why memory shall not be shared; if it is empty, memory is shared. If `sparing`
+    /// is set, pictures that go over the connection are sent by x11_image_sparing.
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm,
                    bool sparing)
@@ -105,7 +107,8 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
-    /// News of fullscreen that the server sent before a key may still be under way: the key waits.
+    /// Whether the program can have an event. A key about fullscreen waits while news of fullscreen
+    /// from the server, sent before the key, may still be under way.
     bool has_event() const {
         const bool knows = !state_.is_asking() || window_->connection().lost();
         return !events_.empty() && (knows || !events_.is_about_fullscreen());
@@ -124,14 +127,14 @@ private:
     x11_scroll scroll_;
     x11_sync sync_;
     x11_fullscreen fullscreen_;
-    std::string no_shm_; ///< why memory is not shared; empty: it is
+    std::string no_shm_; ///< why memory is not shared; empty if it is
     bool is_sparing_;
     std::string remark_;
-    std::vector<l3d_pixel_box> text_; ///< its boxes in the picture; declared before its readers
+    std::vector<l3d_pixel_box> text_; ///< boxes of text in the picture; declared before its readers
     std::unique_ptr<x11_image> image_;
     l3d_image picture_;
     l3d_pixel_box due_;        ///< the part that waits for a buffer
-    bool is_forgotten_ = true; ///< the window's contents are unknown: all is to be put
+    bool is_forgotten_ = true; ///< the window's contents are unknown, so all is to be put
     bool ground_is_due_ =
         false;                 ///< a whole picture was put, to which the window's ground has to fit
     bool sync_is_due_ = false; ///< a picture was put, and perhaps waits to be sent
@@ -150,7 +153,8 @@ void l3d_screen_x11::open() {
         window_->take_focus();
 }
 
-/// Shared memory as long as that works, the wire from then on.
+/// Makes an image in shared memory as long as that works, and one that goes over the connection
+/// ever after.
 std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
     if (no_shm_.empty()) {
         std::string why;
@@ -168,8 +172,8 @@ std::unique_ptr<x11_image> l3d_screen_x11::make_wired_image(l3d_size size) const
     return image;
 }
 
-/// Makes the memory of a picture. Shared memory gets copies, so any stride will do; over the
-/// connection the picture goes uncopied if it lies as Xlib wants it.
+/// Makes the memory of a picture. Shared memory gets copies, so any stride will do. Over the
+/// connection, a picture needs no copy if its rows lie as Xlib wants them.
 l3d_image l3d_screen_x11::make_picture(l3d_size size) const {
     return {size, no_shm_.empty() ? l3d_padded_stride(size.width) : size.width};
 }
@@ -180,7 +184,8 @@ void l3d_screen_x11::stop_sharing(const std::string& why) {
         remark_ = "xshm: pictures now go over the wire: " + why;
 }
 
-/// The last picture goes the new way again: it may not have been seen.
+/// Replaces a failed image by one that goes over the connection. The last picture is put again, as
+/// it may not have been seen.
 bool l3d_screen_x11::replaced_failed_image() {
     std::string why;
     if (window_is_gone_ || window_->connection().lost() || !image_->has_failed(why))
@@ -217,8 +222,8 @@ void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     sync_is_due_ = true;
 }
 
-/// Reads all that the server sent so far. Nothing follows the last XPending: writing may read
-/// too, and what it read would not wake a sleeper.
+/// Reads all that the server sent so far. The last call is XPending: writing may read, too, and
+/// what it read would not wake a sleeper.
 void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
     do {
         image_->look_after();
@@ -292,11 +297,11 @@ void l3d_screen_x11::take(XEvent& event) {
     fullscreen_.take(event);
     events_.take(event);
     if (!image_->is_sending())
-        events_.look_after(); // at once: nothing else may wake a resting program
+        events_.look_after(); // at once, as nothing else may wake a resting program
 }
 
-/// Sleeps until there is something to do, at the latest at the deadline. False at the deadline, at
-/// a signal, or if the waker can be read.
+/// Sleeps until there is something to do. Returns false at the deadline, at a signal, or if the
+/// waker can be read.
 bool l3d_screen_x11::sleep(steady_clock::time_point deadline, int waker) const {
     const auto& connection = window_->connection();
     if (image_->is_sending())
@@ -317,7 +322,8 @@ bool l3d_screen_x11::do_next_event(l3d_event& event) {
     return false;
 }
 
-/// New pixels only now, when the program learns of them: until then it may draw into the old.
+/// Makes new pixels, when the program learns of a new size. Until then it may draw into the old
+/// ones.
 bool l3d_screen_x11::resized_to(l3d_size size) {
     if (size == picture_.pixels().size()) {
         sync_.shown(size);
@@ -355,7 +361,7 @@ std::string l3d_screen_x11::do_describe() const {
            ", shared memory: " + (no_shm_.empty() ? "yes" : "no, " + no_shm_);
 }
 
-/// Errors:  none, and the reason in `refusal`.
+/// Errors:  nothing, and the reason in `refusal`.
 std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_service& refusal) {
     if (connection == nullptr) {
         refusal.how = l3d_service::level::no_display;
@@ -373,13 +379,13 @@ std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_se
     return visual;
 }
 
-/// Whether pictures travel sparingly.
+/// Whether pictures that go over the connection are sent by x11_image_sparing.
 bool is_sparing(const x11_connection& connection, l3d_remote wish) {
     return wish == l3d_remote::on || (wish == l3d_remote::automatic && !connection.is_local());
 }
 
 /// Puts a window on the screen and waits until the server wants it drawn.
-/// Shape:   `no_shm` is why memory shall not be shared, empty: it shall.
+/// Shape:   `no_shm` is why memory shall not be shared; if it is empty, memory is shared.
 /// Cost:    returns after two seconds at the latest.
 std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connection,
                                         const l3d_screen_request& request, std::string no_shm,

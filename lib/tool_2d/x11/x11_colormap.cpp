@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_colormap: distances of colours, the search for the largest palette; finding, sharing and
-// writing cells.
+// x11_colormap: distances of colours, the search for the largest palette, and cells that are found,
+// shared or written.
 #include "tool_2d/x11/x11_colormap_p.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ channels channels_of(std::uint32_t word) {
             static_cast<int>(word & 255)};
 }
 
-// The cubes that a map which nobody can change may hold; 8x8x4 is the cube of eight bits divided as
-// by masks.
+// The cubes to look for in a map that nobody can change. 8x8x4 is the cube of maps whose eight bits
+// are divided as if by masks.
 constexpr std::array<palette_shape, 8> cubes{
     {{16, 16, 16}, {8, 8, 8}, {8, 8, 4}, {6, 6, 6}, {5, 5, 5}, {4, 4, 4}, {3, 3, 3}, {2, 2, 2}}};
 constexpr std::array<palette_shape, 8> ramps{{{256, 1, 1},
@@ -50,15 +50,15 @@ std::optional<l3d_palette> palette_of_shape(const palette_shape& shape,
     return shape.palette(std::move(pixels), deviation);
 }
 
-// Fewer bits than this show steps in every shaded surface.
+// The fewest bits of a channel that need no dithering. Fewer show steps in every shaded surface.
 constexpr int undithered_bits = 5;
 
-// Levels wanted in a shared map, and the fewest that are better than a map of our own. 6x6x6 leaves
-// 40 of 256 cells to others.
+// Levels wanted in a shared map, and the fewest that are better than a map of our own. A cube of
+// 6x6x6 leaves 40 of 256 cells to others.
 constexpr int shared_cube = 6, fewest_in_cube = 4;
 constexpr int shared_ramp = 64, fewest_in_ramp = 16;
 
-// X has 16 bits where we have 8: 65535 = 255 * 257.
+// X has channels of 16 bits where this library has 8: 65535 = 255 * 257.
 constexpr unsigned x11_per_value = 257;
 
 XColor x11_color_of(std::uint32_t word, unsigned long pixel = 0) {
@@ -80,7 +80,7 @@ bool is_gray(const x11_visual& visual) {
            visual.layout.color_class == l3d_color_class::gray_scale;
 }
 
-/// The largest palette that has room in a map.
+/// The largest palette that fits into a map.
 palette_shape largest_shape(const x11_visual& visual) {
     if (is_gray(visual))
         return palette_shape::ramp(std::min(visual.cells, 256));
@@ -98,21 +98,22 @@ std::vector<XColor> query_cells(Display* display, Colormap map, int count) {
     return cells;
 }
 
-/// Takes cells of a map that others use too.
+/// Takes cells of a map that other programs use, too.
 class cell_sharer {
 public:
     cell_sharer(const x11_connection& connection, Colormap map, int cells)
         : connection_(connection), map_(map),
           found_(query_cells(connection.display(), map, cells)) {}
 
-    /// The palette of a shape in cells of its very colours.
-    /// Errors:  nothing; then no cell stays taken.
+    /// The palette of a shape, in cells of exactly its colours.
+    /// Errors:  nothing, and then no cell stays taken.
     std::optional<l3d_palette> share_exactly(const palette_shape& shape) {
         return has_room_for(shape) ? share(shape, true) : std::nullopt;
     }
 
-    /// The palette of a shape; where the map has no room, in other programs' cells of near colours.
-    /// Errors: likewise.
+    /// The palette of a shape. Where the map has no room, it has other programs' cells of near
+    /// colours.
+    /// Errors:  nothing, and then no cell stays taken.
     std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
         return share(shape, false);
     }
@@ -131,8 +132,8 @@ private:
     std::vector<unsigned long> allocated_;
 };
 
-/// Tests whether there is room: allocates a cell for each colour to come, all at once, and frees
-/// the cells. That takes one round trip. Single allocations take one round trip each.
+/// Whether the map has room for a shape. All missing cells are allocated at once and freed again,
+/// in one round trip. Single allocations would take one round trip each.
 bool cell_sharer::has_room_for(const palette_shape& shape) const {
     std::set<std::uint32_t> there;
     for (const auto& color : found_)
@@ -179,8 +180,8 @@ bool cell_sharer::allocate(XColor& color) {
     return true;
 }
 
-/// Asks for the exact colour of the nearest cell, which gives that cell unless its owner may change
-/// it.
+/// Asks for a cell of a near colour. It asks for the exact colour of the nearest cell, and gets
+/// that cell unless its owner may change it.
 bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wanted,
                                    XColor& color) {
     while (!found_.empty()) {
@@ -197,7 +198,7 @@ bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wan
     return false;
 }
 
-/// The shapes to share in order of preference.
+/// The shapes to share, in order of preference.
 std::vector<palette_shape> shared_shapes(const palette_shape& largest) {
     const bool ramp = largest.is_ramp();
     const int fewest = std::min(ramp ? fewest_in_ramp : fewest_in_cube, largest.red);
@@ -220,7 +221,7 @@ std::uint32_t palette_shape::color(int place) const {
 
 int palette_shape::distance(std::uint32_t one, std::uint32_t other) const {
     const auto a = channels_of(one), b = channels_of(other);
-    // A step is 255 / (levels - 1). On a ramp red speaks for all channels.
+    // A step between levels is 255 / (levels - 1). On a ramp, red stands for all channels.
     const channels steps{red - 1, green - 1, blue - 1};
     int worst = 0;
     for (std::size_t i = 0; i < steps.size(); ++i)
@@ -315,7 +316,7 @@ bool x11_colormap::is_of_default_visual() const {
     return visual_.visual == DefaultVisual(connection_.display(), connection_.screen());
 }
 
-/// Changes to a map that nobody else writes.
+/// Makes a map of our own, once, which nobody else writes.
 void x11_colormap::own(int alloc) {
     if (std::exchange(owned_, true))
         return;
@@ -376,7 +377,7 @@ void x11_colormap::store_cells() {
     info_ = l3d_screen_info(visual_.layout, shape.palette(std::move(pixels), 0));
 }
 
-/// In each channel, entry i of n shows i / (n - 1) of the whole.
+/// Fills the map with one ramp per channel: entry i of n has the part i / (n - 1) of full light.
 void x11_colormap::store_ramps() {
     own(AllocAll);
     const l3d_screen_info masks(visual_.layout);

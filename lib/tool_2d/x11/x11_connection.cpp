@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_connection: opening, error handlers, sleeping.
+// x11_connection: opens and closes it, handles its errors, and sleeps until something comes.
 #include "tool_2d/x11/x11_connection_p.h"
 
 #include "tool_2d/x11/x11_diagnosis_p.h"
@@ -17,27 +17,28 @@
 #include <unistd.h>
 
 #include <X11/Xlib-xcb.h>
-#include <X11/Xlibint.h> // after all others: it has macros of common names
+#include <X11/Xlibint.h> // after all others, as it has macros with common names
 #undef min
 #undef max
 
 namespace l3d_detail {
 namespace {
 
-/// Empties Xlib's buffer, which nobody will read. The first request after one of XCB's may find the
-/// server gone while Xlib makes room for it; libX11 1.8 then has extensions write to a null
-/// pointer, as `a_server_may_die_between_two_libraries` shows.
+/// Empties Xlib's buffer, which nobody will read. The first request of Xlib after one of XCB may
+/// find the server gone while it makes room for itself. Extensions of libX11 1.8 then write to a
+/// null pointer, as `a_server_may_die_between_two_libraries` shows.
 /// Expects: Xlib has just called the handler of broken connections for this display.
 void make_x11_room(Display* display) {
     display->bufptr = display->buffer;
-    // Without the connection, Xlib takes its buffer for empty. It has at least this size.
+    // Without the connection, Xlib sets its buffer's size to 0. The buffer has at least the size
+    // BUFSIZE.
     if (display->bufmax == display->buffer)
         display->bufmax = display->buffer + BUFSIZE;
 }
 
 } // namespace
 
-/// The state of the process-wide handlers, which Xlib calls without any argument of ours.
+/// The state of the process-wide handlers. Xlib calls these without any argument of ours.
 struct x11_handlers {
     std::mutex mutex;
     std::vector<x11_connection*> connections;
@@ -46,7 +47,7 @@ struct x11_handlers {
     XIOErrorHandler previous_io_error = nullptr;
     struct sigaction previous_pipe {};
 
-    /// Remembers a lost display, which is never closed, until the end of the program.
+    /// Remembers a lost display until the end of the program, as it is never closed.
     void keep_lost(Display* display) {
         const std::lock_guard lock(mutex);
         lost.push_back(display);
@@ -57,7 +58,7 @@ struct x11_handlers {
     }
 
     static x11_handlers& instance() {
-        // Not destroyed at the end of the program, when lost displays have to be known still.
+        // Never destroyed, since lost displays must still be known when the program ends.
         static auto& handlers = *std::make_unique<x11_handlers>().release();
         return handlers;
     }
@@ -73,7 +74,7 @@ struct x11_handlers {
 
     static int on_error(Display* display, XErrorEvent* error);
     static int on_io_error(Display* display);
-    static void on_pipe(int) {} // writing fails instead; child processes do not inherit it
+    static void on_pipe(int) {} // a write fails instead; child processes do not inherit it
     static void on_io_exit(Display* display, void* connection) {
         static_cast<x11_connection*>(connection)->lost_ = true;
         make_x11_room(display); // for the request that met the broken connection
@@ -85,30 +86,34 @@ namespace {
 /// The place to jump to if the server dies in ask_safely(); else null.
 thread_local std::jmp_buf* way_out = nullptr;
 
-// 8 MiB: two pictures of 1024 x 768. The system gives what it allows, Linux 208 KiB unless told
-// otherwise. Pictures go in pieces of at most one request of the protocol (262 KB, without the
-// extension for larger ones). Before each piece it is asked whether there is room. So a large
-// buffer does not make pieces large. The buffer lets many pieces go before anybody waits: half of
-// the size that the system gave, 2 MiB where it allows 4.
+// The size that we ask for the socket's buffer: 8 MiB, two pictures of 1024 x 768. The system gives
+// what it allows, which on Linux is 208 KiB unless told otherwise. Pictures go in pieces of at most
+// one request of the protocol (262 KB, without the extension for larger ones). Before each piece,
+// the socket is asked whether there is room. So a large buffer does not make pieces large. It lets
+// many pieces go before anybody waits: half of the size that the system gave, 2 MiB where it allows
+// 4.
 constexpr int wanted_buffer = 1 << 23;
 // The size of a request beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;
 // The bytes that every system's sockets hold.
 constexpr std::size_t least_writable = std::size_t{1} << 13;
 
-// Longer than any display worth drawing on needs to answer, shorter than anyone's patience.
+// The longest wait for a connection. Displays worth drawing on need less, and users have more
+// patience.
 constexpr std::chrono::seconds longest_connect{3};
-// A server that is well closes its end at once; one that is stopped is not waited for.
+// The longest wait for the server to close its end. A server that is well closes at once, and a
+// stopped one is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// Calls functions of Xlib that cannot go on if the server dies meanwhile, and jumps out of them
-/// then.
+/// Calls functions of Xlib that cannot go on if the server dies meanwhile. If it does, jumps out of
+/// them.
 ///
-/// XOpenDisplay has no display yet for an exit handler, and would end the process.
-/// XQueryExtension takes the reply that never came for the number of an extension.
-/// The jump leaks what Xlib had begun, once.
+/// XOpenDisplay would end the process, as it has no display yet for an exit handler.
+/// XQueryExtension would take the reply that never came for the number of an extension. The jump
+/// leaks the memory that Xlib has taken so far, once. The test `a_server_may_die_at_any_byte` fails
+/// without this function.
 /// Expects: nothing in `ask` has a destructor.
-/// Errors:  false if the server died. `a_server_may_die_at_any_byte` fails without it.
+/// Errors:  false if the server died.
 template <class Ask> bool ask_safely(Ask ask) {
     std::jmp_buf here;
     if (setjmp(here) != 0) {
@@ -150,7 +155,7 @@ void x11_handlers::remove(x11_connection& connection) {
     std::erase(connections, &connection);
     if (!connections.empty())
         return;
-    // A library that came after us may stand in front now; then its handler stays.
+    // A library that set its handler after us keeps it.
     if (const auto current = XSetErrorHandler(previous_error); current != on_error)
         XSetErrorHandler(current);
     if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
@@ -176,7 +181,7 @@ int x11_handlers::on_error(Display* display, XErrorEvent* error) {
 int x11_handlers::on_io_error(Display* display) {
     auto& handlers = instance();
     auto* const connection = handlers.find(display);
-    if (way_out == nullptr) // on_io_exit follows for ours.
+    if (way_out == nullptr) // ours come to on_io_exit next
         return connection != nullptr ? 0 : handlers.previous_io_error(display);
     if (connection != nullptr) {
         on_io_exit(display, connection);
@@ -194,8 +199,8 @@ std::unique_ptr<x11_connection> x11_connection::open(std::string& why) {
         connection.reset(new x11_connection(name));
     if (connection && (connection->display_ != nullptr || connection->lost_))
         return connection;
-    // Asked only after a failure: some wires carry one connection only, and some servers end with
-    // their last.
+    // The reason is looked for only after a failure. Some forwarded ports carry one connection
+    // only, and some servers end with their last connection.
     why = x11_refusal_of(name, longest_connect).why;
     return nullptr;
 }
@@ -206,7 +211,7 @@ x11_connection::x11_connection(const char* name) {
     if (display_ == nullptr)
         return;
     XSetIOErrorExitHandler(display_, x11_handlers::on_io_exit, this);
-    // Asked now, because a connection that broke has no other end.
+    // The address is asked for early, as a broken connection has no other end.
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
     local_ =
@@ -226,8 +231,8 @@ void x11_connection::widen() {
     if (getsockopt(server, SOL_SOCKET, SO_SNDBUF, &buffer, &size) != 0)
         buffer = 0;
     // Linux calls a local socket writable when at most a quarter of its buffer is full. A fifth of
-    // the other three is left for the kernel's own records. Xlib cuts larger requests than these,
-    // which are counted in fours, and waits before each piece.
+    // the other three quarters is left for the kernel's own records. Requests are counted in words
+    // of four bytes. Xlib cuts larger ones than `largest`, and waits before each piece.
     const auto largest = 4 * static_cast<std::size_t>(XMaxRequestSize(display_)) - own_size;
     writable_size_ = std::clamp(static_cast<std::size_t>(buffer) / 5 * 3, least_writable, largest);
 }
@@ -236,7 +241,7 @@ x11_connection::~x11_connection() {
     if (display_ == nullptr) {
         // There is no connection to end.
     } else if (lost_) {
-        // Xlib's extensions may be half set up, and crash XCloseDisplay.
+        // Extensions of Xlib may be half set up, and would crash in XCloseDisplay.
         close(ConnectionNumber(display_));
         x11_handlers::instance().keep_lost(display_);
     } else {
@@ -246,7 +251,7 @@ x11_connection::~x11_connection() {
     x11_handlers::instance().remove(*this);
 }
 
-/// Breaks the connection once the server has done all requests, or after longest_leave; the server
+/// Breaks the connection once the server has done all requests, or after longest_leave. The server
 /// then frees our resources. XCloseDisplay would wait for a reply without end.
 void x11_connection::leave() {
     const int server = ConnectionNumber(display_);
@@ -254,11 +259,11 @@ void x11_connection::leave() {
     if (wait_writable({}))
         XFlush(display_);
     shutdown(server, SHUT_WR);
-    // Having read everything, the server closes its end.
+    // The server closes its end once it has read everything.
     std::array<char, 4096> unread;
     while (wait_readable(deadline) && recv(server, unread.data(), unread.size(), MSG_DONTWAIT) > 0)
         ;
-    // Xlib finds out by reading: writing could raise SIGPIPE.
+    // Xlib learns of the end by reading, as writing could raise SIGPIPE.
     shutdown(server, SHUT_RD);
     if (!lost_)
         XEventsQueued(display_, QueuedAfterReading);
@@ -279,14 +284,14 @@ int x11_connection::error_of(unsigned long serial) const {
 }
 
 bool has_x11_manager(const x11_connection& connection) {
-    // Not XGetWindowAttributes, which asks for the geometry, too: each request delays a slow
+    // XGetWindowAttributes would also ask for the geometry, and each request delays a slow
     // display's first picture.
     auto* const xcb = XGetXCBConnection(connection.display());
     const auto question =
         xcb_get_window_attributes(xcb, static_cast<xcb_window_t>(connection.root()));
     const unique_reply<xcb_get_window_attributes_reply_t> root(
         xcb_get_window_attributes_reply(xcb, question, nullptr));
-    // Xlib hears of earlier errors, and that the server is gone.
+    // By this, Xlib hears of earlier errors and of the server's end.
     XEventsQueued(connection.display(), QueuedAfterReading);
     // A window manager is the client that redirects the root's children; only one client can.
     return root && (root->all_event_masks & XCB_EVENT_MASK_SUBSTRUCTURE_REDIRECT) != 0;

@@ -41,7 +41,8 @@ l3d_probe probe_visual(const x11_connection& connection) {
     return probe;
 }
 
-/// To connections that are not trusted, as those of ssh -X, a server shows these extensions alone.
+/// Whether the server trusts the connection. To others, as those of ssh -X, it shows only the two
+/// extensions that are named here.
 bool is_trusted(const x11_connection& connection) {
     int count = 0;
     char** const names = XListExtensions(connection.display(), &count);
@@ -52,7 +53,7 @@ bool is_trusted(const x11_connection& connection) {
     return shows_more;
 }
 
-/// Tells whatever is special about the way to the server.
+/// Tells of anything special about the connection to the server.
 void probe_way(const x11_connection& connection, l3d_probes& probes) {
     if (!is_trusted(connection))
         probes.push_back({"trust",
@@ -80,7 +81,7 @@ l3d_probe probe_manager(const x11_connection& connection) {
 
 l3d_probe probe_extension(const x11_connection& connection) {
     int major = 0, minor = 0, pixmaps = 0;
-    // Asked for the version of a missing extension, Xlib would print a line of its own.
+    // Xlib would print a line of its own when it is asked for a missing extension's version.
     if (connection.has(XShmQueryExtension) &&
         XShmQueryVersion(connection.display(), &major, &minor, &pixmaps) != 0)
         return {"MIT-SHM",
@@ -93,7 +94,7 @@ l3d_probe probe_extension(const x11_connection& connection) {
                                    : "hidden from connections that are not trusted"};
 }
 
-/// Advice where no memory is shared.
+/// Advice to the user if no memory is shared.
 std::string sharing_remedy(const x11_connection& connection) {
     const char* const refusal = std::getenv("L3D_NO_SHM");
     if (refusal != nullptr && *refusal != '\0')
@@ -118,9 +119,10 @@ l3d_probe probe_sharing(x11_connection& connection) {
             sharing_remedy(connection)};
 }
 
-/// Opens a connection; if there is no display, null and a probe with the reason.
+/// Opens a connection. If there is no display, returns null and adds a probe with the reason.
 ///
-/// A server that refuses is not asked by Xlib: the library below it would print a line each time.
+/// Xlib does not connect to a server that refuses, as the library below it would print a line each
+/// time.
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     const auto before = std::ranges::find(probes, l3d_display_probe, &l3d_probe::what);
     if (before != probes.end() && before->outcome == verdict::bad)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_enlarger: copies within the server.
+// x11_enlarger: enlarges pictures by copies within the server.
 #include "tool_2d/x11/x11_enlarger_p.h"
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace l3d_detail {
 namespace {
 
-// A copy takes 28 bytes: 7168 in all, less than the 8192 that every connection takes at once.
+// The copies in one step. Each takes 28 bytes, so all take 7168, less than the 8192 that every
+// connection takes at once.
 constexpr int copies_at_once = 256;
 
 int rounded_up(int length, int unit) {
@@ -18,7 +19,7 @@ unsigned length(int from, int to) {
     return static_cast<unsigned>(to - from);
 }
 
-/// Every other strip of so many rows or columns, from the second on.
+/// Every other strip of `strip` rows or columns, from the second strip on.
 std::vector<XRectangle> gaps(int strip, int length, int breadth, bool are_columns) {
     std::vector<XRectangle> list;
     for (int at = strip; at < length; at += 2 * strip) {
@@ -36,7 +37,7 @@ std::vector<XRectangle> gaps(int strip, int length, int breadth, bool are_column
 x11_enlarger::x11_enlarger(const x11_window& window, l3d_size native) : window_(window) {
     const int width = rounded_up(native.width, largest_factor);
     const int height = rounded_up(native.height, largest_factor);
-    // Cells are most numerous at the smallest factor, two.
+    // There are most cells at the smallest factor, two.
     const auto pixmap = [&](int columns, int rows) {
         return XCreatePixmap(window.display(), window.id(), static_cast<unsigned>(columns),
                              static_cast<unsigned>(rows),
@@ -56,7 +57,7 @@ x11_enlarger::~x11_enlarger() {
     const bool is_lost = window_.connection().lost();
     const auto free = [&](GC graphics) {
         if (is_lost)
-            XFree(graphics); // Xlib's own record of it: there is no server to tell.
+            XFree(graphics); // frees only Xlib's record of it, as there is no server to tell
         else
             XFreeGC(window_.display(), graphics);
     };
@@ -68,14 +69,15 @@ x11_enlarger::~x11_enlarger() {
             XFreePixmap(window_.display(), pixmap);
 }
 
-/// Copies never lack a part of their source, so the server need not say so each time.
+/// A context for copies. They never lack a part of their source, so the server need not report on
+/// that each time.
 GC x11_enlarger::make_copier() const {
     XGCValues values{};
     values.graphics_exposures = False;
     return XCreateGC(window_.display(), large_, GCGraphicsExposures, &values);
 }
 
-/// Copies into these gaps only.
+/// A context for copies into some gaps only.
 GC x11_enlarger::make_filler(const std::vector<XRectangle>& gaps) const {
     GC graphics = make_copier();
     auto list = gaps;
@@ -90,7 +92,8 @@ void x11_enlarger::copy_columns(const l3d_pixel_box& cells, int factor) const {
                   length(cells.top, cells.bottom), factor * x, cells.top);
 }
 
-/// Shape:   the columns of the cells are those of the large picture already.
+/// Copies rows of cells to their places in the large picture.
+/// Shape:   the cells' columns are those of the large picture already.
 void x11_enlarger::copy_rows(const l3d_pixel_box& cells, int factor) const {
     for (int y = cells.top; y < cells.bottom; ++y)
         XCopyArea(window_.display(), wide_, large_, copier_, cells.left, y,

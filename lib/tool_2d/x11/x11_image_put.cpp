@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image by XPutImage.
+// x11_image that sends pictures by XPutImage.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"
@@ -13,8 +13,8 @@
 namespace l3d_detail {
 namespace {
 
-/// Pictures go in pieces that never block, so that a server that is slow, or stopped, does not take
-/// the program with it. Pieces that could not be sent are kept, and look_after goes on with them.
+/// Sends pictures in pieces that never block, so that a slow or stopped server does not stop the
+/// program. Pieces that could not be sent are kept, and look_after goes on with them.
 class x11_image_put final : public x11_image {
 public:
     x11_image_put(const x11_window& window, l3d_size size)
@@ -48,7 +48,7 @@ private:
             keep_rest();
     }
 
-    /// The end of the rows from next_row_ on that go at once.
+    /// The end of the rows from next_row_ on that go in one piece.
     int end_of_piece() const {
         const auto row = static_cast<std::size_t>(box_.right - box_.left) *
                          static_cast<std::size_t>(window_.info().bytes_per_pixel());
@@ -56,7 +56,7 @@ private:
         return std::min(box_.bottom, next_row_ + std::max(1, most));
     }
 
-    /// Sends each piece, and the question at the end, when there is room for it. Even a small
+    /// Sends each piece once there is room for it, and at the end the question. Even a small
     /// request would block right after a large one.
     void send(time_point deadline) {
         while (is_sending()) {
@@ -104,7 +104,7 @@ private:
     pixel_writer writer_;
     unique_ximage ximage_;
     std::vector<std::uint8_t> bytes_; ///< bytes to send, unless the words themselves are sent
-    l3d_pixel_box box_;               ///< the part of the display's own pixels that is sent
+    l3d_pixel_box box_;               ///< the part that is sent, in native pixels
     int next_row_ = 0;                ///< the rows above this one are sent
     bool is_sending_ = false;         ///< pieces, or the question at the end, are still to be sent
     x11_echo echo_;

@@ -16,22 +16,24 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// While one buffer is copied to the screen, the next is written; more would only add to the delay.
+// The server copies one buffer to the screen while the next one is written. More of them would only
+// add to the delay.
 constexpr std::size_t buffer_count = 2;
-// X counts the pixels of a window in 16 bits, with a sign.
+// X counts a window's pixels in 16 bits with a sign.
 constexpr int longest_side = 32767;
-// A server that works needs milliseconds for a picture. After this time it is asked for its answer
-// once more.
+// The longest usual time for a picture. A server that works needs milliseconds. After this time, it
+// is asked whether its answer was lost.
 constexpr std::chrono::seconds usual_patience{1};
 
-/// A part of the segment, and whether we or the server may touch it.
+/// A buffer in the segment. Either the program may touch it, or the server.
 struct shared_buffer {
     std::size_t offset = 0;
-    unsigned long put = 0; ///< number of the request that made it the server's; 0: it is ours
+    unsigned long put = 0; ///< number of the request that lent it to the server; 0 if it is ours
     steady_clock::time_point put_time{};
 };
 
-/// The words are copied, since the program may draw into them while the server reads.
+/// An image in memory that the server shares. Words are copied into it, since the program may draw
+/// into them while the server reads.
 class x11_image_shm final : public x11_image {
 public:
     x11_image_shm(const x11_window& window, unique_ximage ximage,
@@ -52,7 +54,8 @@ private:
         return std::ranges::count(buffers_, 0UL, &shared_buffer::put) == buffer_count;
     }
 
-    /// No more of a buffer is read than was just written: beside the part, it may be out of date.
+    /// Writes a part into a free buffer and has the server read that part only. The buffer may be
+    /// out of date beside it.
     void do_put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point) override {
         const l3d_size native{ximage_->width, ximage_->height};
         auto& buffer = *std::ranges::find(buffers_, 0UL, &shared_buffer::put);
@@ -79,7 +82,7 @@ private:
         return true;
     }
 
-    /// Takes the server's answer; false if it is about an image that this one has replaced.
+    /// Takes the server's answer. Returns false if it is about an image that this one has replaced.
     bool take_completion(const XShmCompletionEvent& event) {
         if (event.shmseg != segment_->info().shmseg)
             return false;
@@ -137,7 +140,7 @@ std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size
     }
     auto ximage = make_ximage(window.display(), window.visual(), window.info().layout(), native);
     const auto bytes = buffer_count * ximage_size(*ximage);
-    // X has 32 bits for the place of a picture in a segment.
+    // X has 32 bits for a picture's place in a segment.
     if (bytes > UINT32_MAX) {
         why = "the pictures are too large for a segment";
         return nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_image by XPutImage of changed pixels: text first, the rest coarse if there are many.
+// x11_image that sends changed pixels by XPutImage: text first, and the rest in coarse cells if it
+// is much.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"
@@ -20,22 +21,22 @@ namespace {
 using std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-// Bytes that a line of 1 MB a second carries in 80 ms, so twelve pictures a second. Larger pictures
-// go coarse, and their fine pixels follow in pieces of this size: a key waits for one piece at
-// most.
+// The bytes that a line of 1 MB a second carries in 80 ms, at twelve pictures a second. Larger
+// pictures are sent in coarse cells first, and their fine pixels follow in pieces of this size. So
+// a key waits for one piece at most.
 constexpr std::int64_t bytes_at_once = 80'000;
-// Text goes with a picture if it takes at most this part of those bytes, and so do as many pixels
-// at rest, however much moves beside. More text goes alone.
+// The divisor of those bytes for text: up to that part, text goes with a picture, and more text
+// goes alone. As many pixels at rest go with each picture, however much moves beside them.
 constexpr std::int64_t small_part = 4;
-// After so long without a picture, things have come to rest: at 15 pictures a second three are
-// missing.
+// The time without a picture after which things have come to rest. At 15 pictures a second, three
+// are missing by then.
 constexpr auto until_rest = 250ms;
 
 int cells(int length, int factor) {
     return (length + factor - 1) / factor;
 }
 
-/// The cells that show a box of pixels.
+/// The cells that show some pixels.
 l3d_pixel_box cells_of(const l3d_pixel_box& box, int factor) {
     return {box.left / factor, box.top / factor, cells(box.right, factor),
             cells(box.bottom, factor)};
@@ -54,7 +55,7 @@ std::vector<l3d_pixel_box> beside(const l3d_pixel_box& box, const l3d_pixel_box&
     return sides;
 }
 
-/// The mean of a box of words.
+/// The mean colour of a box of words.
 std::uint32_t mean_word(const l3d_pixels& picture, const l3d_pixel_box& box) {
     std::uint32_t red = 0, green = 0, blue = 0;
     for (int y = box.top; y < box.bottom; ++y) {
@@ -69,8 +70,8 @@ std::uint32_t mean_word(const l3d_pixels& picture, const l3d_pixel_box& box) {
     return mean(red) << 16 | mean(green) << 8 | mean(blue);
 }
 
-/// Steps never block, so that a server that is slow, or stopped, does not take the program with
-/// it. Those that could not go are kept, and look_after goes on with them.
+/// Sends a picture in steps that never block, so that a slow or stopped server does not stop the
+/// program. Steps that could not go are kept, and look_after goes on with them.
 class x11_image_sparing final : public x11_image {
 public:
     x11_image_sparing(const x11_window& window, l3d_size size)
@@ -105,8 +106,8 @@ private:
         send(deadline);
     }
 
-    /// Adds the pixels that changed, and at least `least_rest` pixels that have come to rest beside
-    /// them.
+    /// Adds the pixels that changed. Besides, it adds at least `least_rest` of the pixels that have
+    /// come to rest, if there are so many.
     void add_motion(const l3d_pixels& picture, std::int64_t least_rest) {
         const int factor = factor_for(changed_.pixels());
         const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
@@ -140,7 +141,7 @@ private:
             }
     }
 
-    /// Notes what is to be sent. Pixels in text and pixels beside it are sent in different ways.
+    /// Notes changed pixels. Those within text and those beside it are sent in different ways.
     void add_changed(const l3d_pixel_box& box) {
         for (const l3d_pixel_box& text : text_)
             if (const l3d_pixel_box letters = box.intersected(text); !letters.empty())
@@ -149,7 +150,7 @@ private:
             changed_.add(rest);
     }
 
-    /// A box without the text that stands in it, as boxes that do not overlap.
+    /// The parts of a box outside of all text, as boxes that do not overlap.
     std::vector<l3d_pixel_box> beside_text(const l3d_pixel_box& box) const {
         std::vector<l3d_pixel_box> rests{box};
         for (const l3d_pixel_box& text : text_) {
@@ -163,7 +164,7 @@ private:
         return rests;
     }
 
-    /// As much text as goes at once, tile by tile. Returns the number of pixels that travel.
+    /// Adds text tile by tile, as much as goes at once. Returns the number of pixels that are sent.
     std::int64_t add_text() {
         std::int64_t pixels = 0;
         while (!letters_.empty() && pixels < pixels_at_once())
@@ -172,8 +173,9 @@ private:
         return pixels;
     }
 
-    /// A tile of a panel is mostly ground, which the server fills. The box of other pixels travels,
-    /// and never blinks.
+    /// Adds a tile of text. Most of it has the panel's ground colour, with which the server fills
+    /// it. The box around all other pixels is sent, so these never blink. Returns the number of
+    /// pixels that are sent.
     std::int64_t add_text(const l3d_pixel_box& box) {
         const auto* const ground = place_of(box.left, box.top);
         l3d_pixel_box letters;
@@ -214,7 +216,7 @@ private:
 
     std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
 
-    /// The factor by which a cell has to be wider and higher than a pixel.
+    /// How many pixels wide and high cells have to be, so that so many pixels can be sent at once.
     int factor_for(std::int64_t pixels) const {
         int factor = 1;
         while (factor < x11_enlarger::largest_factor &&
@@ -223,7 +225,7 @@ private:
         return factor;
     }
 
-    /// Writes the display's own pixels of a part, and notes which of them have changed.
+    /// Writes the native pixels of a part, and notes which of them have changed.
     void update(const l3d_pixels& picture, const l3d_pixel_box& part) {
         const l3d_pixel_box box = writer_.native_part(part, native_);
         for (int y = box.top; y < box.bottom; ++y) {
@@ -238,7 +240,7 @@ private:
         }
     }
 
-    /// Compares tile by tile: changes may lie at both ends of a row.
+    /// Compares a row tile by tile, as changes may lie at both of its ends.
     void update_row(int left, int right, int y, std::uint8_t* kept) {
         const std::size_t pixel = bytes_of(1);
         const auto* found = row_.data();
@@ -259,7 +261,7 @@ private:
         }
     }
 
-    /// Adds the pixels of boxes as they are.
+    /// Adds the pixels of boxes at full resolution.
     void add_fine(const std::vector<l3d_pixel_box>& boxes) {
         for (const l3d_pixel_box& box : boxes)
             add_pieces(box, *ximage_, window_.id());
@@ -295,7 +297,7 @@ private:
         enlarger_ = std::make_unique<x11_enlarger>(window_, native_);
     }
 
-    /// A cell is the mean of the words that it shows.
+    /// Writes cells. The colour of each is the mean of the words that it shows.
     void write_cells(const l3d_pixels& picture, const l3d_pixel_box& part, int factor) {
         std::vector<std::uint32_t> words(static_cast<std::size_t>(part.right - part.left));
         const auto box_of = [&](int x, int y) {
@@ -314,7 +316,7 @@ private:
         }
     }
 
-    /// Adds a box in pieces of as many rows as there may be room for.
+    /// Adds a box in pieces, each of as many rows as the connection takes at once.
     void add_pieces(const l3d_pixel_box& box, XImage& from, Drawable to) {
         const auto most = window_.connection().writable_size() / bytes_of(box.right - box.left);
         const int rows = std::max(1, static_cast<int>(most));
@@ -328,13 +330,13 @@ private:
         }
     }
 
-    /// Adds the question at the end of the steps, if there are any.
+    /// Ends the steps, if there are any, by a question whose answer tells that they are done.
     void add_question() {
         if (!steps_.empty())
             steps_.emplace_back([this] { echo_.ask(); });
     }
 
-    /// Sends each step when there is room for it. Even a small request would block right after a
+    /// Sends each step once there is room for it. Even a small request would block right after a
     /// large one.
     void send(time_point deadline) {
         while (do_is_sending() && window_.connection().wait_writable(deadline))
@@ -350,7 +352,7 @@ private:
         if (!do_is_idle() || steady_clock::now() < do_next_look())
             return;
         if (add_text() == 0) {
-            // Text may have kept changed pixels from being sent.
+            // Changed pixels may wait since a picture whose text went alone.
             for (const l3d_pixel_box& box : changed_.take())
                 coarse_.add(box);
             add_fine(coarse_.take(pixels_at_once()));
@@ -380,7 +382,7 @@ private:
     std::vector<std::uint8_t> bytes_; ///< the window's contents after all is sent
     std::vector<std::uint8_t> row_;   ///< a row that may become part of `bytes_`
     std::vector<std::uint8_t> cell_bytes_;
-    std::vector<l3d_pixel_box> text_; ///< boxes of the window's own pixels
+    std::vector<l3d_pixel_box> text_; ///< boxes of text, in the window's own pixels
     x11_tiles letters_;               ///< where the window shows other text than the latest picture
     x11_tiles changed_; ///< where the window shows neither pixels nor cells of the latest picture
     x11_tiles coarse_;  ///< where the window shows cells

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_refusal: a connection attempt that does not block, the greeting of the protocol, and the
-// meaning of its answers.
+// x11_refusal: connects without blocking, greets the server, and explains its answer.
 #include "tool_2d/x11/x11_diagnosis_p.h"
 
 #include <algorithm>
@@ -26,7 +25,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-// X.h first: the header of cookies uses its families of addresses.
+// X.h comes first, as the header of cookies uses its families of addresses.
 #include <X11/X.h>
 
 #include <X11/Xauth.h>
@@ -37,7 +36,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// Owns a socket, if it has one.
+/// Owns a socket, or none.
 class x11_socket {
 public:
     x11_socket() = default;
@@ -59,7 +58,7 @@ private:
     int file_ = -1;
 };
 
-// Display 0 of a host listens here, display n at n more.
+// The port of a host's display 0. Display n listens n ports higher.
 constexpr int first_port = 6000;
 
 struct address_freer {
@@ -67,7 +66,7 @@ struct address_freer {
 };
 using address_list = std::unique_ptr<addrinfo, address_freer>;
 
-/// The display's number behind the colon, without the screen; -1 if there is none.
+/// The display's number behind the colon, without the screen. It is -1 if there is none.
 int number_of(const std::string& display, std::size_t colon) {
     int number = -1;
     if (colon != std::string::npos)
@@ -90,7 +89,8 @@ bool is_local(const std::string& display) {
            display.starts_with("unix:") || display.starts_with("unix/");
 }
 
-/// Errors:  none, with the kernel's number in `error`.
+/// Connects to an address.
+/// Errors:  no socket, with the kernel's number in `error`.
 x11_socket connected(const sockaddr* address, socklen_t size, steady_clock::time_point deadline,
                      int& error) {
     x11_socket knocker(socket(address->sa_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -99,7 +99,8 @@ x11_socket connected(const sockaddr* address, socklen_t size, steady_clock::time
         error = errno;
         return {};
     }
-    // Connected or refused, the socket becomes writable; only its error tells which.
+    // The socket becomes writable when it is connected, and when it is refused. Only its error
+    // tells which.
     const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
     pollfd answer{knocker.file(), POLLOUT, 0};
     socklen_t error_size = sizeof error;
@@ -110,7 +111,7 @@ x11_socket connected(const sockaddr* address, socklen_t size, steady_clock::time
     return error == 0 ? std::move(knocker) : x11_socket();
 }
 
-/// Connects by the abstract name that Linux keeps outside of any folder, else by the file.
+/// Connects by the abstract name that Linux keeps outside of any folder, or else by the file.
 x11_socket connected_here(const std::string& path, steady_clock::time_point deadline) {
     int error = 0;
     for (const std::size_t hidden : {std::size_t{1}, std::size_t{0}}) {
@@ -152,9 +153,9 @@ x11_socket connected_there(const std::string& host, int port, steady_clock::time
     return {};
 }
 
-/// Knocks at the address of a display.
-/// Shape:   `display` as in DISPLAY.
-/// Errors:  none, with a phrase in `why`, if nobody answers in time.
+/// Connects to a display.
+/// Shape:   `display` has the form of the variable DISPLAY.
+/// Errors:  no socket, with a phrase in `why`, if nobody answers in time.
 x11_socket connect_to_x11(const std::string& display, milliseconds longest, std::string& why) {
     const auto deadline = steady_clock::now() + longest;
     const auto colon = display.rfind(':');
@@ -181,8 +182,8 @@ struct cookie_freer {
 };
 using unique_cookie = std::unique_ptr<Xauth, cookie_freer>;
 
-/// The address by which the file of cookies knows the other end of a socket: servers of this
-/// machine by its name, as Xlib looks them up.
+/// The address by which the file of cookies knows the other end of a socket. Servers on this
+/// machine are looked up by its name, as Xlib does.
 struct peer {
     unsigned short family = FamilyLocal;
     std::vector<char> address;
@@ -251,7 +252,7 @@ std::string greeting(const Xauth* cookie) {
     return bytes;
 }
 
-/// Receives all bytes. Errors: false if they do not come in time.
+/// Receives bytes until the span is full. Errors: false if they do not come in time.
 bool receive(int file, std::span<char> bytes, steady_clock::time_point deadline) {
     while (!bytes.empty()) {
         const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
@@ -266,7 +267,7 @@ bool receive(int file, std::span<char> bytes, steady_clock::time_point deadline)
     return true;
 }
 
-/// Why the server refuses, in its own words. None if it accepts, or says nothing.
+/// The server's own words for its refusal. There are none if it accepts, or says nothing.
 std::optional<std::string> refused(int file, const Xauth* cookie,
                                    steady_clock::time_point deadline) {
     const auto said = greeting(cookie);
@@ -281,11 +282,11 @@ std::optional<std::string> refused(int file, const Xauth* cookie,
         return {};
     reason.resize(
         std::min(reason.size(), static_cast<std::size_t>(static_cast<unsigned char>(head[1]))));
-    // Some say two things, each on a line.
+    // Some servers give two reasons, each on a line of its own.
     return reason.substr(0, reason.find_first_of(std::string_view("\n\0", 2)));
 }
 
-/// Explains a server's refusal to the user.
+/// Explains a server's refusal to the user. `said` are the server's own words.
 x11_refusal meaning(const std::string& said, bool has_cookie) {
     const char* const name = XauFileName();
     const std::string file = name == nullptr ? "any file" : name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_shm_segment: files and System V memory, and the proof that two programs see the same.
+// x11_shm_segment: shared files and System V memory, and the proof that two programs see the same
+// memory.
 #include "tool_2d/x11/x11_shm_segment_p.h"
 
 #include "tool_2d/x11/x11_image_p.h"
@@ -26,20 +27,21 @@
 namespace l3d_detail {
 namespace {
 
-// Linux attaches a segment by its number even after its name was removed; others may not.
+// Whether a segment can be attached by its number after its name was removed. Linux allows that,
+// and other systems may not.
 #ifdef __linux__
 constexpr bool attaches_nameless = true;
 #else
 constexpr bool attaches_nameless = false;
 #endif
 
-// The proof is a row of so many pixels. At 8 bits each, memory of someone else looks like it by
-// chance once in 2^512.
+// The proof that the server sees our memory is a row of this many random pixels. At 8 bits each,
+// other memory looks the same by chance once in 2^512.
 constexpr int proof_width = 64;
-// Room for such a row, at 32 bits each.
+// The bytes of such a row, at 32 bits a pixel.
 constexpr std::size_t proof_size = std::size_t{4} * proof_width;
 
-/// Frees an image that Xlib made, pixels included.
+/// Frees an image that Xlib made, and its pixels.
 struct copy_freer {
     void operator()(XImage* image) const { XDestroyImage(image); }
 };
@@ -49,7 +51,7 @@ std::string kernel_reason(const char* call) {
     return std::string(call) + ": " + std::generic_category().message(errno);
 }
 
-/// Whether sharing cannot work, so that there is no need to try.
+/// Whether sharing certainly fails, so that there is no need to try.
 bool is_hopeless(const x11_connection& connection, std::string& why) {
     const char* const refusal = std::getenv("L3D_NO_SHM");
     if (refusal != nullptr && *refusal != '\0')
@@ -63,13 +65,13 @@ bool is_hopeless(const x11_connection& connection, std::string& why) {
     return true;
 }
 
-/// Has the server copy pixels from the segment, and reads them back over the connection. Null if
+/// Lets the server copy pixels from the segment, and reads them back over the connection. Null if
 /// the server refuses.
 unique_copy copy_by_server(const x11_connection& connection, XImage& row) {
     auto* const display = connection.display();
     const auto pixmap =
         XCreatePixmap(display, connection.root(), proof_width, 1, static_cast<unsigned>(row.depth));
-    // Each display comes with a context for pixmaps of its usual depth.
+    // Each display comes with a graphics context for its usual depth.
     GC graphics = DefaultGC(display, connection.screen());
     const bool is_usual = row.depth == DefaultDepth(display, connection.screen());
     if (!is_usual)
@@ -90,7 +92,8 @@ bool have_same_pixels(XImage& one, XImage& other) {
     return true;
 }
 
-/// Expects: a trap since before the server was told of the segment.
+/// Whether the server sees the pixels that this program writes.
+/// Expects: a trap from before the server was told of the segment.
 bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& connection,
                  const x11_error_trap& trap, std::string& why) {
     std::random_device random;
@@ -133,6 +136,7 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::make(x11_connection& connectio
     return segment;
 }
 
+/// Makes a segment of a shared file.
 /// Errors:  null, with a reason in `why` unless the server is just too old.
 std::unique_ptr<x11_shm_segment> x11_shm_segment::by_file(x11_connection& connection,
                                                           std::size_t size, std::string& why) {
@@ -174,7 +178,7 @@ std::unique_ptr<x11_shm_segment> x11_shm_segment::by_system_v(x11_connection& co
 bool x11_shm_segment::attach_file(std::size_t size, std::string& why) {
     rlimit largest{};
     if (getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur < size) {
-        // Above the limit the kernel would send a signal, which ends programs.
+        // Above the limit, the kernel would send a signal, which ends programs.
         why = "the limit of file sizes (ulimit -f) is too small";
         return false;
     }
@@ -183,7 +187,7 @@ bool x11_shm_segment::attach_file(std::size_t size, std::string& why) {
         why = kernel_reason("memfd_create");
         return false;
     }
-    // A sealed file cannot shrink under the server's reads.
+    // A sealed file cannot shrink while the server reads it.
     void* address = MAP_FAILED;
     if (ftruncate(file, static_cast<off_t>(size)) == 0 &&
         fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK) == 0)
@@ -199,7 +203,7 @@ bool x11_shm_segment::attach_file(std::size_t size, std::string& why) {
     info_.readOnly = True;
     auto* const xcb = XGetXCBConnection(connection_.display());
     info_.shmseg = xcb_generate_id(xcb);
-    xcb_shm_attach_fd(xcb, static_cast<xcb_shm_seg_t>(info_.shmseg), file, 1); // closes it here
+    xcb_shm_attach_fd(xcb, static_cast<xcb_shm_seg_t>(info_.shmseg), file, 1); // closes the file
     return true;
 }
 
@@ -225,7 +229,7 @@ bool x11_shm_segment::attach(std::size_t size, std::string& why) {
     return true;
 }
 
-/// Takes the name away, by which others could find the segment, and which would outlive us.
+/// Removes the segment's name, by which others could find it, and which would outlive the program.
 void x11_shm_segment::forget_name() {
     if (std::exchange(is_named_, false))
         shmctl(info_.shmid, IPC_RMID, nullptr);

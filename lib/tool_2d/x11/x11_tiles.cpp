@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_tiles: boxes are cut at tiles when they come, and joined again when they go.
+// x11_tiles: boxes are cut at tiles when they are added, and joined again when they are taken.
 #include "tool_2d/x11/x11_tiles_p.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ l3d_pixel_box& x11_tiles::tile(int column, int row) {
                   static_cast<std::size_t>(column)];
 }
 
-/// Calls visit(kept, place) for each tile that a box touches, and counts the tile's pixels anew.
+/// Calls visit(kept, place) for each tile that a box touches, and updates the number of pixels.
 template <class Visit> void x11_tiles::visit_tiles(const l3d_pixel_box& box, Visit visit) {
     if (box.empty())
         return;
@@ -52,7 +52,7 @@ std::vector<l3d_pixel_box> x11_tiles::inside(const l3d_pixel_box& box) const {
     return found;
 }
 
-/// The boxes of neighbours become one.
+/// Takes boxes of a row of tiles. Boxes of neighbouring tiles become one.
 std::vector<l3d_pixel_box> x11_tiles::take_row(int row, std::int64_t most, std::int64_t& taken) {
     std::vector<l3d_pixel_box> found;
     bool goes_on = false;
@@ -74,7 +74,7 @@ std::vector<l3d_pixel_box> x11_tiles::take(std::int64_t most) {
     std::int64_t taken = 0;
     for (int row = 0; row < rows_ && !empty() && (taken < most || taken == 0); ++row) {
         for (const l3d_pixel_box& box : take_row(row, most, taken)) {
-            // A box below one of the same columns lengthens it.
+            // A box that continues another one downwards, with the same columns, lengthens that.
             const auto above = std::ranges::find_if(found, [&](const l3d_pixel_box& other) {
                 return other.bottom == box.top && other.left == box.left &&
                        other.right == box.right;

@@ -17,7 +17,7 @@
 namespace l3d_detail {
 namespace {
 
-// X's numbers for its classes are ours.
+// X's numbers for the classes of visuals are those of l3d_color_class.
 static_assert(StaticGray == int(l3d_color_class::static_gray) &&
               GrayScale == int(l3d_color_class::gray_scale) &&
               StaticColor == int(l3d_color_class::static_color) &&
@@ -30,7 +30,7 @@ struct x11_freer {
 };
 template <class T> using x11_list = std::unique_ptr<T[], x11_freer>;
 
-/// Fills in how pixels of this depth are stored.
+/// Sets how pixels of the layout's depth are stored.
 void set_storage(Display* display, l3d_pixel_layout& layout) {
     int count = 0;
     const x11_list<XPixmapFormatValues> formats(XListPixmapFormats(display, &count));
@@ -71,10 +71,11 @@ bool is_usable(const x11_visual& visual) {
     const auto& layout = visual.layout;
     if (layout.bits_per_pixel < 8 || layout.bits_per_pixel % 8 != 0)
         return false;
-    // From here on twelve bits: a cube of 16x16x16 needs no more.
+    // Maps of more than twelve bits are left out, as a cube of 16x16x16 needs no more.
     if (!has_masks(visual))
         return layout.bits_per_pixel <= 16 && visual.cells >= 16 && visual.cells <= 4096;
-    // One run of at most 16 ones: shifted down and increased it is a power of two.
+    // Masks are one run of at most 16 ones. Such a mask, shifted down and increased by one, is a
+    // power of two.
     return layout.bits_per_pixel <= 32 &&
            std::ranges::all_of(masks_of(layout), [](std::uint32_t mask) {
                const auto run = mask == 0 ? 0 : mask >> std::countr_zero(mask);
@@ -82,7 +83,7 @@ bool is_usable(const x11_visual& visual) {
            });
 }
 
-/// Bits of the poorest channel, up to our eight.
+/// The bits of the poorest channel, at most eight.
 int fewest_bits(const x11_visual& visual) {
     if (visual.layout.color_class == l3d_color_class::static_gray ||
         visual.layout.color_class == l3d_color_class::gray_scale)
@@ -95,13 +96,13 @@ int fewest_bits(const x11_visual& visual) {
     return fewest;
 }
 
-/// With so many bits in each channel, shading looks smooth.
+/// Whether channels have enough bits for shading to look smooth.
 bool is_good(const x11_visual& visual) {
     return has_masks(visual) && fewest_bits(visual) >= 5;
 }
 
-/// Bits beside the colours' are alpha. Such windows are drawn elsewhere, and what comes to the
-/// screen is squeezed into the default visual.
+/// Whether pixels have bits beside those of colours, which are alpha. Such windows are drawn in
+/// memory of their own, and then converted to the default visual.
 bool has_alpha(const x11_visual& visual) {
     const auto& layout = visual.layout;
     return layout.depth == 32 && ~(layout.red_mask | layout.green_mask | layout.blue_mask) != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_window: attributes and properties.
+// x11_window: its attributes and its properties.
 #include "tool_2d/x11/x11_window_p.h"
 
 #include "tool_2d/x11_window/x11_resolution_p.h"
@@ -45,9 +45,10 @@ constexpr unsigned char icon_file[] = {
 #include "packaging/desktop/icon.png.bytes"
 };
 
-/// The library's own picture for desktops, as _NET_WM_ICON has it: width, height, and 0xAARRGGBB
-/// for each pixel from the top left on, in longs, whatever their size.
-/// Source: Extended Window Manager Hints, 1.3.
+/// The library's icon for desktops, in the form of _NET_WM_ICON. It is width, height, and
+/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever the size of
+/// that.
+/// Source:  Extended Window Manager Hints, 1.3.
 std::vector<long> icon() {
     png_image picture{};
     picture.version = PNG_IMAGE_VERSION;
@@ -111,7 +112,7 @@ x11_window::~x11_window() {
     const bool is_own = graphics_ != DefaultGC(display(), connection_->screen());
     if (connection_->lost()) {
         if (is_own)
-            XFree(graphics_); // Xlib's own record of it: there is no server to tell.
+            XFree(graphics_); // frees only Xlib's record of it, as there is no server to tell
         return;
     }
     if (is_own)
@@ -123,17 +124,17 @@ void x11_window::create(l3d_size native) {
     const auto root = connection_->root();
     XSetWindowAttributes attributes{};
     attributes.colormap = colormap_->id();
-    // Not inherited: a parent of another depth has no pixel for the border.
+    // The border's pixel is not inherited: a parent of another depth has none that fits.
     attributes.border_pixel = 0;
     attributes.background_pixel = ground_ = info().to_display(0);
-    // The picture stays when the window grows: only new parts show the ground.
+    // The picture stays when the window grows, and only new parts show the ground.
     attributes.bit_gravity = NorthWestGravity;
     attributes.event_mask = events_always;
     window_ = XCreateWindow(
         display(), root, 0, 0, static_cast<unsigned>(native.width),
         static_cast<unsigned>(native.height), 0, visual_.layout.depth, InputOutput, visual(),
         CWColormap | CWBorderPixel | CWBackPixel | CWBitGravity | CWEventMask, &attributes);
-    // Each display comes with a context for windows of its usual depth.
+    // Each display comes with a graphics context for its usual depth.
     const bool is_usual = visual_.layout.depth == DefaultDepth(display(), connection_->screen());
     graphics_ = is_usual ? DefaultGC(display(), connection_->screen())
                          : XCreateGC(display(), window_, 0, nullptr);
@@ -145,7 +146,8 @@ void x11_window::set_property(Atom name, Atom type, int format, const void* data
                     static_cast<const unsigned char*>(data), static_cast<int>(count));
 }
 
-/// The old name is in Latin-1 if that can write it, else in an encoding that Xlib chooses.
+/// Sets the title, also in its old property. That is in Latin-1 if this can hold it, else in an
+/// encoding that Xlib chooses.
 void x11_window::set_title(std::string title) {
     set_property(atoms_.net_wm_name, atoms_.utf8_string, 8, title.data(), title.size());
     XTextProperty old_name{};
@@ -156,14 +158,14 @@ void x11_window::set_title(std::string title) {
     }
 }
 
-// Not XSetWMProperties, which sets more: each property is a request, and a slow display's start
-// is the sum of them.
+// Sets the window's names one by one. XSetWMProperties would set more. Each property is a request,
+// and a slow display's start is the sum of its requests.
 void x11_window::set_names(const l3d_screen_request& request) {
     set_title(request.title);
     std::string instance = request.name, class_name = "L3d";
     XClassHint names{instance.data(), class_name.data()};
     XSetClassHint(display(), window_, &names);
-    // Managers put another machine's name into the title, if they know it in time.
+    // Managers write another machine's name into the title if they know it in time.
     if (!connection_->is_local())
         set_machine();
 }
@@ -177,7 +179,7 @@ void x11_window::set_machine() const {
 
 void x11_window::set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const {
     if (connection_->is_local())
-        set_machine(); // Without it the number of the process means nothing.
+        set_machine(); // without it, the number of the process means nothing
     const long process = getpid();
     set_property(net_wm_pid, XA_CARDINAL, 32, &process, 1);
     const auto words = icon();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_events: keys, pointer, window.
+// x11_events: events of keys, the pointer and the window.
 #include "tool_2d/x11_window/x11_events_p.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void x11_events::take(XEvent& event) {
         take_now(event);
 }
 
-/// Whether an event has to wait, so that all that the user does keeps its order.
+/// Whether an event has to wait for the keymap, so that the user's events keep their order.
 bool x11_events::waits_for_keyboard(const XEvent& event) const {
     switch (event.type) {
     case MappingNotify:
@@ -129,7 +129,7 @@ void x11_events::look_after() {
 void x11_events::read_keyboard() {
     if (window_.connection().lost())
         return;
-    // Without this a held key looks like one that is pressed again and again.
+    // Without this, a held key looks like one that is pressed again and again.
     XkbSetDetectableAutoRepeat(window_.display(), True, nullptr);
     for (XEvent& event : std::exchange(waiting_, {})) {
         if (window_.connection().lost())
@@ -148,7 +148,7 @@ bool x11_events::next(l3d_event& event) {
     return true;
 }
 
-/// The latest event of these types is enough.
+/// Adds an event and removes earlier ones of these types, since the latest is enough.
 void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
                                  const l3d_event& event) {
     std::erase_if(queue_, [types](const l3d_event& earlier) {
@@ -157,8 +157,8 @@ void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
     push(event);
 }
 
-/// Tells of a change of the window's visibility. A server that keeps covered pixels sends no
-/// expose.
+/// Tells of a change of the window's visibility. When the window can be seen again, a server that
+/// kept the covered pixels sends no expose event.
 void x11_events::look() {
     const bool hidden = covered_ || unmapped_ || away_;
     constexpr auto hide = l3d_event_type::hide, reveal = l3d_event_type::reveal;
@@ -168,8 +168,8 @@ void x11_events::look() {
         push_instead_of({l3d_event_type::expose, hide, reveal}, {.type = l3d_event_type::expose});
 }
 
-/// The server itself tells of each new size. Events that other clients send tell of places; their
-/// size may be anything.
+/// Takes a new size. Only the server itself tells of new sizes. Events that other clients send tell
+/// of places, and their size may be anything.
 void x11_events::take_size(const XConfigureEvent& event) {
     if (event.send_event == 0) {
         size_ = window_.ours({event.width, event.height});
@@ -178,8 +178,8 @@ void x11_events::take_size(const XConfigureEvent& event) {
     tell_size();
 }
 
-/// X counts milliseconds in 32 bits, which overflow after 49.7 days. Programs may send events
-/// without a time.
+/// The server's time, as a number that does not overflow. X counts milliseconds in 32 bits, which
+/// overflow after 49.7 days. Programs may send events without a time.
 std::chrono::milliseconds x11_events::since_start(Time time) {
     const auto now = static_cast<std::uint32_t>(time);
     if (time_.count() == 0)
@@ -190,7 +190,7 @@ std::chrono::milliseconds x11_events::since_start(Time time) {
     return time_;
 }
 
-/// Fills the fields that all events of a user have.
+/// Begins an event with the fields that all events of a user have.
 template <class Event> l3d_event x11_events::at(const Event& event) {
     l3d_event ours{.x = window_.ours(event.x), .y = window_.ours(event.y)};
     ours.time = since_start(event.time);
@@ -198,7 +198,8 @@ template <class Event> l3d_event x11_events::at(const Event& event) {
     return ours;
 }
 
-/// Takes a change of the keyboard's focus; events about the pointer's focus do not count.
+/// Takes a change of the keyboard's focus. Events about the focus that follows the pointer do not
+/// count.
 void x11_events::take_focus(const XFocusChangeEvent& event) {
     if (event.detail == NotifyPointer || event.detail == NotifyInferior)
         return;
@@ -225,7 +226,7 @@ void x11_events::take_press(XKeyEvent& event) {
     push(press);
 }
 
-/// The key that was pressed, whatever modifiers are held now.
+/// Releases the key that was pressed, whatever modifiers are held at its release.
 void x11_events::take_release(const XKeyEvent& event) {
     if (is_autorepeat(event))
         return;
@@ -238,7 +239,7 @@ void x11_events::take_release(const XKeyEvent& event) {
     push(release);
 }
 
-/// Releases all held keys: without the keyboard we do not hear of them.
+/// Releases all held keys, as without the keyboard's focus we do not hear of their releases.
 void x11_events::release_all() {
     for (int& held : held_)
         if (const int key = std::exchange(held, 0); key != 0 && key != untold) {
@@ -248,7 +249,8 @@ void x11_events::release_all() {
         }
 }
 
-/// Servers without detectable autorepeat send a release with each repeated press, at one time.
+/// Whether a release belongs to a repeated press. Servers without detectable autorepeat send both
+/// at the same time.
 bool x11_events::is_autorepeat(const XKeyEvent& release) const {
     if (XEventsQueued(window_.display(), QueuedAfterReading) == 0)
         return false;
@@ -259,12 +261,12 @@ bool x11_events::is_autorepeat(const XKeyEvent& release) const {
 }
 
 void x11_events::take_button(const XButtonEvent& event, l3d_event_type type) {
-    // X has no wheel: a notch is a click of button 4 or 5. Above these are sideways wheels.
+    // X has no wheel: a notch is a click of button 4 or 5. Higher numbers are sideways wheels.
     l3d_event ours = at(event);
     ours.type = type;
     const bool is_press = type == l3d_event_type::button_press;
     if (event.button == Button4 || event.button == Button5) {
-        // The server makes a click of each full notch of a fine wheel, too, at the same time.
+        // For each full notch of a fine wheel, the server also makes a click at the same time.
         if (is_press && (turned_at_ == 0 || event.time != turned_at_))
             push_turn(ours, event.button == Button4 ? 1 : -1);
     } else if (event.button <= Button3) {
@@ -284,15 +286,15 @@ void x11_events::push_turn(l3d_event event, double notches) {
     event.type = l3d_event_type::wheel;
     event.turn = notches;
     turned_ += notches;
-    // Ten tenths count as one despite rounding.
+    // Ten tenths of a notch count as one despite rounding.
     constexpr double nothing = 1e-6;
     event.notches = static_cast<int>(turned_ + std::copysign(nothing, turned_));
     turned_ -= event.notches;
     push(event);
 }
 
-/// By the server's clock: 400 ms and 4 pixels are what desktops take for a double click. A third
-/// click begins anew.
+/// The number of clicks that a press ends, 1 or 2, by the server's clock. Desktops take clicks
+/// within 400 ms and 4 pixels for a double click. A third click begins anew.
 int x11_events::clicks_of(const XButtonEvent& press) {
     constexpr Time soon = 400;
     constexpr int near = 4;
@@ -329,7 +331,8 @@ bool x11_events::has_close() {
     };
     if (std::ranges::any_of(queue_, is_close))
         return true;
-    // Xlib shows the events that wait to a function that may choose one; this one chooses none.
+    // Xlib shows the waiting events to a function that may choose one. This one only looks, and
+    // chooses none.
     struct question {
         Atom message, protocol;
         bool found;
@@ -355,7 +358,7 @@ void x11_events::take_message(XClientMessageEvent& event) {
     if (protocol == atoms.wm_delete_window) {
         push({.type = l3d_event_type::close});
     } else if (protocol == atoms.net_wm_ping) {
-        // The event, sent back to the root, says that we are alive.
+        // The same event, sent back to the root, tells that the program is alive.
         const auto root = window_.connection().root();
         event.window = root;
         XSendEvent(window_.display(), root, False,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_fullscreen: with a window manager and without one; the pointer.
+// x11_fullscreen: fullscreen with a window manager and without one, and the pointer's rest.
 #include "tool_2d/x11_window/x11_fullscreen_p.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace l3d_detail {
 namespace {
 
 constexpr std::chrono::seconds longest_rest{2};
-// Managers act within some pictures; meanwhile keys count as if they had.
+// The longest wait for a manager to act, which takes it some pictures. Meanwhile, keys count as if
+// it had acted.
 constexpr std::chrono::seconds longest_grant{1};
 
 } // namespace
@@ -33,7 +34,7 @@ void x11_fullscreen::follow() {
     const x11_facts& facts = state_.facts();
     const bool is_granted = facts.grants_fullscreen;
     if (is_granted && covers_) {
-        // The manager shall remember the window's usual place.
+        // The window gets its usual place back, which the manager is to remember.
         uncover();
         wanted_ = wanted_.value_or(true);
     } else if (granted_ && !is_granted) {
@@ -66,16 +67,16 @@ void x11_fullscreen::ask_manager(bool on) {
     event.xclient.window = window_.id();
     event.xclient.message_type = state_.atom(x11_wm_facts::net_wm_state);
     event.xclient.format = 32;
-    event.xclient.data.l[0] = on ? 1 : 0; // add, remove
+    event.xclient.data.l[0] = on ? 1 : 0; // 1 adds the state, 0 removes it
     event.xclient.data.l[1] = static_cast<long>(state_.atom(x11_wm_facts::net_wm_state_fullscreen));
-    event.xclient.data.l[3] = 1; // from an application
+    event.xclient.data.l[3] = 1; // the request comes from an application
     XSendEvent(window_.display(), window_.connection().root(), False,
                SubstructureRedirectMask | SubstructureNotifyMask, &event);
     awaited_ = on;
     awaited_until_ = clock::now() + longest_grant;
 }
 
-/// The monitor that the window's middle is on; else the first.
+/// The monitor that holds the window's middle, or else the first one.
 l3d_pixel_box x11_fullscreen::monitor() const {
     const auto& monitors = state_.facts().monitors;
     if (monitors.empty())
@@ -108,11 +109,12 @@ void x11_fullscreen::uncover() {
     move(place_);
 }
 
-/// The server tells places in the parent, which may be a frame; managers tell those on the screen.
+/// Takes the window's place. Events of the server tell places in the parent, which may be a frame.
+/// Those of managers tell places on the screen.
 void x11_fullscreen::take_place(const XConfigureEvent& event) {
     const bool is_on_screen = event.send_event != 0 || !state_.facts().managed;
     if (covers_) {
-        // A manager's frame moves the window by what it adds at its left and above it.
+        // A manager's frame shifts the window by the widths of its left and upper borders.
         const int right = event.x - asked_.left, down = event.y - asked_.top;
         if (event.send_event == 0 || (right == 0 && down == 0) ||
             std::exchange(is_corrected_, true))
@@ -120,7 +122,7 @@ void x11_fullscreen::take_place(const XConfigureEvent& event) {
         move({asked_.left - right, asked_.top - down, asked_.right - right, asked_.bottom - down});
         return;
     }
-    // A window that is about to cover the screen has the new size before anybody tells.
+    // A window that is about to cover the screen has its new size before any other news of that.
     const l3d_pixel_box whole = monitor();
     if (on_ || !is_on_screen ||
         (event.width == whole.right - whole.left && event.height == whole.bottom - whole.top))

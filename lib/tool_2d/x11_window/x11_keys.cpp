@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_keys: keysyms, layouts of other scripts, the places of keys; symbols one by one or composed.
+// x11_keys: keysyms, layouts of other scripts and the places of keys. x11_text: symbols, one by one
+// or composed.
 #include "tool_2d/x11_window/x11_keys_p.h"
 
 #include "tool_2d/event.h"
@@ -55,7 +56,7 @@ constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
     {XK_Meta_R, l3d_key_alt},
 }};
 
-/// The key of a keysym, 0 if it is none of ours.
+/// The key of a keysym. It is 0 for a keysym that is none of our keys.
 int key_of_keysym(KeySym keysym) {
     const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
     if (named != named_keys.end())
@@ -66,8 +67,8 @@ int key_of_keysym(KeySym keysym) {
     return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
 }
 
-/// The rows of letters and the signs right of them on an American keyboard, by key code. PCs number
-/// their keys alike under every layout.
+/// The key at a place of an American keyboard, by key code: a letter, or a sign right of the
+/// letters. PCs number their keys alike under every layout.
 int key_in_place(unsigned code) {
     struct row {
         unsigned first_code;
@@ -89,18 +90,18 @@ KeySym symbol_of(Display* display, unsigned code, unsigned group, int level) {
     return XkbKeycodeToKeysym(display, static_cast<KeyCode>(code), static_cast<int>(group), level);
 }
 
-/// Whether a group of the layout has Latin letters: half of the alphabet are enough. Layouts of
-/// other scripts have none, although some have signs of ASCII in their places.
+/// Whether a group of the layout has at least half of the Latin letters. Layouts of other scripts
+/// have none, although some have signs of ASCII in their places.
 bool is_latin(Display* display, unsigned group) {
     constexpr int half_of_alphabet = 13;
     int letters = 0;
-    for (unsigned code = 8; code < 256; ++code) // as X numbers keys
+    for (unsigned code = 8; code < 256; ++code) // X numbers keys from 8 to 255
         letters += is_letter(static_cast<int>(symbol_of(display, code, group, 0))) ? 1 : 0;
     return letters >= half_of_alphabet;
 }
 
-/// The Latin letter or sign of a key whose own group has another script: from the first group with
-/// Latin letters, else from the key's place.
+/// The Latin letter or sign of a key whose own group has another script. It is that of the first
+/// group with Latin letters, or else that of the key's place.
 int latin_key(const XKeyEvent& event, unsigned own_group) {
     const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
     for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {
@@ -110,13 +111,13 @@ int latin_key(const XKeyEvent& event, unsigned own_group) {
     return key_in_place(event.keycode);
 }
 
-/// Whether a symbol waits for another key.
+/// Whether a symbol begins a sequence of several keys.
 bool begins_a_sequence(KeySym symbol) {
     return symbol == XK_Multi_key ||
            (symbol >= XK_dead_grave && symbol <= XK_dead_longsolidusoverlay);
 }
 
-/// The locale whose table of sequences the user has.
+/// The locale that chooses the user's table of sequences.
 const char* locale_of_user() {
     for (const char* const variable : {"LC_ALL", "LC_CTYPE", "LANG"})
         if (const char* const value = std::getenv(variable); value != nullptr && *value != 0)
@@ -151,7 +152,7 @@ int key_of(XKeyEvent event) {
     const int length = XLookupString(&event, text.data(), text.size(), &keysym, nullptr);
     if (const int key = key_of_keysym(keysym); key != 0)
         return key;
-    // The digits and signs of the number pad have keysyms of their own, but plain text.
+    // The digits and signs of the number pad have keysyms of their own, but their text is plain.
     if (length == 1 && text[0] >= ' ' && text[0] <= '~')
         return text[0];
     return latin_key(event, group);
@@ -172,7 +173,7 @@ void x11_text::freer::operator()(xkb_compose_state* state) const {
     xkb_compose_state_unref(state);
 }
 
-/// Without a table, which is a file of Xlib's, dead keys type nothing.
+/// Opens the table of sequences, which is a file of Xlib's. Without one, dead keys type nothing.
 void x11_text::open() {
     if (is_open_)
         return;
@@ -180,7 +181,7 @@ void x11_text::open() {
     context_.reset(xkb_context_new(XKB_CONTEXT_NO_DEFAULT_INCLUDES));
     if (!context_)
         return;
-    // The library's own messages are for people who write such files.
+    // The library's messages are for people who write such files.
     xkb_context_set_log_level(context_.get(), XKB_LOG_LEVEL_CRITICAL);
     table_.reset(xkb_compose_table_new_from_locale(context_.get(), locale_of_user(),
                                                    XKB_COMPOSE_COMPILE_NO_FLAGS));
@@ -203,12 +204,12 @@ std::string x11_text::typed(XKeyEvent press) {
     case XKB_COMPOSE_NOTHING:
         return text_of(symbol);
     case XKB_COMPOSE_COMPOSED: {
-        std::array<char, 256> bytes{}; // the longest that it gives
+        std::array<char, 256> bytes{}; // the longest text that xkbcommon gives
         xkb_compose_state_get_utf8(state_.get(), bytes.data(), bytes.size());
         return bytes.data();
     }
     default:
-        return {}; // the sequence goes on, or was broken off
+        return {}; // the sequence goes on, or it was broken off
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_pointer: the grab, and differences of places.
+// x11_pointer: grabs the pointer, and tells its motion by differences of places.
 #include "tool_2d/x11_window/x11_pointer_p.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace l3d_detail {
 namespace {
 
-// A manager that holds the pointer itself, as while keys switch windows, soon lets it go.
+// The time between two tries to grab the pointer. A manager holds it while keys switch windows, and
+// soon lets it go.
 constexpr std::chrono::milliseconds between_tries{100};
 
 } // namespace
@@ -51,7 +52,7 @@ void x11_pointer::look_after() {
         return;
     if (cursor_ == 0)
         cursor_ = window_.make_empty_cursor();
-    XFlush(window_.display()); // the cursor goes first
+    XFlush(window_.display()); // the request for the cursor must come first
     constexpr std::uint32_t events = ButtonPressMask | ButtonReleaseMask | PointerMotionMask;
     const auto window = static_cast<xcb_window_t>(window_.id());
     asked_ = xcb_grab_pointer(xcb_, 0, window, static_cast<std::uint16_t>(events),
@@ -60,7 +61,7 @@ void x11_pointer::look_after() {
     echo_.ask();
 }
 
-/// Takes an echo; the server's answer has come before it.
+/// Takes an echo. The server's answer about the grab came before it.
 bool x11_pointer::take(const XEvent& event) {
     if (!echo_.take(event))
         return false;
@@ -81,8 +82,8 @@ void x11_pointer::put_back() {
     XWarpPointer(window_.display(), None, window_.id(), 0, 0, 0, 0, middle().x, middle().y);
 }
 
-/// Whether a place comes after the leap to the middle. An earlier motion may carry the number of
-/// the leaping request, so the distance decides.
+/// Whether a place comes after the pointer was put to the middle. An earlier motion may carry the
+/// number of that request, so the distance decides.
 bool x11_pointer::has_leapt_to(const place& now) const {
     const auto distance = [&now](const place& from) {
         return std::max(std::abs(now.x - from.x), std::abs(now.y - from.y));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_resolution: the resource Xft.dpi, and the setting Xft/DPI.
+// x11_resolution: the resolution by the setting Xft/DPI, or by the resource Xft.dpi.
 #include "tool_2d/x11_window/x11_resolution_p.h"
 
 #include <algorithm>
@@ -28,16 +28,18 @@ double resource_dpi(std::string_view resources) {
     char* type = nullptr;
     XrmValue value{};
     double dpi = usual_dpi;
-    // The value is text that ends with a zero, which is counted. Not read by the locale's rules.
+    // The value is text that ends with a zero, which is counted. It is not read by the locale's
+    // rules.
     if (XrmGetResource(database.get(), "Xft.dpi", "Xft.Dpi", &type, &value) != 0)
         std::from_chars(value.addr, value.addr + std::strlen(value.addr), dpi);
     return dpi;
 }
 
-/// Reads numbers one by one; after a missing one, all others count as missing.
+/// Reads the numbers and texts of settings one by one. After a missing one, all others count as
+/// missing.
 class settings_reader {
 public:
-    /// The first byte is 0 for the low byte first.
+    /// Expects: a text whose first byte is 0 if numbers have their low byte first.
     explicit settings_reader(std::string_view text)
         : rest_(text), is_low_first_(!text.empty() && text[0] == 0) {
         skip(4);
@@ -56,7 +58,7 @@ public:
         return value;
     }
 
-    /// Takes a text and the bytes that fill up its last word.
+    /// Takes a text, and the bytes that fill up its last word.
     std::string_view text(std::size_t bytes) {
         const auto found = take(bytes);
         skip((4 - bytes % 4) % 4);
@@ -76,7 +78,7 @@ private:
     bool is_whole_ = true;
 };
 
-/// This is 1 also for dots that are no number.
+/// The factor from the usual resolution, at least 1. It is 1 if `dpi` is not a number.
 double fineness_of(double dpi) {
     const double wanted = dpi / usual_dpi;
     return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;
@@ -88,12 +90,12 @@ std::optional<double> xsettings_dpi(std::string_view text) {
     enum type : std::uint32_t { whole_number, words, color };
     constexpr double units = 1024;
     settings_reader reader(text);
-    reader.skip(4); // the serial of all
+    reader.skip(4); // the serial number of all settings
     for (auto count = reader.number(4); count > 0 && reader.is_whole(); --count) {
         const auto type = reader.number(1);
         reader.skip(1);
         const auto name = reader.text(reader.number(2));
-        reader.skip(4); // the serial of this one
+        reader.skip(4); // the serial number of this setting
         if (type == whole_number) {
             const auto value = static_cast<std::int32_t>(reader.number(4));
             if (name == "Xft/DPI" && reader.is_whole() && value > 0)

@@ -8,8 +8,8 @@
 #include <X11/Xlib-xcb.h>
 #include <X11/Xproto.h>
 
-/// Names the function that reads an extension's events from the wire. Xlib exports it for libraries
-/// of extensions, in a header that no program can include beside others.
+/// Sets the function that reads an extension's events from the wire. Xlib exports this call for
+/// libraries of extensions. Its header cannot be included beside others, so it is declared here.
 extern "C" Bool (*XESetWireToEventCookie(Display* display, int extension,
                                          Bool (*read)(Display*, XGenericEventCookie*,
                                                       xEvent*)))(Display*, XGenericEventCookie*,
@@ -27,8 +27,8 @@ int whole(xcb_input_fp1616_t value) {
     return value >> 16;
 }
 
-/// Keeps the message, of which Xlib knows nothing, as XCB has its events: a number of XCB's own
-/// follows the first 32 bytes. The length counts words behind these.
+/// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. There, a number of
+/// XCB's own follows the first 32 bytes. The length counts the words behind those.
 Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     constexpr std::size_t head = 32, word = 4;
     const auto* const first = reinterpret_cast<const std::uint8_t*>(wire);
@@ -45,7 +45,7 @@ Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     cookie->display = display;
     cookie->extension = event->extension;
     cookie->evtype = event->event_type;
-    cookie->data = kept; // Xlib frees it.
+    cookie->data = kept; // Xlib frees it
     return True;
 }
 
@@ -75,7 +75,8 @@ void x11_scroll::proceed() {
     echo_.ask();
 }
 
-/// The server takes us for an old program unless we ask for its version.
+/// Asks for the devices. The server takes us for an old program unless we ask for its version
+/// first.
 void x11_scroll::ask() {
     if (std::exchange(stage_, stage::asking) == stage::searching) {
         xcb_discard_reply(xcb_, xcb_input_xi_query_version(xcb_, 2, 1).sequence);
@@ -84,7 +85,8 @@ void x11_scroll::ask() {
     devices_ = xcb_input_xi_query_device(xcb_, XCB_INPUT_DEVICE_ALL_MASTER);
 }
 
-/// Shape:   the first eight events as bits; their masks come as bytes, the lowest first.
+/// Selects the events that the server sends.
+/// Shape:   the first eight events as bits. The protocol has masks in bytes, the lowest first.
 void x11_scroll::select(std::uint8_t mask) {
     if (std::exchange(mask_, mask) == mask)
         return;
@@ -110,7 +112,7 @@ void x11_scroll::hear() {
                                  XCB_INPUT_XI_EVENT_MASK_MOTION | XCB_INPUT_XI_EVENT_MASK_ENTER);
 }
 
-/// Adds all axes of a device: where they stand, and how far a notch is if they are wheels.
+/// Adds all axes of a device with their places, and for wheels the length of a notch.
 void x11_scroll::add_wheels(const xcb_input_xi_device_info_t& device) {
     for (auto at = xcb_input_xi_device_info_classes_iterator(&device); at.rem > 0;
          xcb_input_device_class_next(&at)) {
@@ -144,7 +146,8 @@ std::optional<x11_turn> x11_scroll::take(XEvent& event) {
     if (event.xcookie.evtype == XCB_INPUT_MOTION) {
         turn = take_motion(*static_cast<const xcb_input_motion_event_t*>(event.xcookie.data));
     } else {
-        // A wheel of another device, or turned elsewhere: the last numbers mean nothing.
+        // Another device's wheel turns, or a wheel turned elsewhere, so the last places mean
+        // nothing.
         for (auto& known : wheels_)
             known.second.last.reset();
         if (stage_ == stage::watching)
@@ -173,7 +176,7 @@ x11_turn x11_scroll::take_motion(const xcb_input_motion_event_t& event) {
         const auto found = wheels_.find({event.deviceid, static_cast<std::uint16_t>(axis)});
         if (found == wheels_.end())
             continue;
-        // X counts turns towards the user.
+        // X counts turns towards the user as positive.
         auto& [increment, last] = found->second;
         if (last)
             turn.notches -= (place - *last) / increment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_wm_facts: questions without waiting, and facts from their answers.
+// x11_wm_facts: asks questions without waiting, and takes facts from the answers.
 #include "tool_2d/x11_window/x11_wm_facts_p.h"
 
 #include "tool_2d/x11_window/x11_resolution_p.h"
@@ -19,15 +19,16 @@
 namespace l3d_detail {
 namespace {
 
-// Limit of a property, in words: texts of settings have some kilobytes.
+// The limit of a property's length, in words. Texts of settings have some kilobytes.
 constexpr std::uint32_t longest_property = 1 << 16;
 
 bool holds(const std::vector<std::uint32_t>& list, std::uint32_t wanted) {
     return std::ranges::find(list, wanted) != list.end();
 }
 
-/// A manager that shows several workspaces at once, one a monitor, still names one as current. One
-/// without workspaces may number windows by rules of its own.
+/// Whether the window is on a workspace that is not shown. A manager that shows several workspaces
+/// at once, one on each monitor, still names one as current. A manager without workspaces may
+/// number windows by its own rules.
 bool is_elsewhere(const std::vector<std::uint32_t>& desktop,
                   const std::vector<std::uint32_t>& current,
                   const std::vector<std::uint32_t>& desktops, std::size_t monitors) {
@@ -53,7 +54,7 @@ void x11_wm_facts::ask() {
     if (is_due_)
         return;
     if (stage_ == stage::unwatched) {
-        // Listening begins before the first question, so that later changes are told.
+        // Listening begins before the first question, so that no later change is missed.
         XSelectInput(window_.display(), window_.connection().root(),
                      PropertyChangeMask | StructureNotifyMask);
         ask_names();
@@ -101,7 +102,8 @@ xcb_get_property_cookie_t x11_wm_facts::ask_property(Window window, name propert
                             XCB_GET_PROPERTY_TYPE_ANY, 0, longest_property);
 }
 
-/// Empty if there is none, or if it is no list of numbers.
+/// The answer about a property. It is empty if there is no such property, or if this is no list of
+/// numbers.
 std::vector<std::uint32_t> x11_wm_facts::hear_property(xcb_get_property_cookie_t cookie) const {
     const unique_reply<xcb_get_property_reply_t> reply(
         xcb_get_property_reply(xcb_, cookie, nullptr));
@@ -132,7 +134,7 @@ void x11_wm_facts::ask_facts() {
         question_.settings = ask_property(settings_, xsettings);
     question_.resources =
         xcb_get_property(xcb_, 0, root, XA_RESOURCE_MANAGER, XA_STRING, 0, longest_property);
-    // Known since the names were heard.
+    // XCB knows the answer since the names were heard, so this does not wait.
     const auto* const randr = xcb_get_extension_data(xcb_, &xcb_randr_id);
     question_.has_randr = randr != nullptr && randr->present != 0;
     if (question_.has_randr) {
@@ -158,7 +160,8 @@ std::vector<l3d_pixel_box> x11_wm_facts::hear_monitors() {
     return monitors;
 }
 
-/// The fineness changes only once the settings of the present manager are there.
+/// Takes the fineness from the settings. It changes only once those of the present manager of
+/// settings have come.
 void x11_wm_facts::hear_settings() {
     const auto hear_text = [this](xcb_get_property_cookie_t cookie) {
         return unique_reply<xcb_get_property_reply_t>(
@@ -206,7 +209,7 @@ void x11_wm_facts::hear_facts() {
         check_ = named;
         if (named != 0)
             XSelectInput(window_.display(), named, StructureNotifyMask);
-        again_ = true; // A window that a dead manager left named says nothing.
+        again_ = true; // a dead manager may have left the name of its window
     }
     // A manager is the one client that redirects the root's children.
     facts_.managed = root && (root->all_event_masks & SubstructureRedirectMask) != 0;
