@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// backend_survey: asking the rows, and asking the user.
+// backend_survey: asks the back-ends whether they serve, and asks the user.
 #include "system/backend_survey_p.h"
 
 #include "base/did_you_mean_p.h"
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Least width of the column of names; a space separates it from the next.
+/// Least width of the column of names. A space follows it.
 constexpr int name_column = 7;
 
 std::string without_blanks_around(const std::string& text) {
@@ -67,8 +67,8 @@ void backend_survey::diagnose(std::ostream& out) {
         if (!row.variant)
             row.screen_factory->diagnose(probes);
     for (const l3d_probe& probe : probes) {
-        // The display would give the same answer again, and libraries would print it to stderr
-        // again.
+        // The display is not asked again: it would answer the same, and libraries would print that
+        // to stderr once more.
         if (probe.what == l3d_display_probe && probe.outcome == l3d_probe::verdict::bad)
             display_problem_ = {l3d_service::level::no_display, probe.result};
         const bool good = probe.outcome == l3d_probe::verdict::good;
@@ -142,7 +142,7 @@ const l3d_backend* backend_survey::asked(std::istream& in, std::ostream& out) {
         out << "Number or name [" << usual + 1 << "], or q to quit: " << std::flush;
         std::string line;
         if (!std::getline(in, line)) {
-            out << rows_[serving[usual]].name << '\n'; // on the question's line
+            out << rows_[serving[usual]].name << '\n'; // ends the question's line
             return &rows_[serving[usual]];
         }
         const std::string answer = without_blanks_around(line);

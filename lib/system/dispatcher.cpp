@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher: the part that all kinds share.
+// l3d_dispatcher: the part that all kinds of dispatchers share.
 #include "system/dispatcher.h"
 
 #include "pipeline/captioned_p.h"
@@ -20,9 +20,9 @@ l3d_exit l3d_dispatcher::start() {
 }
 
 l3d_exit l3d_dispatcher::start_with_caption() {
-    std::string why; // the canvas's maker has told the reason
+    std::string why; // ignored, as the canvas's maker has told the reason
     const l3d_font font = l3d_font::of_system(why);
-    const double hint_seconds = caption_.teaches.empty() ? 8 : 15; // two lines are read in four
+    const double hint_seconds = caption_.teaches.empty() ? 8 : 15; // two lines are read in 4 s
     l3d_detail::captioned shown(*pipeline_, *screen_, caption_, font, hint_seconds);
     const l3d_exit result = do_start(shown, *screen_);
     pipeline_->done |= shown.done;
@@ -31,9 +31,10 @@ l3d_exit l3d_dispatcher::start_with_caption() {
 
 namespace {
 
-/// A letter with Ctrl, Alt or Super held is another key than the letter, and none of ours. The
-/// pipeline hears of Ctrl with digits and keys that are no character by any_event. A modifier alone
-/// changes other keys, and does not count as a key; nor does a key that only types.
+/// Whether the pipeline gets a press as a key_event. A key with Alt or Super held is another key,
+/// and none of ours; so is a letter with Ctrl. For digits and keys that are no character, any_event
+/// tells whether Ctrl is held. A modifier alone does not count as a key, nor does a key that only
+/// types.
 bool is_plain(const l3d_event& press) {
     if (press.key == 0 || press.key == l3d_key_shift || press.key == l3d_key_control ||
         press.key == l3d_key_alt)

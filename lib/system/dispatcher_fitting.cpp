@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_fitting: the choice.
+// l3d_dispatcher_fitting: chooses a window's dispatcher or that of a script.
 #include "system/dispatcher.h"
 
 #include "system/dispatcher_window.h"
@@ -7,7 +7,7 @@
 
 l3d_dispatcher_fitting::l3d_dispatcher_fitting(const l3d_frame_settings& settings)
     : settings_(settings) {
-    l3d_frame_writer{settings.output}; // complains now rather than after a window has come up
+    l3d_frame_writer{settings.output}; // tells faults early, before there is a window
 }
 
 l3d_exit l3d_dispatcher_fitting::do_start(l3d_pipeline& pipeline, l3d_screen& screen) {

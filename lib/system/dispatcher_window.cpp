@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// The longest sleep while nothing moves: a signal and every event end it.
+/// The longest sleep while nothing moves. Signals and events end it earlier.
 constexpr std::chrono::hours longest_rest{24};
 
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {
@@ -23,7 +23,7 @@ double seconds_between(steady_clock::time_point from, steady_clock::time_point t
 
 } // namespace
 
-/// One run of the loop, with its memory from turn to turn.
+/// One run of the event loop, with its state from turn to turn.
 class l3d_dispatcher_window::loop {
 public:
     loop(l3d_dispatcher_window& dispatcher, l3d_pipeline& pipeline, l3d_screen& screen)
@@ -31,7 +31,7 @@ public:
           signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
           last_update_(steady_clock::now()),
           pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {
-        // If files are written, the picture at hand is one of them, and is finished.
+        // If files are written, the frame at hand belongs to one of them, so it is finished.
         if (settings_.output.empty())
             pipeline_.interrupt_when([this] { return signals_.caught() || screen_.is_to_close(); });
     }
@@ -67,7 +67,7 @@ private:
     steady_clock::time_point last_update_;
     l3d_frame_pacer pacer_;
     int frames_ = 0;
-    bool stale_ = true; ///< the pixels hold no drawn picture of this size
+    bool stale_ = true; ///< the pixels hold no picture of this size yet
     bool exposed_ = false;
     bool hidden_ = false;
     bool display_lost_ = false;
@@ -111,15 +111,16 @@ void l3d_dispatcher_window::loop::handle_events() {
     }
 }
 
-/// Whether no picture is to be made until the next event. If frames are counted or written, each
-/// turn is one.
+/// Whether no picture is made until the next event. If frames are counted or written, each turn
+/// makes one.
 bool l3d_dispatcher_window::loop::rests() const {
     if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
         return false;
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Time that nobody sees does not count, and only the pipeline learns of a rest.
+/// Sleeps until the next picture is due, or until an event. Time in which nobody sees a picture
+/// does not count, and only the pipeline is told of a rest's length.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());
@@ -130,9 +131,9 @@ void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     last_update_ = steady_clock::now();
 }
 
-/// One timer, at the moment at which the pipeline wants to be woken.
+/// Sleeps until an event, or until the pipeline wants to be woken.
 void l3d_dispatcher_window::loop::rest(steady_clock::time_point now) {
-    // Rounded up: after a sleep that ends before the rest, the next would have no length.
+    // Rounded up, as a sleep that ends a little early would be followed by one of length 0.
     const auto left = std::chrono::ceil<std::chrono::nanoseconds>(std::chrono::duration<double>(
         std::min(pipeline_.rest_left(), std::chrono::duration<double>(longest_rest).count())));
     screen_.wait(left, signals_.waker());
@@ -166,7 +167,7 @@ l3d_exit l3d_dispatcher_window::loop::run() {
     try {
         make_frames();
     } catch (const l3d_interrupted&) {
-        handle_events(); // one of the events says why
+        handle_events(); // one of the events tells the reason
     }
     l3d_detail::pass_on_remarks(pipeline_, screen_, settings_.program);
     if (stale_ && !settings_.output.empty())

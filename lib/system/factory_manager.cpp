@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_factory_manager: the rows, and the ways to choose one of them.
+// l3d_factory_manager: the table of back-ends, and the ways to choose one of them.
 #include "system/factory_manager.h"
 
 #include "tool_2d/screen_memory.h"
@@ -22,7 +22,7 @@
 
 namespace {
 
-/// A row of the table; its flags are set by hand.
+/// A back-end for the table. Its flags are set by the caller.
 template <class ScreenFactory, class RasterizerFactory, class DispatcherFactory>
 l3d_backend row(std::string name, std::string purpose) {
     l3d_backend made;
@@ -34,7 +34,7 @@ l3d_backend row(std::string name, std::string purpose) {
     return made;
 }
 
-/// The value of an environment variable; empty if there is none.
+/// The value of an environment variable. It is empty if there is none.
 std::string environment(const char* variable) {
     const char* const value = std::getenv(variable);
     return value ? value : "";
@@ -82,12 +82,12 @@ l3d_factory_manager::~l3d_factory_manager() = default;
 
 void l3d_factory_manager::add(l3d_backend row) {
     assert(row.screen_factory && row.rasterizer_factory && row.dispatcher_factory);
-    assert(chosen_ == nullptr); // it points into the rows
+    assert(chosen_ == nullptr); // the choice points into the rows
     rows_.push_back(std::move(row));
 }
 
 bool l3d_factory_manager::choose(l3d_options& options) {
-    constexpr int patience = 10; // seconds: enough to read five lines
+    constexpr int patience = 10; // seconds, enough to read five lines
     const bool may_ask = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     l3d_detail::terminal_lines typed(STDIN_FILENO, std::cout, patience);
     std::istream lines(&typed);
@@ -151,7 +151,7 @@ std::unique_ptr<l3d_screen>
 l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
     l3d_service refusal;
     auto screen = chosen().screen_factory->create(request, refusal);
-    // The row was chosen because there was a display.
+    // The back-end was chosen because there was a display, so the display has gone since.
     if (chosen().on_display && refusal.how == l3d_service::level::no_display)
         refusal.how = l3d_service::level::display_lost;
     if (!screen)

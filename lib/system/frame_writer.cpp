@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_writer: names, numbers and streams; new files under free names.
+// l3d_frame_writer: writes frames to names, numbered names and streams. New files get free names.
 #include "system/frame_writer.h"
 
 #include "base/error.h"
@@ -39,22 +39,24 @@ void check_ending(const std::string& name, l3d_alpha alpha) {
         refuse(name, no_transparency);
 }
 
-/// A number field of printf's at the beginning of a text, as %d, %04d or %-4ld; else empty.
+/// A number field of printf at the beginning of a text, as %d, %04d or %-4ld. It is empty if there
+/// is none.
 std::string_view field_at_front(std::string_view text) {
     const std::size_t end = text.find_first_not_of("0123456789+-l", 1);
     return text.starts_with('%') && end != text.npos && text[end] == 'd' ? text.substr(0, end + 1)
                                                                          : std::string_view();
 }
 
-/// Has `write` make l3d-0001 with this ending, or the first such file that is not there.
+/// Lets `write` make the file l3d-0001 with an ending, or the first numbered file that does not
+/// exist. Returns the text for the user.
 std::string save_as_new(const std::string& ending,
                         const std::function<void(const std::string& name)>& write) {
-    std::error_code unknown; // on an error the name alone is told
+    std::error_code unknown; // on an error, the user is told the name alone
     const std::filesystem::path folder = std::filesystem::current_path(unknown);
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {
         const std::string name = l3d_detail::formatted("l3d-%04d", number) + ending;
-        // A link that leads nowhere is somebody's name, too.
+        // A link that leads nowhere takes its name, too.
         std::error_code problem;
         const auto type = std::filesystem::symlink_status(name, problem).type();
         if (type == std::filesystem::file_type::none)
@@ -88,8 +90,8 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : a
     l3d_detail::check_folder("--output", name, file_name(0));
 }
 
-/// A percent sign stands for itself unless it begins a number field, so that most names need no
-/// second one.
+/// Reads a file name with a number field. A percent sign stands for itself unless it begins a
+/// number field, so most names need no double one.
 void l3d_frame_writer::read_pattern(std::string_view name) {
     for (std::size_t at = 0; at < name.size();) {
         const std::string_view rest = name.substr(at), field = field_at_front(rest);
@@ -100,7 +102,7 @@ void l3d_frame_writer::read_pattern(std::string_view name) {
         }
         if (kind_ == kind::numbered)
             refuse(std::string(name), "has a second number field; %% is a percent sign");
-        constexpr std::size_t widest = 2; // digits of the width: 2^31 frames have ten
+        constexpr std::size_t widest = 2; // digits of the width, as 2^31 frames have ten
         const std::string_view width = field.substr(1, field.size() - 2);
         if (!width.empty() && (width.size() > widest || !l3d_read_number(width, digits_)))
             refuse(std::string(name), "has the number field " + std::string(field) +
@@ -121,7 +123,8 @@ std::string l3d_frame_writer::file_name(int number) const {
     return before_ + digits + after_;
 }
 
-/// The frame's number stands in place of the field.
+/// Whether a file is that of some frame: the file's name has a frame's number in place of the
+/// field.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     if (kind_ == kind::single)
         return l3d_detail::mean_one_file(before_, file);

@@ -29,7 +29,7 @@ struct l3d_plugin_object {
     l3d_object* object;
     std::string program, file, folder;
     l3d_random random;
-    std::string complaint{}; ///< the first one
+    std::string complaint{}; ///< the first complaint
 
     void complain(const std::string& text) {
         if (complaint.empty())
@@ -43,7 +43,7 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
-/// Numbers of a type are below this, up to rounding.
+/// A bound that all numbers of a type are below, up to rounding.
 template <class T> constexpr double end_of() {
     if constexpr (std::floating_point<T>)
         return std::numeric_limits<T>::max();
@@ -51,8 +51,8 @@ template <class T> constexpr double end_of() {
         return l3d_to_double(T::max());
 }
 
-/// Whether a plug-in's double fits this build's numbers, which would wrap or be infinite else.
-/// False for NaN, too.
+/// Whether a plug-in's double fits this build's numbers. If it does not, or is NaN, it would wrap
+/// or be infinite.
 bool is_in_range(double value) {
     return std::abs(value) < end_of<l3d_real>();
 }
@@ -78,7 +78,8 @@ int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* co
     return 1;
 }
 
-/// Gives the object the polygons of a file; with `videoscape_only`, other formats are refused.
+/// Gives the object the polygons of a file. With `videoscape_only`, files of other formats are
+/// refused.
 int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool random_colors) {
     const auto path = (std::filesystem::path(to->folder) / file).string();
     try {
@@ -105,7 +106,7 @@ int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool ran
             for (std::uint32_t& color : mesh.face_colors)
                 color = to->random.next() >> 8;
         }
-        std::vector<std::string> notes; // a plug-in has nobody to tell
+        std::vector<std::string> notes; // nobody reads these
         auto textures = l3d_read_textures(mesh, notes);
         to->object->set_mesh(std::move(mesh), std::move(textures));
         return 1;
@@ -166,12 +167,12 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
 
 // ---- the library -------------------------------------------------------------------------------
 
-/// A shared library that is open. The system counts how often.
+/// Owns an open shared library. The system counts how often a library is open.
 class library {
 public:
     explicit library(const std::string& file)
-        // Binds all symbols at once, so that a missing one is an error now and not in mid-flight. A
-        // name without a slash would be looked for in the system's folders.
+        // Binds all symbols at once, so that a missing one is an error here and not in mid-flight.
+        // A name without a slash would be looked for in the system's folders.
         : handle_(dlopen((file.find('/') == file.npos ? "./" + file : file).c_str(),
                          RTLD_NOW | RTLD_LOCAL)) {}
     library(const library&) = delete;
@@ -190,8 +191,8 @@ private:
     void* handle_;
 };
 
-/// The fault of a library, or an empty text. Without one it is the system's own words, which begin
-/// with the file's name.
+/// The fault of a library; empty if there is none. If it did not open, the system's own words
+/// follow the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();
@@ -213,10 +214,10 @@ std::string fault_of(const library& opened, const std::string& file) {
     return {};
 }
 
-/// An object's behaviour by a plug-in: its data, and the library with the code for it.
+/// An object's behaviour by a plug-in. It owns the plug-in's data, and the library with its code.
 class plugged_behaviour final : public l3d_object_behaviour {
 public:
-    /// Expects: fault_of is empty for the file.
+    /// Expects: the file is a plug-in without a fault, see fault_of().
     explicit plugged_behaviour(l3d_plugin_object context)
         : library_(context.file), context_(std::move(context)) {}
     ~plugged_behaviour() override {
@@ -270,7 +271,7 @@ l3d_plugin_loader::load(const std::string& file, const std::string& parameters, 
     std::error_code unknown;
     const auto status = std::filesystem::status(file, unknown);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-        why = file + ": is no regular file"; // to open a pipe would wait for its writer
+        why = file + ": is no regular file"; // opening a pipe would wait for its writer
         return nullptr;
     }
     const library tried(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_program: step 1, and the way out.
+// l3d_program: runs a program's steps, from its options to its way out.
 #include "system/program.h"
 
 #include "raster/rasterizer_factory.h"
@@ -35,7 +35,8 @@ int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_
 std::unique_ptr<l3d_dispatcher> l3d_program::create_dispatcher() const {
     const l3d_frame_settings settings = options_.frame_settings();
     auto dispatcher = factories_.create_dispatcher(settings);
-    // Pictures that are counted or written are the same in windows and files.
+    // Pictures that are counted or written are the same in windows and in files, so they have no
+    // caption.
     if (settings.frames == 0 && settings.output.empty())
         dispatcher->set_caption(caption_);
     return dispatcher;
@@ -47,11 +48,12 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
         request.title = shows + " - " + request.title;
     l3d_canvas canvas{
         factories_.create_screen(request), factories_.chosen().rasterizer_factory, {}, is_classic_};
-    // Pictures by GL, or by a program's own factory, keep the edges that they have.
+    // Pictures by GL, or by a program's own factory, keep their edges.
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)
         canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);
-    // Pictures that are counted or written are the same on every machine.
+    // Pictures that are counted or written use the built-in font, so they are the same on every
+    // machine.
     std::string why;
     if (canvas.screen->is_window() && options_.frame_settings().frames == 0)
         canvas.font = l3d_font::of_system(why);

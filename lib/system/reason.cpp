@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reason_of: memory, sizes, the system's own words.
+// reason_of: an exception's reason in words for the user.
 #include "system/reason_p.h"
 
 #include <filesystem>

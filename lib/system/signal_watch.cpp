@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_signal_watch: the handler, and the variables that it may touch.
+// l3d_signal_watch: handles signals, by the few variables that a handler may touch.
 #include "system/signal_watch.h"
 
 #include <atomic>
@@ -15,11 +15,11 @@
 
 namespace {
 
-/// Keys, a request to end, and a terminal that is closed.
+/// Signals by keys, by a request to end, and by a terminal that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
-/// The signal noted, or 0, and the end of a pipe that takes the news to a sleeper. A handler can
-/// reach nothing but such variables.
+/// The last signal, or 0, and the writing end of a pipe that wakes a sleeper. A handler may only
+/// touch variables such as these.
 std::atomic<int> noted = 0, bell = -1;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -31,7 +31,8 @@ extern "C" void note_signal(int signal) {
     errno = error;
 }
 
-/// Keeps signals from a thread that is begun now: they are for whoever waits for events.
+/// Blocks all signals in threads that begin while it lives. Signals go to the thread that waits for
+/// events.
 class signals_held {
 public:
     signals_held() {
@@ -49,7 +50,8 @@ private:
 
 } // namespace
 
-/// Waits for a signal, and then for the watch's end.
+/// Waits for a signal, and then some seconds for the watch's end. If that does not come, ends the
+/// process by the signal.
 void l3d_signal_watch::end_what_takes_too_long() const {
     constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
     std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};
@@ -62,7 +64,8 @@ void l3d_signal_watch::end_what_takes_too_long() const {
 
 l3d_signal_watch::l3d_signal_watch() {
     assert(noted == 0);
-    // A pipe, since a signal between a look at caught() and the sleep would else be missed.
+    // A pipe holds the news: without it, a signal between a look at caught() and the sleep would be
+    // missed.
     std::array<int, 2> ends{-1, -1};
     if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
         waker_ = ends[0];
@@ -70,7 +73,7 @@ l3d_signal_watch::l3d_signal_watch() {
     }
     struct sigaction action {};
     action.sa_handler = note_signal;
-    // No SA_RESTART: a signal has to end the wait for events.
+    // SA_RESTART is not set, as a signal has to end the wait for events.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     over_ = eventfd(0, EFD_CLOEXEC);
@@ -79,7 +82,7 @@ l3d_signal_watch::l3d_signal_watch() {
             const signals_held held;
             guard_ = std::thread([this] { end_what_takes_too_long(); });
         } catch (const std::system_error&) {
-            // Without a further thread, a second signal is needed to end a long wait.
+            // Without that thread, a second signal is needed to end a long wait.
         }
     }
     for (std::size_t i = 0; i < watched.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// terminal_lines: keys, and the countdown before the first.
+// terminal_lines: reads lines key by key, with a countdown before the first key.
 #include "system/terminal_lines_p.h"
 
 #include "system/signal_watch.h"
@@ -15,8 +15,8 @@
 
 namespace l3d_detail {
 
-/// A terminal that hands over each key and shows none. It is as before when this dies, by a signal,
-/// too: the watch, which dies last, passes it on.
+/// A terminal that hands over each key and shows none. Its mode is restored when this is destroyed,
+/// also after a signal. For the watch keeps the signal back and raises it last.
 struct terminal_lines::keys {
     explicit keys(int terminal) : terminal_(terminal) {
         tcgetattr(terminal, &before);
@@ -30,14 +30,15 @@ struct terminal_lines::keys {
     keys& operator=(const keys&) = delete;
     ~keys() { tcsetattr(terminal_, TCSANOW, &before); }
 
-    /// Whether a key, a signal or the terminal's end comes in time. Units: milliseconds, -1: any.
+    /// Whether a key, a signal or the terminal's end comes within a time. Units: milliseconds; -1
+    /// waits without an end.
     bool come_within(int time) const {
         std::array<pollfd, 2> files{pollfd{terminal_, POLLIN, 0},
                                     pollfd{watch_.waker(), POLLIN, 0}};
         return poll(files.data(), files.size(), time) != 0;
     }
 
-    /// The next key; nothing at the terminal's end and after a signal.
+    /// The next key. There is none at the terminal's end and after a signal.
     std::optional<unsigned char> next() const {
         unsigned char key = 0;
         if (come_within(-1) && !watch_.caught() && read(terminal_, &key, 1) == 1)
@@ -63,7 +64,7 @@ terminal_lines::int_type terminal_lines::underflow() {
     return traits_type::to_int_type(line_.front());
 }
 
-/// Whether a key comes before the countdown is over. The line is unchanged afterwards.
+/// Whether a key comes before the countdown is over. The countdown's text is erased afterwards.
 bool terminal_lines::first_key_comes(keys& typed) {
     bool has_come = false;
     for (int left = seconds_; left > 0 && !has_come; --left) {
@@ -78,7 +79,7 @@ bool terminal_lines::first_key_comes(keys& typed) {
     return has_come || typed.come_within(0);
 }
 
-/// Gets a whole line with its end, and tells whether there is one.
+/// Reads a whole line, with its end. Returns whether there is one.
 bool terminal_lines::read_line() {
     line_.clear();
     keys typed(terminal_);

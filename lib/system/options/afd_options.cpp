@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_afd_options: declarations and checks of the values.
+// l3d_afd_options: declares the options and checks their values.
 #include "system/options/afd_options.h"
 
 #include "base/counted_p.h"
@@ -39,8 +39,8 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-/// Reads the numbers that a list begins with. The rest, behind a comma, may be a colour; without a
-/// comma it is empty.
+/// Reads the numbers that a list begins with. Returns the text behind the comma that follows them,
+/// which may be a colour. Without that comma, the text is empty.
 /// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
 template <std::size_t N>
 std::optional<std::string_view> read_before_color(std::string_view text,
@@ -53,7 +53,7 @@ std::optional<std::string_view> read_before_color(std::string_view text,
     return end == text.npos ? "" : text.substr(end + 1);
 }
 
-/// Reads a light's colour, as parts of white.
+/// Reads a light's colour. Its channels are parts of full light.
 /// Errors:  l3d_error(usage) that names the option and its value.
 l3d_light_color light_color(const char* option, std::string_view text) {
     constexpr double white = 255;
@@ -68,15 +68,16 @@ l3d_light_color light_color(const char* option, std::string_view text) {
     return result;
 }
 
-/// The same distance, from some 25 degrees above and beside, where three sides of a box are seen.
-/// The teapot's own view is lower.
+/// A camera at the same distance, some 25 degrees above and beside its target, where three sides of
+/// a box are seen. The teapot's usual view is from lower.
 l3d_camera seen_from_above(l3d_camera camera) {
     const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
     camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
     return camera;
 }
 
-/// Errors:  l3d_error(usage) for an option that would show nothing beside the others.
+/// Refuses options that would show nothing beside the others.
+/// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
@@ -131,8 +132,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "how much more keys and the mouse turn than usual: 5 degrees a key, 1 a pixel",
                 0.01, 100.0);
     options.begin_group("Accuracy");
-    // Vertices lie on a grid of 1/256 pixel, which with the weights of docs/NUMERICS.md, section 9,
-    // takes 0.0069: finer ones only add quads.
+    // Vertices lie on a grid of 1/256 pixel. With the weights of docs/NUMERICS.md, section 9, that
+    // takes 0.0069 of the tolerance, so finer ones only add quads.
     options.add("--tolerance", tolerance_, settings_.tolerance,
                 "largest error of places and depth allowed, in pixels; kept down to 0.01; below, "
                 "the report "
@@ -281,7 +282,7 @@ l3d_camera l3d_afd_options::camera() const {
     return result;
 }
 
-/// Where --eye and --target leave it: that of the file, or else the usual one.
+/// The camera before --eye and --target: that of the file, or else the usual one.
 l3d_camera l3d_afd_options::asked_camera() const {
     l3d_camera result = camera_;
     if (!file_camera_.empty()) {
@@ -291,7 +292,7 @@ l3d_camera l3d_afd_options::asked_camera() const {
         result.eye = file.eye;
         result.target = file.target;
         result.up = camera_.up == teapot_view().up ? file.up : camera_.up;
-        // A camera's angle is that of the width here, and of the height there.
+        // A file's angle is that of the picture's width, and l3d_camera has that of the height.
         result.fov =
             2 / degree * std::atan(std::tan(file.fov * degree / 2) * size.height / size.width);
     }
@@ -377,7 +378,7 @@ void l3d_afd_options::add_light(const std::string& text) {
         std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
     if (most == 0)
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
-    if (!(most > 1e-100 && most < 1e100)) // squares would be infinite, or zero
+    if (!(most > 1e-100 && most < 1e100)) // else squares would be infinite, or zero
         towards = towards / most;
     const l3d_light_color color = light_color("--light", rest->empty() ? "white" : *rest);
     l3d_lighting& lighting = settings_.lighting;
@@ -393,7 +394,7 @@ void l3d_afd_options::add_light(const std::string& text) {
     gives_light_ = true;
 }
 
-/// Without --light, there is no light but such ones.
+/// Adds a point light. Without --light, point lights are the only ones.
 void l3d_afd_options::add_point_light(const std::string& text) {
     std::array<double, 4> numbers{};
     const auto rest = read_before_color(text, numbers);

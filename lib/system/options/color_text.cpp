@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// color_text: numbers, digits and names.
+// color_text: colours as numbers, as digits and by names.
 #include "system/options/color_text_p.h"
 
 #include "base/did_you_mean_p.h"
@@ -19,7 +19,7 @@ struct named_color {
     std::uint32_t word;
 };
 
-/// Values: CSS Color Module Level 4, named colours.
+/// Source: CSS Color Module Level 4, named colours.
 constexpr std::array<named_color, 25> named_colors{
     {{"black", 0x000000},  {"white", 0xffffff},  {"gray", 0x808080},    {"grey", 0x808080},
      {"silver", 0xc0c0c0}, {"red", 0xff0000},    {"maroon", 0x800000},  {"orange", 0xffa500},
@@ -34,7 +34,7 @@ std::array<double, 3> levels_of(std::uint32_t word) {
             static_cast<double>(word & 255)};
 }
 
-/// Digits of the form RGB count twice: f is ff.
+/// Reads the digits RRGGBB, or RGB, where each digit counts twice: f is ff.
 std::optional<std::uint32_t> read_digits(std::string_view digits) {
     std::string six(digits);
     if (digits.size() == 3)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// model_names: listed, and read.
+// model_names: lists the names of models, and reads the model of a name.
 #include "system/options/model_names_p.h"
 
 #include "base/did_you_mean_p.h"
@@ -32,7 +32,7 @@ std::vector<std::string> l3d_detail::model_names() {
     for (const std::string_view name : l3d_exact_shape_names())
         names.emplace_back(name);
     std::ranges::sort(names);
-    const auto twice = std::ranges::unique(names); // a file, and an exact shape
+    const auto twice = std::ranges::unique(names); // names of both a file and an exact shape
     names.erase(twice.begin(), twice.end());
     return names;
 }

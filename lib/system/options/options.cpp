@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_options: the only file that knows the library behind it, CLI11, which is slow to compile.
+// l3d_options: the only source that knows the library behind it, CLI11, which is slow to compile.
 #include "system/options/options.h"
 
 #include "base/did_you_mean_p.h"
@@ -32,7 +32,7 @@ struct l3d_options::parser {
 
 namespace {
 
-/// The long name of "-s,--long", as messages give it.
+/// The long name of an option "-s,--long", which messages use.
 std::string long_name(const std::string& name) {
     return name.substr(name.rfind(',') + 1);
 }
@@ -42,8 +42,8 @@ std::string long_name(const std::string& name) {
     throw l3d_error(l3d_exit::usage, long_name(name) + ": '" + text + "' is not " + wanted);
 }
 
-/// An option with a value, read by ours instead of the library's conversions: these know no NaN
-/// and no ranges, and their messages leave out the value.
+/// Adds an option with a value that `read` converts. The library's own conversions know no NaN and
+/// no ranges, and their messages leave out the value.
 void add_text(CLI::App& app, const std::string& name, const std::string& help,
               const std::string& kind, const std::string& preset,
               const std::function<void(const std::string&)>& read) {
@@ -53,11 +53,11 @@ void add_text(CLI::App& app, const std::string& name, const std::string& help,
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-/// Columns of --help: of a terminal, and where the texts of options begin.
+/// Columns of --help: the width of a terminal, and the place where the options' texts begin.
 constexpr std::size_t help_width = 80, help_indent = 26;
 constexpr const char* first_heading = "Help";
 
-/// The words of a text in lines of so many columns.
+/// Breaks a text's words into lines of at most `width` columns.
 std::string wrapped(const std::string& text, std::size_t width) {
     std::istringstream words(text);
     std::string result, line;
@@ -73,7 +73,7 @@ std::string wrapped(const std::string& text, std::size_t width) {
 /// would list options a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
-    /// With one blank line between two groups, not two.
+    /// A group with one blank line before it, where the library has two.
     std::string make_group(std::string heading, bool is_positional,
                            std::vector<const CLI::Option*> options) const override {
         const std::string group = Formatter::make_group(heading, is_positional, options);
@@ -84,7 +84,7 @@ class help_formatter : public CLI::Formatter {
     }
 };
 
-/// The default is given as text, since there may be none.
+/// Adds an option with a number in a range. The default is given as text, since there may be none.
 template <class T, class Value>
 void add_number(CLI::App& app, const std::string& name, Value& value, const std::string& preset,
                 const std::string& help, const std::string& kind, T least, T most) {
@@ -111,13 +111,13 @@ void print(std::ostream& out, const std::string& text) {
     l3d_detail::check_written(out);
 }
 
-/// "--name=" would take the next argument for the value.
+/// Refuses "--name=", for which the library would take the next argument as the value.
 void refuse_empty_value(const std::string& argument) {
     if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
 }
 
-/// Refuses the first argument that no option took; arguments after "--" are no options.
+/// Refuses the first argument that no option took. Arguments after "--" are no options.
 void refuse_what_is_left(const CLI::App& app) {
     const std::vector<std::string> left = app.remaining();
     const bool are_options = left.empty() || left.front() != "--";
@@ -136,12 +136,13 @@ void refuse_what_is_left(const CLI::App& app) {
                         " (see --help)");
 }
 
-/// Opens the closed ones among descriptors 0, 1 and 2, for reading only: so that writing to a
-/// closed standard output is still an error.
+/// Opens descriptors 0, 1 and 2 if they are closed. They are opened for reading only, so that
+/// writing to a closed standard output is still an error.
 void open_standard_streams() {
     for (int descriptor = 0; descriptor < 3; ++descriptor)
         if (fcntl(descriptor, F_GETFD) == -1)
-            // The lowest free number is this one; a process without /dev/null has to live as is.
+            // The lowest free number is this one. A process without /dev/null has to live without
+            // it.
             static_cast<void>(open("/dev/null", O_RDONLY));
 }
 
@@ -226,7 +227,7 @@ std::string l3d_options::end_of_help() const {
     return text;
 }
 
-/// Adds the options of a process that makes some frames of a sequence, perhaps for the second time.
+/// Adds the options for processes that make some frames of a sequence, or make them again.
 void l3d_options::add_batch() {
     const auto read = [this](const std::string& text) {
         std::array<int, 2> range{};
@@ -350,7 +351,7 @@ void l3d_options::add_each(const std::string& name, const std::string& help,
         ->type_name(kind)
         ->default_str(preset)
         ->expected(1)
-        ->allow_extra_args(false) // the next word is another argument
+        ->allow_extra_args(false) // the next word is an argument of its own
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
@@ -384,7 +385,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
         command_ = l3d_detail::printable(std::filesystem::path(argv[0]).filename().string());
     parser_->app.name(command_);
     parser_->app.footer(end_of_help());
-    // The library wants the arguments last one first.
+    // The library takes the arguments in reverse order.
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     std::for_each(arguments.begin(), std::ranges::find(arguments, "--"), refuse_empty_value);
     std::ranges::reverse(arguments);
@@ -401,7 +402,7 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     refuse_what_is_left(parser_->app);
     refuse_one_file_for_two();
-    // The writer complains now rather than after a question.
+    // Made early, so that faults in --output are told before the user is asked for a back-end.
     const l3d_frame_writer frames(common_.output, common_.alpha);
     for (const named_file& file : files_)
         if (file.value != &common_.output && frames.has_frame_in(*file.value))
@@ -429,7 +430,7 @@ void l3d_options::refuse_one_file_for_two() const {
 }
 
 l3d_screen_request l3d_options::screen_request() const {
-    // Pictures that are counted or written have the size that was asked for, whatever the display.
+    // Pictures that are counted or written have exactly the wanted size, whatever the display.
     const bool is_exact = common_.frames != 0 || !common_.output.empty();
     const int scale = common_.scale == 0 && is_exact ? 1 : common_.scale;
     return {.size = common_.size,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// output_names: endings, folders and links.
+// output_names: checks the endings, folders and links of output files.
 #include "system/options/output_names_p.h"
 
 #include "base/error.h"

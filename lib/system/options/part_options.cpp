@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_part_options: declarations, and models made of parts.
+// l3d_part_options: declares the options, and makes models of the parts that they choose.
 #include "system/options/part_options.h"
 
 #include "base/counted_p.h"
@@ -62,7 +62,7 @@ l3d_part_options::l3d_part_options(l3d_options& options) {
     options.has_result("--list-parts");
 }
 
-/// A name may have an equals sign in it; a colour has none.
+/// Adds a part's colour. The last equals sign separates the two, as only names may have some.
 void l3d_part_options::add_color(const std::string& text) {
     const std::size_t at = text.rfind('=');
     const bool has_both = at != text.npos && at > 0;
@@ -115,8 +115,8 @@ template <class Model> Model l3d_part_options::applied_to(const Model& model) co
     return result;
 }
 
-/// The last opacity of a part counts, and not that of its materials. A part that is hidden has
-/// none.
+/// The scene of a model. A part's last opacity counts, in place of those of its materials. A hidden
+/// part has none.
 l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
     const l3d_patch_model whole = applied(model);
     std::map<std::size_t, double> by_part;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_options: declarations, and the model.
+// l3d_polygon_options: declares the options, and makes the settings and the model.
 #include "system/options/polygon_options.h"
 
 #include "base/printable_p.h"
@@ -133,7 +133,7 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
     settings.lighting = shared.lighting;
     settings.headlight = shared.headlight;
     if (!shared_.places_camera() && !shared_.places_light()) {
-        // The teapot's light, turned to this model's view.
+        // The light is that of the teapot, turned to this model's view.
         settings.light =
             l3d_upright(shared_.camera().up).at(shared.light[0], shared.light[1], shared.light[2]);
     }
