@@ -11,9 +11,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Limit of the slope of a thin polygon. The change of depth over a slit says nothing about the
-/// surface. So the surface's depth is taken to change by at most the slit's whole range over this
-/// length. Units: pixels.
+/// The thickness below which a polygon counts as a slit, whose change of depth says nothing about
+/// the surface. So over this length, the surface's depth is taken to change by at most the slit's
+/// whole range. Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value

@@ -31,7 +31,7 @@ mixed_color divided(mixed_color sum, double by) {
     return sum;
 }
 
-/// The length of the part of [i, i + 1] in [from, to].
+/// The length that the intervals [i, i + 1] and [from, to] share. Expects: they overlap.
 double overlap(double from, double to, int i) {
     return std::min<double>(to, i + 1) - std::max<double>(from, i);
 }

@@ -309,7 +309,7 @@ std::size_t shade_strip_in_lanes(const l3d_pixels& target, const mesh_strip& str
                 return i;
             if (half.state[lane] == empty)
                 continue;
-            // Narrower vectors for narrower triangles would cost more in wrong guesses of branches.
+            // Narrower vectors for narrower triangles would cost more in mispredicted branches.
             if (half.columns[lane] <= 8)
                 fill<pixel_lanes<8>>(target, half, lane);
             else

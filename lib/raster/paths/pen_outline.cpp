@@ -32,8 +32,8 @@ l3d_point_2d opposite(l3d_point_2d direction) {
 
 } // namespace
 
-/// The largest angle without points between follows from an arc's distance from its chord, r (1 -
-/// cos(a / 2)), which is at most r a^2 / 8.
+/// Finds the largest turn of an arc that needs no points between its ends. An arc of angle a is r
+/// (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
     : pen_(pen), result_(result), radius_(std::min(pen.width, widest_pen) / 2),
       most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),

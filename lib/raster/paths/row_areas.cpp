@@ -66,7 +66,7 @@ void row_areas::set_width(std::int32_t width) {
 
 void row_areas::add_cluster(std::span<const row_edge> edges, const windings& left,
                             const fill_rules& rules) {
-    constexpr std::size_t many = 256; // fewer edges take longer to cut than slabs of all of them
+    constexpr std::size_t many = 256; // for fewer, slabs of all edges cost less than strips
     changes_.clear();
     if (edges.size() > many)
         add_in_strips(edges, left, rules);
@@ -175,7 +175,8 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
         add_ordered(chords_, top, bottom, left, rules);
         return;
     }
-    // Where all lower ends before a chord are left of those from it on, nothing crosses.
+    // Nothing crosses between two groups if all lower ends of the left one are left of those of the
+    // other.
     least_after_.resize(chords_.size() + 1);
     least_after_.back() = std::numeric_limits<double>::infinity();
     for (std::size_t i = chords_.size(); i-- > 0;)

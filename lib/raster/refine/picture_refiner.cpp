@@ -108,7 +108,7 @@ void picture_refiner::join_marks(const drawn_frame& frame, const l3d_pixel_box& 
         for (std::size_t w = 0; w < words; ++w) {
             const std::uint64_t right = jumps_.right.row(y)[w], down = jumps_.down.row(y)[w];
             const std::uint64_t above = has_above ? jumps_.down.row(y - 1)[w] : 0;
-            // The jumps of a row's last word go on beyond the picture.
+            // A row's last word has bits beyond the picture, which are left out.
             marks_.row(y)[w] |=
                 (right | right << 1 | before | down | above) &
                 l3d_pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);

@@ -63,7 +63,7 @@ public:
     }
 
     /// The level at a place, held between the corners' levels, as the plane of a sliver is steep.
-    /// Units: pixels.
+    /// Units: x and y in pixels.
     float at(const fragment_polygon& of, float x, float y) const {
         return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;
     }

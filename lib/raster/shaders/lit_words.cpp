@@ -131,7 +131,7 @@ private:
         return lit_shader::is_parallel(shading) ? broadcast(shading.look) : own;
     }
 
-    /// The places that pixels show, from the eye.
+    /// The places that pixels show, relative to the eye.
     HWY_INLINE lane_vector place_of(const lane_vector& own, float_vec depth) const {
         const floats d;
         HWY_ALIGN float of[hn::MaxLanes(floats())];
@@ -206,7 +206,7 @@ private:
 
     const l3d_shading& shading_;
     lane_vector look_, normal_;
-    lane_vector place_; ///< the place that pixels show, from the eye; if there are point lights
+    lane_vector place_; ///< places of pixels, relative to the eye; set if there are point lights
     float_vec distance_, against_;
 };
 

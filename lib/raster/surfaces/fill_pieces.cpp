@@ -58,7 +58,7 @@ private:
 void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces) {
     const fill_queue& queue = to.queue;
     const std::int32_t name = queue.name[i];
-    assert(name != fill_queue::piece); // pieces are no more unlike than lanes take
+    assert(name != fill_queue::piece); // lanes take every piece
     const std::uint32_t material = to.words.has_materials ? queue.material[i] : 0;
     if (name < 0) {
         to.rest.triangles.push_back({static_cast<const l3d_micro_triangles*>(queue.source[i]),

@@ -40,7 +40,7 @@ using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 /// which the lanes do not make.
 bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
     if (shading.paints && shading.paints->parts)
-        return false; // each of their quads has a name, and how many will come is not known
+        return false; // each of their quads has a name, and their number is unknown yet
     const std::size_t names = shading.paints ? shading.paints->end() : materials.size();
     return shading.mode != l3d_shade::flat && names <= fill_words::most_lit_materials;
 }
@@ -67,7 +67,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<l3d_depth_buffer> worker_depths; ///< depth of a band, if nobody wants it afterwards
     l3d_depth_buffer kept_depth; ///< depth of a picture that anti-aliasing alone wants afterwards
     std::vector<std::int64_t> covered; ///< in each band, if that is counted
-    l3d_image picture;                 ///< gets the words where they are not yet the picture
+    l3d_image picture;                 ///< gets the words that are not drawn into the target itself
     std::vector<const l3d_surface_part*> parts; ///< parts of all draws, for anti-aliasing
     picture_refiner refiner;
 };

@@ -50,8 +50,8 @@ struct bilinear {
     }
 };
 
-/// How far (w x, w y) is at (s, t) from w times the pixel, its derivatives, and the inverse of
-/// their determinant.
+/// The offset of (w x, w y) at (s, t) from w times the pixel's place. It holds the derivatives of
+/// this offset by s and t, and the inverse of their determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
 
@@ -145,7 +145,7 @@ HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> sho
     put(1, to.v, to.v_right, to.v_down);
 }
 
-/// A grid's vertices, and the map to the picture.
+/// A grid's vertices, and the map from parameters to the texture.
 class lane_grid {
 public:
     HWY_INLINE lane_grid(const painted_part& part, const float* parameters)
@@ -188,9 +188,9 @@ private:
 
     /// Sets the places and changes of quads from the rows and columns of their first corners.
     ///
-    /// Rows begin every m x 16 vertices, for a whole m. So the quotient (n + 1/2) / m with n below
-    /// 2^20 is the row and a fraction at least 1/(2 m) away from any other row. Floats do not round
-    /// it to another one.
+    /// Rows begin at multiples of 16 m vertices, for a whole m. With n = floor(index / 16), the
+    /// quotient (n + 1/2) / m is at least 1/(2 m) away from any whole number. So floats round it
+    /// down to the right row for n below 2^20.
     HWY_INLINE void put_ways(int_vec index, lane_quad& to) const {
         const float_vec sixteenth =
             hn::Add(hn::ConvertTo(floats, hn::ShiftRight<4>(index)), set(0.5F));

@@ -132,8 +132,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "how much more keys and the mouse turn than usual: 5 degrees a key, 1 a pixel",
                 0.01, 100.0);
     options.begin_group("Accuracy");
-    // Vertices lie on a grid of 1/256 pixel. With the weights of docs/NUMERICS.md, section 9, that
-    // takes 0.0069 of the tolerance, so finer ones only add quads.
+    // Vertices lie on a grid of 1/256 pixel. With the weights of docs/NUMERICS.md, section 9, their
+    // rounding takes 0.0069 of the tolerance. So finer tolerances only add quads.
     options.add("--tolerance", tolerance_, settings_.tolerance,
                 "largest error of places and depth allowed, in pixels; kept down to 0.01; below, "
                 "the report "

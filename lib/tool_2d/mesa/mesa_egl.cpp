@@ -105,6 +105,7 @@ private:
     egl::context context_;
 };
 
+/// Opens a display with a context that needs no surface, and makes it current.
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_display(const egl_calls& calls, egl::display display,
                                             std::string& why) {
@@ -136,6 +137,7 @@ std::unique_ptr<mesa_platform> open_display(const egl_calls& calls, egl::display
     return nullptr;
 }
 
+/// Finds the device that draws on the CPU.
 /// Errors:  null, with the reason in `why`.
 egl::device software_device(const egl_calls& calls, std::string& why) {
     const auto query_devices =

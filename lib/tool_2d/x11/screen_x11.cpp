@@ -361,6 +361,7 @@ std::string l3d_screen_x11::do_describe() const {
            ", shared memory: " + (no_shm_.empty() ? "yes" : "no, " + no_shm_);
 }
 
+/// Chooses the window's visual.
 /// Errors:  nothing, and the reason in `refusal`.
 std::optional<x11_visual> choose_visual(const x11_connection* connection, l3d_service& refusal) {
     if (connection == nullptr) {
