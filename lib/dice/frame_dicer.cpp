@@ -177,9 +177,12 @@ void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
                 wanted_.push_back(i);
             else
                 left -= outcomes_[i].cost;
-        if (wanted_.empty() || left / static_cast<std::int64_t>(wanted_.size()) < 2 * share)
+        if (wanted_.empty())
             return;
-        share = left / static_cast<std::int64_t>(wanted_.size());
+        const std::int64_t next = left / static_cast<std::int64_t>(wanted_.size());
+        if (next < std::max<std::int64_t>(2 * share, 1)) // batches before may have used all
+            return;
+        share = next;
         dice_slots(of, share);
     }
 }

@@ -85,6 +85,13 @@ TEST(frame_budget, lowers_the_bound_where_it_is_larger) {
     EXPECT_LE(last, 0.5);
 }
 
+TEST(frame_budget, may_be_used_up_before_the_last_patches) {
+    const dice_tests::scene s = spikes(300, {16, 16}); // patches are diced 64 at a time
+    l3d_afd_settings settings = settings_of(0.5);
+    settings.most_samples = 1000;
+    EXPECT_GT(drawn(s, s.model, settings).report.dice.unfinished, 0);
+}
+
 TEST(frame_budget, is_more_than_ordinary_scenes_need) {
     for (const reference::view& view : reference::project_views())
         for (const auto& [size, tolerance] : {std::pair{l3d_size{64, 48}, 0.25},
