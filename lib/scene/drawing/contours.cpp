@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <tuple>
 #include <utility>
 
 namespace l3d_detail {
 
 namespace {
+
+/// Each halving adds less than a rounding, 2^-53, for each degree: 44 x 48 of these at most.
+constexpr double relative_rounding = 0x1p-41;
 
 /// Halvings down to 2^-24 of a piece both ways.
 constexpr int most_halvings = 48;
@@ -22,10 +24,12 @@ struct cell {
     int halvings = 0;
 
     std::pair<cell, cell> halves(bool along_u) const {
-        std::pair<cell, cell> result{*this, *this};
+        auto nets = net.halves(along_u);
+        auto contours = contour.halves(along_u);
+        std::pair<cell, cell> result{
+            {std::move(nets.first), std::move(contours.first), u0, u1, v0, v1},
+            {std::move(nets.second), std::move(contours.second), u0, u1, v0, v1}};
         auto& [low, high] = result;
-        std::tie(low.net, high.net) = net.halves(along_u);
-        std::tie(low.contour, high.contour) = contour.halves(along_u);
         (along_u ? low.u1 : low.v1) = (along_u ? high.u0 : high.v0) =
             along_u ? (u0 + u1) / 2 : (v0 + v1) / 2;
         low.halvings = high.halvings = halvings + 1;
@@ -49,64 +53,66 @@ struct arc_end {
 
 using arc = std::array<arc_end, 2>;
 
-/// The coefficients along an edge of a cell, in the order of its walk.
-std::vector<double> edge_of(const bernstein_net& f, std::size_t k) {
-    std::vector<double> result;
-    const int degree = k % 2 == 0 ? f.m : f.n;
-    for (int i = 0; i <= degree; ++i) {
-        const int back = degree - i;
-        result.push_back(*(k == 0   ? f.at(0, i)
-                           : k == 1 ? f.at(i, f.m)
-                           : k == 2 ? f.at(f.n, back)
-                                    : f.at(back, 0)));
+/// The values along an edge of a cell, in the order of its walk.
+struct edge_values {
+    std::array<double, bernstein_net::most_degree + 1> c;
+    std::size_t degree;
+
+    edge_values(const bernstein_net& f, std::size_t k, int dim)
+        : degree(static_cast<std::size_t>(k % 2 == 0 ? f.m : f.n)) {
+        for (std::size_t i = 0; i <= degree; ++i) {
+            const int at = static_cast<int>(k < 2 ? i : degree - i);
+            c[i] = (k % 2 == 0 ? f.at(k == 0 ? 0 : f.n, at) : f.at(at, k == 1 ? f.m : 0))[dim];
+        }
     }
-    return result;
-}
 
-int sign_changes(std::span<const double> c) {
-    int result = 0;
-    for (std::size_t i = 1; i < c.size(); ++i)
-        result += (c[i - 1] >= 0) != (c[i] >= 0);
-    return result;
-}
+    int sign_changes() const {
+        int result = 0;
+        for (std::size_t i = 1; i <= degree; ++i)
+            result += (c[i - 1] >= 0) != (c[i] >= 0);
+        return result;
+    }
+    double at(double t) const {
+        std::array<double, bernstein_net::most_degree + 1> p;
+        std::copy_n(c.begin(), degree + 1, p.begin());
+        for (std::size_t left = degree; left > 0; --left)
+            for (std::size_t i = 0; i < left; ++i)
+                p[i] += (p[i + 1] - p[i]) * t;
+        return p[0];
+    }
+    /// A zero between ends of different signs, by the Illinois variant of the false position.
+    double zero() const;
+};
 
-double value_at(std::vector<double> c, double t) {
-    for (std::size_t left = c.size() - 1; left > 0; --left)
-        for (std::size_t i = 0; i < left; ++i)
-            c[i] += (c[i + 1] - c[i]) * t;
-    return c[0];
-}
-
-/// A zero between ends of different signs, by the Illinois variant of the false position.
-double zero_of(const std::vector<double>& c) {
-    double low = 0, high = 1, at_low = c.front(), at_high = c.back();
+double edge_values::zero() const {
+    double low = 0, high = 1, at_low = c[0], at_high = c[degree];
     if ((at_low >= 0) == (at_high >= 0)) // rounding alone gave the corners other signs
         return std::abs(at_low) < std::abs(at_high) ? 0 : 1;
     constexpr int most_steps = 60;
-    constexpr double small = 0x1p-50;
+    constexpr double small = 0x1p-46; // of the edge, and of the values along it
+    const double range = std::abs(at_high - at_low);
     int side = 0;
+    double t = 0.5;
     for (int i = 0; i < most_steps && high - low > small; ++i) {
-        double t = (at_high * low - at_low * high) / (at_high - at_low);
+        t = (at_high * low - at_low * high) / (at_high - at_low);
         if (!(t > low && t < high))
             t = (low + high) / 2;
-        const double value = value_at(c, t);
-        if (value == 0)
-            return t;
-        if ((value >= 0) == (at_low >= 0)) {
-            low = t, at_low = value;
-            if (side == -1)
-                at_high /= 2;
-            side = -1;
-        } else {
-            high = t, at_high = value;
-            if (side == 1)
-                at_low /= 2;
-            side = 1;
-        }
-        if (std::abs(value) < small * std::abs(c.front() - c.back()))
-            return t;
+        const double value = at(t);
+        if (std::abs(value) < small * range)
+            break;
+        const bool is_low = (value >= 0) == (at_low >= 0);
+        (is_low ? low : high) = t;
+        (is_low ? at_low : at_high) = value;
+        if (side == (is_low ? -1 : 1)) // the other end has stayed twice
+            (is_low ? at_high : at_low) /= 2;
+        side = is_low ? -1 : 1;
     }
-    return (low + high) / 2;
+    return t;
+}
+
+bool has_one_sign(const bernstein_net& f) {
+    const bool first = f.c[0] >= 0;
+    return std::ranges::all_of(f.c, [&](double value) { return (value >= 0) == first; });
 }
 
 /// Whether a polynomial certainly grows, or falls, along u or along v.
@@ -117,8 +123,10 @@ bool is_monotone(const bernstein_net& f, bool along_u) {
             const double step = *(along_u ? f.at(r, k + 1) : f.at(r + 1, k)) - *f.at(r, k);
             rises = rises && step > 0;
             falls = falls && step < 0;
+            if (!rises && !falls)
+                return false;
         }
-    return rises || falls;
+    return true;
 }
 
 class contour_search {
@@ -126,6 +134,8 @@ public:
     contour_search(const image_piece& piece, std::size_t number, const drawing_view& view,
                    double tolerance)
         : piece_(piece), number_(number), view_(view), tolerance_(tolerance) {
+        for (const double value : piece.contour.c)
+            rounding_ = std::max(rounding_, std::abs(value) * relative_rounding);
         search({piece.net, piece.contour});
     }
 
@@ -137,44 +147,53 @@ private:
     void add_by_signs(const cell& of);
     arc_end crossing(const cell& of, std::size_t edge) const;
     double bound_of(const cell& of, const flat_image& flat, const arc& by) const;
-    std::array<bool, 4> signs_of(const cell& of) const {
-        std::array<bool, 4> result{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto [u, v] = of.corner(k);
-            // From the whole piece, so that all cells agree about a common corner.
-            result[k] = piece_.contour.evaluate(u, v).value[0] >= 0;
-        }
-        return result;
-    }
+    std::array<bool, 4> signs_of(const cell& of) const;
 
     const image_piece& piece_;
     std::size_t number_;
     const drawing_view& view_;
     double tolerance_;
+    double rounding_ = 0; ///< of values in any cell
     std::vector<arc> arcs_;
 };
 
+/// Signs on which all cells with a common corner agree: those that rounding may change come from
+/// the whole piece.
+std::array<bool, 4> contour_search::signs_of(const cell& of) const {
+    const bernstein_net& f = of.contour;
+    const std::array<double, 4> values{*f.at(0, 0), *f.at(0, f.m), *f.at(f.n, f.m), *f.at(f.n, 0)};
+    std::array<bool, 4> result{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto [u, v] = of.corner(k);
+        const bool is_sure = std::abs(values[k]) > rounding_;
+        result[k] = (is_sure ? values[k] : piece_.contour.evaluate(u, v).value[0]) >= 0;
+    }
+    return result;
+}
+
+/// Across the direction in which a cell is larger.
 bool goes_along_u(const cell& of, bool is_ahead) {
     if (!is_ahead)
         return of.u1 - of.u0 >= of.v1 - of.v0;
     const bernstein_net& net = of.net;
     double along_u = 0, along_v = 0;
-    const auto length = [](const double* a, const double* b) {
-        return std::hypot(a[0] / a[2] - b[0] / b[2], a[1] / a[2] - b[1] / b[2],
-                          a[3] / a[2] - b[3] / b[2]);
+    const auto square = [](const double* a, const double* b) {
+        const double dx = a[0] / a[2] - b[0] / b[2], dy = a[1] / a[2] - b[1] / b[2];
+        const double dz = a[3] / a[2] - b[3] / b[2];
+        return dx * dx + dy * dy + dz * dz;
     };
     for (int r = 0; r <= net.n; ++r)
         for (int k = 0; k <= net.m; ++k) {
             if (k < net.m)
-                along_u += length(net.at(r, k), net.at(r, k + 1)) / (net.n + 1);
+                along_u = std::max(along_u, square(net.at(r, k), net.at(r, k + 1)) * net.m * net.m);
             if (r < net.n)
-                along_v += length(net.at(r, k), net.at(r + 1, k)) / (net.m + 1);
+                along_v = std::max(along_v, square(net.at(r, k), net.at(r + 1, k)) * net.n * net.n);
         }
     return along_u >= along_v;
 }
 
 void contour_search::search(const cell& of) {
-    if (sign_changes(of.contour.c) == 0 || is_beside(of.net, view_))
+    if (has_one_sign(of.contour) || is_beside(of.net, view_))
         return;
     const ahead_of_near side = side_of_near(of.net, view_);
     if (side == ahead_of_near::none)
@@ -197,8 +216,7 @@ bool contour_search::settle(const cell& of) {
     const flat_image flat(of.net);
     if (flat.error > tolerance_)
         return false;
-    const image_bounds box = bounds_of(of.net);
-    if (std::hypot(box.width(), box.height()) <= tolerance_) {
+    if (flat.reach() <= tolerance_) {
         add_by_signs(of);
         return true;
     }
@@ -210,7 +228,7 @@ bool contour_search::settle(const cell& of) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < 4; ++k) {
         const bool is_crossed = signs[k] != signs[(k + 1) % 4];
-        if (sign_changes(edge_of(of.contour, k)) > (is_crossed ? 1 : 0))
+        if (edge_values(of.contour, k, 0).sign_changes() > (is_crossed ? 1 : 0))
             return false;
         if (is_crossed)
             crossed[count++] = k;
@@ -263,13 +281,16 @@ double contour_search::bound_of(const cell& of, const flat_image& flat, const ar
 }
 
 arc_end contour_search::crossing(const cell& of, std::size_t edge) const {
-    const double t = zero_of(edge_of(of.contour, edge));
+    const double t = edge_values(of.contour, edge, 0).zero();
     const auto [u0, v0] = of.corner(edge);
     const auto [u1, v1] = of.corner((edge + 1) % 4);
     arc_end end;
     end.axis = edge % 2 == 0 ? 1 : 0;
     end.there = {.piece = number_, .u = u0 + (u1 - u0) * t, .v = v0 + (v1 - v0) * t};
-    end.there.at = piece_.at(end.there.u, end.there.v);
+    std::array<double, 4> p{};
+    for (int k = 0; k < 4; ++k)
+        p[static_cast<std::size_t>(k)] = edge_values(of.net, edge, k).at(t);
+    end.there.at = {p[0] / p[2], p[1] / p[2], p[3] / p[2]};
     return end;
 }
 

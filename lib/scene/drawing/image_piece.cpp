@@ -133,9 +133,10 @@ bernstein_net contour_of(const bernstein_net& p) {
 } // namespace
 
 std::pair<bernstein_net, bernstein_net> bernstein_net::halves(bool along_u) const {
-    std::pair<bernstein_net, bernstein_net> result{*this, *this};
+    std::pair<bernstein_net, bernstein_net> result{{m, n, dims}, *this};
     auto& [low, high] = result;
     for_lines(*this, along_u, [&](std::size_t first, std::size_t stride, int degree) {
+        low.c[first] = high.c[first];
         for (int left = degree; left > 0; --left) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(left); ++i) {
                 double& value = high.c[first + i * stride];
@@ -358,27 +359,26 @@ flat_image::flat_image(const bernstein_net& net) {
     }
     // With the parallelogram X and its mean weight, the distance of sum B_i p_i from X is
     // (sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean)) / sum B_i w_i, d_i = p_i - X_i w_i.
-    double least = net.c[2], most = net.c[2], off = 0, depth_off = 0;
+    double least = net.c[2], most = net.c[2], squares = 0;
     for (int r = 0; r <= net.n; ++r)
         for (int k = 0; k <= net.m; ++k) {
             const double* const p = net.at(r, k);
             const image_place flat = at(double(k) / net.m, double(r) / net.n);
-            off = std::max(off, std::hypot(p[0] - flat.x * p[2], p[1] - flat.y * p[2]));
-            depth_off = std::max(depth_off, std::abs(p[3] - flat.z * p[2]));
+            const double dx = p[0] - flat.x * p[2], dy = p[1] - flat.y * p[2];
+            squares = std::max(squares, dx * dx + dy * dy);
             least = std::min(least, p[2]);
             most = std::max(most, p[2]);
         }
     const double widest = std::hypot(along_u.x, along_u.y) + std::hypot(along_v.x, along_v.y);
-    error = (off + widest * (most - least) / 2) / least;
-    depth_error =
-        (depth_off + (std::abs(along_u.z) + std::abs(along_v.z)) * (most - least) / 2) / least;
+    error = (std::sqrt(squares) + widest * (most - least) / 2) / least;
 }
 
 double distance_from(const image_place& p, const image_place& from, const image_place& to) {
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     const double along = (p.x - from.x) * dx + (p.y - from.y) * dy;
     const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-    return std::hypot(p.x - from.x - t * dx, p.y - from.y - t * dy);
+    const double ex = p.x - from.x - t * dx, ey = p.y - from.y - t * dy;
+    return std::sqrt(ex * ex + ey * ey);
 }
 
 } // namespace l3d_detail

@@ -8,6 +8,7 @@
 #include "scene/patch_scene.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -129,9 +130,12 @@ bool is_beside(const bernstein_net& net, const drawing_view& view);
 struct flat_image {
     image_place middle, along_u, along_v; ///< middle of the net; change over all of u, and of v
     double error = 0;                     ///< in the picture, in pixels
-    double depth_error = 0;
 
     explicit flat_image(const bernstein_net& net);
+    /// A bound of the distance of any two places of the net in the picture.
+    double reach() const {
+        return std::hypot(along_u.x, along_u.y) + std::hypot(along_v.x, along_v.y) + 2 * error;
+    }
     image_place at(double s, double t) const {
         return {middle.x + (s - 0.5) * along_u.x + (t - 0.5) * along_v.x,
                 middle.y + (s - 0.5) * along_u.y + (t - 0.5) * along_v.y,
