@@ -369,7 +369,8 @@ void drawer::join() {
 
 l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,
                                 l3d_size size, const l3d_line_settings& settings) {
-    constexpr double least = 0.01, most = 10;
+    constexpr double least = l3d_line_settings::least_tolerance;
+    constexpr double most = l3d_line_settings::most_tolerance;
     if (!(settings.tolerance >= least && settings.tolerance <= most))
         throw l3d_error(l3d_exit::bad_input,
                         l3d_detail::formatted("line drawing: the tolerance %g is not from %g to %g "

@@ -42,6 +42,9 @@ struct L3D_PUBLIC l3d_drawn_line {
 
 /// The wishes for a line drawing.
 struct L3D_PUBLIC l3d_line_settings {
+    static constexpr double least_tolerance = 0.01; ///< the least tolerance, in pixels
+    static constexpr double most_tolerance = 10;    ///< the largest tolerance, in pixels
+
     /// The largest distance of lines from the exact ones in the picture, in pixels.
     double tolerance = 0.1;
     /// Whether lines that surfaces hide are part of the drawing.
@@ -66,7 +69,7 @@ struct L3D_PUBLIC l3d_line_drawing {
 /// Surfaces that pierce each other have no line where they meet. A line that another surface cuts
 /// changes there between seen and hidden.
 /// Expects: a valid camera, a size of at least 1 x 1.
-/// Errors:  throws l3d_error(bad_input) for a tolerance that is not from 1/100 to 10.
+/// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits.
 /// Cost:    some 50 ms for 200 pieces in a picture of a million pixels.
 L3D_PUBLIC l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,
                                            l3d_size size, const l3d_line_settings& settings = {});

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <limits>
 #include <utility>
 
 namespace l3d_detail {
 
 namespace {
+
+using vector = l3d_vector<double, 3>;
 
 /// Eight levels of Lambert's grey, as in l3d_patch_neighbours: two degrees.
 constexpr double least_angle = 8 / 229.5;
@@ -47,6 +49,33 @@ struct side {
         default:
             return u == 0 ? 1 - v : -1;
         }
+    }
+};
+
+constexpr int places_of_side = 5;
+
+/// A side and its places in the world, at equal steps of its parameter.
+struct placed_side {
+    side of;
+    std::size_t instance;
+    std::array<vector, places_of_side> places{};
+
+    placed_side(const image_piece& piece, const side& one) : of(one), instance(piece.instance) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto [u, v] = of.place(double(i) / (places_of_side - 1));
+            const auto p = piece.world.evaluate(u, v).value;
+            places[i] = {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+        }
+    }
+    bool is_at(const placed_side& other, bool backwards, double same) const {
+        if (instance != other.instance)
+            return false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::size_t k = backwards ? places.size() - 1 - i : i;
+            if (!(l3d_length(places[i] - other.places[k]) <= same))
+                return false;
+        }
+        return true;
     }
 };
 
@@ -185,30 +214,45 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
+/// Sides are one if five of their places are, to a thousandth of a pixel or so.
 void border_search::pair_sides() {
-    std::map<std::vector<double>, std::pair<std::vector<side>, std::vector<bool>>> by_points;
+    constexpr int middle = places_of_side / 2;
+    std::vector<placed_side> all;
+    vector least(std::numeric_limits<double>::max()), most(-least[0]);
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         for (std::size_t k = 0; k < side_count; ++k) {
-            const bernstein_net curve = curve_along(pieces_[i].world, k);
-            std::vector<double> there{static_cast<double>(pieces_[i].instance)}, back = there;
-            bool is_point = true;
-            const double* const p = curve.at(0, 0);
-            for (int c = 0; c <= curve.m; ++c) {
-                const double *const q = curve.at(0, c), *const r = curve.at(0, curve.m - c);
-                for (int d = 0; d < 4; ++d) { // -0 becomes 0
-                    there.push_back(q[d] + 0.0);
-                    back.push_back(r[d] + 0.0);
-                    is_point = is_point && q[d] * p[3] == p[d] * q[3];
+            const placed_side one(pieces_[i], {i, k});
+            for (const vector& p : one.places)
+                for (int d = 0; d < 3; ++d) {
+                    least[d] = std::min(least[d], p[d]);
+                    most[d] = std::max(most[d], p[d]);
                 }
-            }
-            if (is_point)
-                continue;
-            auto& [sides, forward] = by_points[std::min(there, back)];
-            sides.push_back({i, k});
-            forward.push_back(there <= back);
+            all.push_back(one);
         }
-    for (const auto& [points, met] : by_points)
-        add_side(met.first, met.second);
+    const double same = 1e-6 * l3d_length(most - least);
+    std::erase_if(all, [&](const placed_side& one) { // a point has no line
+        return std::ranges::all_of(one.places, [&](const vector& p) {
+            return l3d_length(p - one.places[0]) <= same;
+        });
+    });
+    const auto x_of = [](const placed_side& one) { return one.places[middle][0]; };
+    std::ranges::stable_sort(all, {}, x_of);
+    std::vector<bool> is_met(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (is_met[i])
+            continue;
+        std::vector<side> met{all[i].of};
+        std::vector<bool> forward{true};
+        for (std::size_t k = i + 1; k < all.size() && x_of(all[k]) - x_of(all[i]) <= same; ++k) {
+            const bool there = all[k].is_at(all[i], false, same);
+            if (is_met[k] || (!there && !all[k].is_at(all[i], true, same)))
+                continue;
+            is_met[k] = true;
+            met.push_back(all[k].of);
+            forward.push_back(there);
+        }
+        add_side(met, forward);
+    }
 }
 
 bool border_search::is_smooth(const side& a, const side& b, bool turns) const {

@@ -23,7 +23,7 @@ struct drawn_chain {
 
 /// The lines along the sides of pieces, and along their trims.
 ///
-/// Two sides with the same control points and weights are one, walked either way. They are a crease
+/// Two sides at the same places are one, walked either way. They are a crease
 /// if the normals differ by two degrees or more, in any of some places. Otherwise the side is
 /// a contour wherever one piece shows its front and the other its back. So contours of pieces
 /// that are not quite smooth join too.

@@ -116,6 +116,8 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
          "only --pipeline afd has the exact patches that zebra, isophotes, gaussian, mean and "
          "draft look at"},
         {"--net", shared.net, why},
+        {"--drawing", shared.drawing, "--hidden-lines draws lines of polygons"},
+        {"--svg", shared_.gives_svg(), "only --pipeline afd has exact lines for it"},
         {"--texture", shared_.gives_texture(), why},
         {"--tolerance", shared_.gives_tolerance(), why},
         {"--lateral-only", shared.lateral_only, why},
