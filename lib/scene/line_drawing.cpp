@@ -32,7 +32,10 @@ constexpr double chord_share = 0.5, trim_share = 0.25;
 constexpr double sliver = 0.75;
 
 /// Lines that pass through a surface are found if they are hidden by it for so many pixels.
-constexpr double sample_distance = 48;
+constexpr double sample_distance = 32;
+
+/// The first and last sample of a long stretch are so far from its ends. Units: pixels.
+constexpr double from_ends = 3;
 
 /// A change between seen and hidden inside a stretch is found to so many pixels.
 constexpr double break_error = 1.0 / 32;
@@ -229,11 +232,14 @@ bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& length
 /// surface.
 void drawer::sample(const drawn_chain& chain, const std::vector<double>& lengths, double from,
                     double to, line_of_sight& sight, std::vector<stretch>& stretches) const {
-    const int samples = 1 + static_cast<int>((to - from) / sample_distance);
+    const bool is_long = to - from > 4 * from_ends;
+    const double first = is_long ? from + from_ends : (from + to) / 2;
+    const double between = is_long ? to - from - 2 * from_ends : 0;
+    const int samples = is_long ? 2 + static_cast<int>(between / sample_distance) : 1;
     double begin = from, last = from;
     bool was_seen = false;
     for (int i = 0; i < samples; ++i) {
-        const double at = from + (to - from) * (i + 0.5) / samples;
+        const double at = first + between * i / std::max(samples - 1, 1);
         const bool seen = is_seen(chain, lengths, at, sight);
         if (i > 0 && seen != was_seen) {
             double low = last, high = at;

@@ -157,33 +157,42 @@ TEST(line_drawing, contours_of_a_cone_are_where_rays_touch_it) {
     });
 }
 
-/// The contour of the torus as two dense lines, as far as it is there: n (P - E) = 0 gives for each
-/// angle around the axis two angles around the tube.
+/// The contour of the torus as dense lines, as far as it is there. n (P - E) = 0 gives two angles
+/// around the tube for each angle around the axis, and the other way round. Each way is dense where
+/// the other is not.
 std::vector<places> contours_of_torus(const l3d_camera& camera) {
     constexpr double radius = 1, tube = 0.4;
     constexpr int steps = 20000;
-    const vector d = l3d_normalized(camera.target - camera.eye);
+    const bool flat = camera.is_parallel();
+    const vector e = flat ? l3d_normalized(camera.target - camera.eye) : camera.eye;
     std::vector<places> result;
-    for (const int side : {-1, 1}) {
-        result.emplace_back();
-        for (int i = 0; i <= steps; ++i) {
-            const double turn = 2 * std::numbers::pi * i / steps;
-            const double c = std::cos(turn), s = std::sin(turn);
-            // a cos(phi) + b sin(phi) = e
-            const bool flat = camera.is_parallel();
-            const vector& e = camera.eye;
-            const double a = flat ? d[0] * c + d[2] * s : radius - e[0] * c - e[2] * s;
-            const double b = flat ? d[1] : -e[1];
-            const double value = (flat ? 0 : -tube) / std::hypot(a, b);
-            if (std::abs(value) > 1) {
-                result.emplace_back();
-                continue;
+    for (const bool around_axis : {true, false})
+        for (const int side : {-1, 1}) {
+            result.emplace_back();
+            for (int i = 0; i <= steps; ++i) {
+                const double angle = 2 * std::numbers::pi * i / steps;
+                const double c = std::cos(angle), s = std::sin(angle);
+                // a cos(other) + b sin(other) = value
+                double a = e[0], b = e[2], value = flat ? -e[1] * s / c
+                                                        : radius + (tube - e[1] * s) / c;
+                if (around_axis) {
+                    a = flat ? e[0] * c + e[2] * s : radius - e[0] * c - e[2] * s;
+                    b = flat ? e[1] : -e[1];
+                    value = flat ? 0 : -tube;
+                }
+                const double cosine = value / std::hypot(a, b);
+                if (!(std::abs(cosine) <= 1)) {
+                    result.emplace_back();
+                    continue;
+                }
+                const double other = std::atan2(b, a) + side * std::acos(cosine);
+                const double turn = around_axis ? angle : other, phi = around_axis ? other : angle;
+                const double out = radius + tube * std::cos(phi);
+                result.back().push_back(
+                    seen(camera, {out * std::cos(turn), tube * std::sin(phi),
+                                  out * std::sin(turn)}));
             }
-            const double phi = std::atan2(b, a) + side * std::acos(value);
-            const double out = radius + tube * std::cos(phi);
-            result.back().push_back(seen(camera, {out * c, tube * std::sin(phi), out * s}));
         }
-    }
     return result;
 }
 
@@ -236,21 +245,22 @@ TEST(line_drawing, contours_of_a_torus_are_those_of_its_closed_form) {
 /// Compares what is seen with picks beside the lines, away from the ends of stretches.
 void expect_as_picks(const l3d_patch_scene& scene, const std::vector<view>& from,
                      double least_share) {
+    constexpr double margin = 6; // lines often end where they nearly touch what hides them
     int right = 0, all = 0;
     for (const view& v : from) {
         const l3d_camera camera = v.camera(scene);
-        const double thick = l3d_length(scene.most() - scene.least()) / 100;
+        const double thick = l3d_length(scene.most() - scene.least()) / 400;
         for (const l3d_drawn_line& line : l3d_draw_lines(scene, camera, size).lines) {
             const double length = length_of(line);
-            double along = 0, next = 3;
+            double along = 0, next = margin;
             for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
                 const l3d_drawn_place &a = line.points[i], &b = line.points[i + 1];
                 along += std::hypot(b.x - a.x, b.y - a.y);
-                if (along < next || along > length - 3)
+                if (along < next || along > length - margin)
                     continue;
                 next = along + 5;
                 ++all;
-                const bool seen_now = is_seen_by_picks(scene, camera, b, 0.5, thick);
+                const bool seen_now = is_seen_by_picks(scene, camera, b, 0.25, thick);
                 right += seen_now == line.is_seen ? 1 : 0;
             }
         }
@@ -298,7 +308,7 @@ l3d_patch_model cube() {
 
 TEST(line_drawing, a_cube_shows_nine_of_its_twelve_edges) {
     const l3d_patch_scene scene(cube());
-    const l3d_camera camera = view{{3.0, 2.0, 7.0}}.camera(scene);
+    const l3d_camera camera = view{{3.0, 2.0, 7.0}, true}.camera(scene);
     double hidden = 0, all = 0;
     const l3d_line_drawing drawing = l3d_draw_lines(scene, camera, size);
     for (const l3d_drawn_line& line : drawing.lines) {

@@ -59,6 +59,8 @@ public:
     bool write_svg(const l3d_patch_scene& scene) const;
     /// Whether --svg was given.
     bool gives_svg() const { return !svg_.empty(); }
+    /// Whether --svg or --drawing asks for exact lines of patches.
+    bool wants_drawing() const { return gives_svg() || settings_.drawing; }
 
     /// Whether --texture was given.
     bool gives_texture() const { return !texture_.empty(); }

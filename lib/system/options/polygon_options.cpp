@@ -35,7 +35,7 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.begin_group("Polygons");
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
-        "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
+        "afd draws patches, and is taken for --drawing and --svg; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
         "draw them",
         {{"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},
@@ -116,8 +116,6 @@ l3d_polygon_settings l3d_polygon_options::settings() const {
          "only --pipeline afd has the exact patches that zebra, isophotes, gaussian, mean and "
          "draft look at"},
         {"--net", shared.net, why},
-        {"--drawing", shared.drawing, "--hidden-lines draws lines of polygons"},
-        {"--svg", shared_.gives_svg(), "only --pipeline afd has exact lines for it"},
         {"--texture", shared_.gives_texture(), why},
         {"--tolerance", shared_.gives_tolerance(), why},
         {"--lateral-only", shared.lateral_only, why},
