@@ -54,7 +54,7 @@ struct L3D_PUBLIC l3d_line_settings {
 /// The lines of a scene's surfaces in a picture.
 ///
 /// No point of a line is farther from an exact line of its kind than `bound`, as long as the
-/// surfaces are in front of the near plane. docs/NUMERICS.md, section 30, tells how, and where
+/// surfaces are in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where
 /// visibility is unsure.
 /// Units: pixels.
 struct L3D_PUBLIC l3d_line_drawing {
