@@ -59,8 +59,7 @@ private:
 
     float depth_of(double distance) const {
         const double step = shading_.depth_step;
-        return static_cast<float>(step == 0 ? 1 / distance
-                                            : shading_.depth_base + step * distance);
+        return static_cast<float>(step == 0 ? 1 / distance : shading_.depth_base + step * distance);
     }
 
     void add(const l3d_drawn_place& a, const l3d_drawn_place& b) {

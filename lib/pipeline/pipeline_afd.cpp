@@ -371,9 +371,10 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
     report_.coverage_bound = report_.color_bound = unknown;
     const l3d_frame_lights of_frame = lights();
-    const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe && !settings_.drawing &&
-                           !settings_.background.is_none() && of_frame.lighting.point_count == 0 &&
-                           !scene_.has_pictures() && !scene_.has_trims();
+    const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
+                           !settings_.drawing && !settings_.background.is_none() &&
+                           of_frame.lighting.point_count == 0 && !scene_.has_pictures() &&
+                           !scene_.has_trims();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

@@ -69,8 +69,8 @@ public:
                 piece.instance = i;
                 piece.number = p;
                 if (!pieces[p].trims.empty())
-                    trims = std::max(
-                        trims, piece.trim(pieces[p].trims, trim_share * settings.tolerance));
+                    trims = std::max(trims,
+                                     piece.trim(pieces[p].trims, trim_share * settings.tolerance));
             }
         }
         result_.size = size;
@@ -223,9 +223,8 @@ bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& length
     const surface_vertex& there = is_near ? *exact : t < 0.5 ? a : b;
     const contour_shape shape = shape_of_contour(pieces_[there.piece], there);
     const double beside = 2 * settings_.tolerance;
-    return !sight.is_hidden({there.at.x + beside * shape.out_x, there.at.y + beside * shape.out_y,
-                             there.at.z},
-                            {});
+    return !sight.is_hidden(
+        {there.at.x + beside * shape.out_x, there.at.y + beside * shape.out_y, there.at.z}, {});
 }
 
 /// Adds the stretches between two cuts: one, unless samples tell that the line passes through a
@@ -281,9 +280,9 @@ surface_line drawer::part_of(const drawn_chain& chain, const std::vector<double>
                              double from, double to) {
     surface_line result;
     const auto at = [&](double length) {
-        const auto next = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-            std::ranges::lower_bound(lengths, length) - lengths.begin(), 1,
-            static_cast<std::ptrdiff_t>(lengths.size()) - 1));
+        const auto next = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(lengths, length) - lengths.begin(),
+                                       1, static_cast<std::ptrdiff_t>(lengths.size()) - 1));
         const surface_vertex &a = chain.points[next - 1], &b = chain.points[next];
         const double whole = lengths[next] - lengths[next - 1];
         const double t = whole > 0 ? (length - lengths[next - 1]) / whole : 0;
@@ -336,8 +335,8 @@ void drawer::add_stretches(const drawn_chain& chain, std::vector<double>& cuts,
 void drawer::join() {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_stretch& one : stretches_)
-        ends.push_back(ends_of(one.points,
-                               2 * static_cast<std::size_t>(one.kind) + (one.is_seen ? 1 : 0)));
+        ends.push_back(
+            ends_of(one.points, 2 * static_cast<std::size_t>(one.kind) + (one.is_seen ? 1 : 0)));
     const double left = view_.size().width / 2.0, top = view_.size().height / 2.0;
     for (const std::vector<joined_line>& row : join_lines(ends)) {
         const drawn_stretch& first = stretches_[row.front().line];
@@ -355,8 +354,8 @@ void drawer::join() {
         for (const surface_vertex& v : points) {
             constexpr double same = 1e-4; // joints, and cuts at vertices
             const l3d_drawn_place p{v.at.x + left, v.at.y + top, view_.depth_of(v.at.z)};
-            if (line.points.empty() || std::hypot(line.points.back().x - p.x,
-                                                  line.points.back().y - p.y) > same)
+            if (line.points.empty() ||
+                std::hypot(line.points.back().x - p.x, line.points.back().y - p.y) > same)
                 line.points.push_back(p);
         }
         constexpr double closed = 1e-3;

@@ -56,8 +56,10 @@ std::string path_of(const l3d_drawn_line& line) {
     const bool is_closed = line.points.size() > 2 && line.points.front() == line.points.back();
     std::string result = "    <path class=\"" + std::string(name_of(line.kind)) + "\" d=\"M";
     for (std::size_t i = 0; i + (is_closed ? 1 : 0) < line.points.size(); ++i)
-        result += (i == 0 ? "" : i == 1 ? " L" : " ") + number(line.points[i].x) + ',' +
-                  number(line.points[i].y);
+        result += (i == 0   ? ""
+                   : i == 1 ? " L"
+                            : " ") +
+                  number(line.points[i].x) + ',' + number(line.points[i].y);
     return result + (is_closed ? " Z" : "") + "\"/>\n";
 }
 
@@ -66,21 +68,20 @@ std::string path_of(const l3d_drawn_line& line) {
 std::string l3d_svg_of(const l3d_line_drawing& drawing, const l3d_svg_look& look) {
     const std::string width = std::to_string(drawing.size.width);
     const std::string height = std::to_string(drawing.size.height);
-    std::string result =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\"\n"
-        "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
-        "     width=\"" + width + "px\" height=\"" + height + "px\" viewBox=\"0 0 " + width + ' ' +
-        height + "\">\n";
+    std::string result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                         "<svg xmlns=\"http://www.w3.org/2000/svg\"\n"
+                         "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
+                         "     width=\"" +
+                         width + "px\" height=\"" + height + "px\" viewBox=\"0 0 " + width + ' ' +
+                         height + "\">\n";
     if (!look.title.empty())
         result += "  <title>" + escaped(look.title) + "</title>\n";
     result += "  <desc>No line is farther than " + number(drawing.bound) +
               " px from the exact one.</desc>\n";
     for (const bool is_seen : {false, true}) {
         const std::string layer = is_seen ? "seen" : "hidden";
-        result += "  <g id=\"" + layer +
-                  "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + layer +
-                  "\"\n     fill=\"none\" stroke=\"#000000\" stroke-width=\"" +
+        result += "  <g id=\"" + layer + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" +
+                  layer + "\"\n     fill=\"none\" stroke=\"#000000\" stroke-width=\"" +
                   number(is_seen ? look.seen_width : look.hidden_width) +
                   "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"" +
                   (is_seen ? "" : " stroke-dasharray=\"4 3\"") + ">\n";

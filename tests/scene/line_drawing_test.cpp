@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+namespace line_drawing_tests {
 namespace {
 
 using vector = l3d_camera::vector;
@@ -42,8 +43,8 @@ struct view {
     }
 };
 
-const std::vector<view> views{{{3.0, 2.0, 7.0}},      {{-2.0, 0.5, 4.0}},
-                              {{0.4, 5.0, 0.7}},      {{3.0, 2.0, 7.0}, true},
+const std::vector<view> views{{{3.0, 2.0, 7.0}},       {{-2.0, 0.5, 4.0}},
+                              {{0.4, 5.0, 0.7}},       {{3.0, 2.0, 7.0}, true},
                               {{0.0, 0.0, 5.0}, true}, {{0.0, 5.0, 0.0}, true},
                               {{5.0, 0.0, 0.0}, true}, {{0.0, 0.0, 5.0}}};
 
@@ -76,8 +77,8 @@ places places_of(const l3d_drawn_line& line) {
         for (int k = 0; k < 4; ++k) {
             const l3d_drawn_place &a = line.points[i], &b = line.points[i + 1];
             const double t = k / 4.0;
-            result.push_back({a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t,
-                              a.depth + (b.depth - a.depth) * t});
+            result.push_back(
+                {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.depth + (b.depth - a.depth) * t});
         }
     return result;
 }
@@ -105,8 +106,7 @@ double distance_from(const places& line, double x, double y) {
         const double square = dx * dx + dy * dy;
         const double along = (x - line[i].x) * dx + (y - line[i].y) * dy;
         const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
-        result =
-            std::min(result, std::hypot(x - line[i].x - t * dx, y - line[i].y - t * dy));
+        result = std::min(result, std::hypot(x - line[i].x - t * dx, y - line[i].y - t * dy));
     }
     return result;
 }
@@ -134,9 +134,8 @@ void expect_zero(const std::string& name, l3d_line_kind kind,
 }
 
 TEST(line_drawing, contours_of_a_sphere_are_where_rays_touch_it) {
-    expect_zero("sphere", l3d_line_kind::contour, [](const ray& r) {
-        return l3d_length(l3d_cross(r.from, r.along)) - 1;
-    });
+    expect_zero("sphere", l3d_line_kind::contour,
+                [](const ray& r) { return l3d_length(l3d_cross(r.from, r.along)) - 1; });
 }
 
 TEST(line_drawing, contours_of_a_cylinder_are_where_rays_touch_it) {
@@ -173,8 +172,8 @@ std::vector<places> contours_of_torus(const l3d_camera& camera) {
                 const double angle = 2 * std::numbers::pi * i / steps;
                 const double c = std::cos(angle), s = std::sin(angle);
                 // a cos(other) + b sin(other) = value
-                double a = e[0], b = e[2], value = flat ? -e[1] * s / c
-                                                        : radius + (tube - e[1] * s) / c;
+                double a = e[0], b = e[2],
+                       value = flat ? -e[1] * s / c : radius + (tube - e[1] * s) / c;
                 if (around_axis) {
                     a = flat ? e[0] * c + e[2] * s : radius - e[0] * c - e[2] * s;
                     b = flat ? e[1] : -e[1];
@@ -188,9 +187,8 @@ std::vector<places> contours_of_torus(const l3d_camera& camera) {
                 const double other = std::atan2(b, a) + side * std::acos(cosine);
                 const double turn = around_axis ? angle : other, phi = around_axis ? other : angle;
                 const double out = radius + tube * std::cos(phi);
-                result.back().push_back(
-                    seen(camera, {out * std::cos(turn), tube * std::sin(phi),
-                                  out * std::sin(turn)}));
+                result.back().push_back(seen(
+                    camera, {out * std::cos(turn), tube * std::sin(phi), out * std::sin(turn)}));
             }
         }
     return result;
@@ -210,8 +208,11 @@ bool is_seen_by_picks(const l3d_patch_scene& scene, const l3d_camera& camera,
 
 TEST(line_drawing, contours_of_a_torus_are_those_of_its_closed_form) {
     const l3d_patch_scene scene(shape("torus"));
-    const std::vector<view> sides{{{3.0, 2.0, 7.0}}, {{0.0, 0.3, 9.0}}, {{0.1, 1.2, 9.0}, true},
-                                  {{6.0, 1.9, 1.0}}, {{0.0, 9.0, 0.0}, true}};
+    const std::vector<view> sides{{{3.0, 2.0, 7.0}},
+                                  {{0.0, 0.3, 9.0}},
+                                  {{0.1, 1.2, 9.0}, true},
+                                  {{6.0, 1.9, 1.0}},
+                                  {{0.0, 9.0, 0.0}, true}};
     for (const view& v : sides) {
         const l3d_camera camera = v.camera(scene);
         const l3d_line_drawing drawing = l3d_draw_lines(scene, camera, size);
@@ -235,8 +236,7 @@ TEST(line_drawing, contours_of_a_torus_are_those_of_its_closed_form) {
                     in_seen = std::min(in_seen, line.is_seen ? off : 1e9);
                 }
                 EXPECT_LE(any, drawing.bound) << v.eye[1] << ": " << one[i].x << ' ' << one[i].y;
-                EXPECT_TRUE(in_seen <= 1 ||
-                            !is_seen_by_picks(scene, camera, one[i], 0.5, 0.02))
+                EXPECT_TRUE(in_seen <= 1 || !is_seen_by_picks(scene, camera, one[i], 0.5, 0.02))
                     << v.eye[1] << ": " << one[i].x << ' ' << one[i].y;
             }
     }
@@ -331,8 +331,7 @@ TEST(line_drawing, a_cube_shows_nine_of_its_twelve_edges) {
             }
     EXPECT_NEAR(all, wanted_all, 0.1);
     EXPECT_NEAR(hidden, wanted_hidden, 0.1);
-    const l3d_line_drawing only_seen =
-        l3d_draw_lines(scene, camera, size, {.hidden = false});
+    const l3d_line_drawing only_seen = l3d_draw_lines(scene, camera, size, {.hidden = false});
     EXPECT_NEAR(seen_length(only_seen), wanted_all - wanted_hidden, 0.1);
     EXPECT_TRUE(std::ranges::all_of(only_seen.lines, &l3d_drawn_line::is_seen));
 }
@@ -367,8 +366,8 @@ TEST(line_drawing, a_line_changes_where_it_passes_through_a_surface) {
 }
 
 TEST(line_drawing, trims_are_borders_and_cut_contours) {
-    l3d_patch_points piece{.degree_u = 1, .degree_v = 1,
-                           .points = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}};
+    l3d_patch_points piece{
+        .degree_u = 1, .degree_v = 1, .points = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}};
     const auto line = [](double a, double b, double c, double d) {
         return l3d_trim_curve{{{a, b, 1}, {c, d, 1}}};
     };
@@ -446,10 +445,10 @@ TEST(line_drawing, an_svg_has_a_path_for_each_line) {
     EXPECT_EQ(count(text, "stroke-dasharray"), 1U);
     const auto hidden = text.find("id=\"hidden\""), shown = text.find("id=\"seen\"");
     ASSERT_LT(hidden, shown); // seen lines are painted last
-    EXPECT_EQ(count(text.substr(shown), "<path "),
-              static_cast<std::size_t>(
-                  std::ranges::count_if(drawing.lines, &l3d_drawn_line::is_seen)));
+    EXPECT_EQ(count(text.substr(shown), "<path "), static_cast<std::size_t>(std::ranges::count_if(
+                                                       drawing.lines, &l3d_drawn_line::is_seen)));
     EXPECT_EQ(count(l3d_svg_of(drawing), "<title>"), 0U);
 }
 
 } // namespace
+} // namespace line_drawing_tests

@@ -121,7 +121,8 @@ public:
         : piece_(piece), view_(view), tolerance_(tolerance) {}
 
     /// `place` tells the parameters of t, from 0 to 1.
-    void add(const bernstein_net& curve, const std::function<std::array<double, 2>(double)>& place) {
+    void add(const bernstein_net& curve,
+             const std::function<std::array<double, 2>(double)>& place) {
         add(curve, place, 0, 1, 0);
     }
     std::vector<surface_line> take() { return std::move(lines_); }
@@ -231,9 +232,8 @@ void border_search::pair_sides() {
         }
     const double same = 1e-6 * l3d_length(most - least);
     std::erase_if(all, [&](const placed_side& one) { // a point has no line
-        return std::ranges::all_of(one.places, [&](const vector& p) {
-            return l3d_length(p - one.places[0]) <= same;
-        });
+        return std::ranges::all_of(
+            one.places, [&](const vector& p) { return l3d_length(p - one.places[0]) <= same; });
     });
     const auto x_of = [](const placed_side& one) { return one.places[middle][0]; };
     std::ranges::stable_sort(all, {}, x_of);

@@ -89,7 +89,7 @@ double edge_values::zero() const {
     if ((at_low >= 0) == (at_high >= 0)) // rounding alone gave the corners other signs
         return std::abs(at_low) < std::abs(at_high) ? 0 : 1;
     constexpr int most_steps = 60;
-    constexpr double small = 0x1p-46; // of the edge, and of the values along it
+    constexpr double small = 0x1p-46; // a share of the edge, and of the values along it
     const double range = std::abs(at_high - at_low);
     int side = 0;
     double t = 0.5;
@@ -153,7 +153,7 @@ private:
     std::size_t number_;
     const drawing_view& view_;
     double tolerance_;
-    double rounding_ = 0; ///< of values in any cell
+    double rounding_ = 0; ///< bound for values in any cell
     std::vector<arc> arcs_;
 };
 
@@ -249,8 +249,7 @@ bool contour_search::settle(const cell& of) {
 /// are no farther from the chord than the bound.
 double contour_search::bound_of(const cell& of, const flat_image& flat, const arc& by) const {
     const bernstein_net& f = of.contour;
-    const double f00 = *f.at(0, 0), f01 = *f.at(0, f.m), f10 = *f.at(f.n, 0),
-                 f11 = *f.at(f.n, f.m);
+    const double f00 = *f.at(0, 0), f01 = *f.at(0, f.m), f10 = *f.at(f.n, 0), f11 = *f.at(f.n, f.m);
     const double middle = (f00 + f01 + f10 + f11) / 4;
     const double in_s = (f01 - f00 + f11 - f10) / 2, in_t = (f10 - f00 + f11 - f01) / 2;
     const auto linear = [&](double s, double t) {
@@ -259,8 +258,7 @@ double contour_search::bound_of(const cell& of, const flat_image& flat, const ar
     double off = 0;
     for (int r = 0; r <= f.n; ++r)
         for (int k = 0; k <= f.m; ++k)
-            off = std::max(off,
-                           std::abs(*f.at(r, k) - linear(double(k) / f.m, double(r) / f.n)));
+            off = std::max(off, std::abs(*f.at(r, k) - linear(double(k) / f.m, double(r) / f.n)));
     double most = 0;
     const auto take = [&](double s, double t) {
         most = std::max(most, distance_from(flat.at(s, t), by[0].there.at, by[1].there.at));
@@ -356,7 +354,7 @@ std::vector<surface_line> contour_search::lines() {
                 walk(i, end);
     for (std::size_t i = 0; i < arcs_.size(); ++i)
         if (!is_used[i])
-            walk(i, 0); // what is left is closed
+            walk(i, 0); // all others are closed
     return result;
 }
 

@@ -78,8 +78,8 @@ void add_product(const bernstein_net& a, const bernstein_net& b, double sign, be
             for (int s = 0; s <= b.n; ++s) {
                 const double rows = binomial(b.n, s) / binomial(a.n + b.n, r + s);
                 for (int d = 0; d <= b.m; ++d)
-                    *to.at(r + s, c + d) += here * *b.at(s, d) * rows * binomial(b.m, d) /
-                                            binomial(a.m + b.m, c + d);
+                    *to.at(r + s, c + d) +=
+                        here * *b.at(s, d) * rows * binomial(b.m, d) / binomial(a.m + b.m, c + d);
             }
         }
 }
@@ -171,7 +171,8 @@ bernstein_net bernstein_net::part(double u0, double u1, double v0, double v1) co
             for (int k = 0; k <= degree; ++k) {
                 values p{};
                 for (int i = 0; i <= degree; ++i)
-                    p[static_cast<std::size_t>(i)] = old.c[first + static_cast<std::size_t>(i) * stride];
+                    p[static_cast<std::size_t>(i)] =
+                        old.c[first + static_cast<std::size_t>(i) * stride];
                 for (int step = 0; step < degree; ++step) {
                     const double t = step < k ? to : from;
                     for (std::size_t i = 0; i < static_cast<std::size_t>(degree - step); ++i)
@@ -224,8 +225,8 @@ std::array<double, 4> drawing_view::placed(const std::array<double, 4>& world) c
     double depth = 0;
     for (int k = 0; k < 4; ++k)
         depth += depth_row_[k] * p[k];
-    const double z = is_parallel_ ? scale_ * (depth - middle_ * p[3])
-                                  : scale_ * (depth / middle_ - p[3]);
+    const double z =
+        is_parallel_ ? scale_ * (depth - middle_ * p[3]) : scale_ * (depth / middle_ - p[3]);
     constexpr double golden = 0.6180339887498949; // no direction of a drawing has this slope
     return {q[0] + shear * z, q[1] + shear * golden * z, q[3], z};
 }
@@ -264,8 +265,12 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted) {
         const double w = std::max(net.c[i + 2], least), x = net.c[i] / w, y = net.c[i + 1] / w;
         if (std::exchange(is_first, false))
             box = {x, x, y, y, 0, 0};
-        box = {std::min(box.left, x), std::max(box.right, x), std::min(box.top, y),
-               std::max(box.bottom, y), 0, 0};
+        box = {std::min(box.left, x),
+               std::max(box.right, x),
+               std::min(box.top, y),
+               std::max(box.bottom, y),
+               0,
+               0};
         least_w = std::min(least_w, w);
     }
     const double x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
@@ -312,7 +317,8 @@ ahead_of_near side_of_near(const bernstein_net& net, const drawing_view& view) {
         if (view.ahead(&net.c[i]) > 0)
             ++ahead;
     return ahead == net.places() ? ahead_of_near::all
-                                 : ahead == 0 ? ahead_of_near::none : ahead_of_near::some;
+           : ahead == 0          ? ahead_of_near::none
+                                 : ahead_of_near::some;
 }
 
 image_bounds bounds_of(const bernstein_net& net) {

@@ -42,8 +42,8 @@ struct bernstein_net {
     std::pair<bernstein_net, bernstein_net> halves(bool along_u) const;
     /// The derivative along u, or along v.
     bernstein_net derivative(bool along_u) const;
-    /// The same polynomial with new parameters that run from 0 to 1 where u runs from u0 to u1 and v
-    /// from v0 to v1; u1 may be below u0.
+    /// The same polynomial with new parameters that run from 0 to 1 where u runs from u0 to u1 and
+    /// v from v0 to v1; u1 may be below u0.
     bernstein_net part(double u0, double u1, double v0, double v1) const;
 
     /// Values and derivatives of at most 4 dims.
@@ -100,10 +100,10 @@ struct image_bounds {
 
 /// A piece of a surface in the picture.
 struct image_piece {
-    bernstein_net net;     ///< 4 dims, as drawing_view::placed
-    bernstein_net contour; ///< zero at contours; its sign is that of the side that is seen
-    bernstein_net world;   ///< x w, y w, z w, w
-    l3d_trim_region region; ///< what trims leave; empty without trims
+    bernstein_net net;      ///< 4 dims, as drawing_view::placed
+    bernstein_net contour;  ///< zero at contours; its sign is that of the side that is seen
+    bernstein_net world;    ///< x w, y w, z w, w
+    l3d_trim_region region; ///< the part that trims leave; empty without trims
     std::size_t instance = 0, number = 0;
     bool is_trimmed = false;
 

@@ -94,8 +94,7 @@ private:
 
     void cut(const chord& c, double t) {
         const std::vector<double>& lengths = lengths_[c.chain];
-        cuts_[c.chain].push_back(lengths[c.first] +
-                                 (lengths[c.first + 1] - lengths[c.first]) * t);
+        cuts_[c.chain].push_back(lengths[c.first] + (lengths[c.first + 1] - lengths[c.first]) * t);
     }
 
     bool may_hide(const chord& nearer, const chord& farther) const {

@@ -62,7 +62,7 @@ std::vector<std::vector<joined_line>> join_lines(std::span<const std::array<line
             walk(k);
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (!is_used[i])
-            walk(2 * i); // what is left is closed
+            walk(2 * i); // all others are closed
     return result;
 }
 

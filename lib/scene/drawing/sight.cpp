@@ -32,7 +32,7 @@ void line_of_sight::add(bernstein_net net, const node* whole, bool along_u, bool
         end = along_u ? (whole->u0 + whole->u1) / 2 : (whole->v0 + whole->v1) / 2;
     }
     const ahead_of_near side = side_of_near(net, view_);
-    // What is behind the near plane gets an empty box.
+    // A part behind the near plane gets an empty box.
     if (side == ahead_of_near::none)
         result.box = image_bounds{1, 0, 1, 0, 0, 0};
     else if (side == ahead_of_near::all) {

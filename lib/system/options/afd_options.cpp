@@ -248,8 +248,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add("--statistics", statistics_,
                 "tell at the end how many polygons were drawn, in how many seconds");
     for (const char* const name :
-         {"--depth-output", "--error-output", "--report", "--explain", "--statistics",
-          "--svg"})
+         {"--depth-output", "--error-output", "--report", "--explain", "--statistics", "--svg"})
         options.has_result(name);
     options.prints_result("--pick");
     options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
@@ -484,9 +483,8 @@ bool l3d_afd_options::write_svg(const l3d_patch_scene& scene) const {
     l3d_refuse({{"--svg", !common.output.empty(), "it shows nothing, and --output wants pictures"},
                 {"--svg", common.frames > 0, "it shows nothing, and --frames wants pictures"}});
     const l3d_reach reach = l3d_reach_of(scene);
-    const l3d_camera view = camera([&](const l3d_camera& usual) {
-        return l3d_framed_unless_well(usual, common.size, reach);
-    });
+    const l3d_camera view = camera(
+        [&](const l3d_camera& usual) { return l3d_framed_unless_well(usual, common.size, reach); });
     const l3d_line_drawing drawing =
         l3d_draw_lines(scene, view, common.size, {.tolerance = svg_tolerance()});
     const std::string text = l3d_svg_of(drawing, {.title = model_title()});

@@ -54,7 +54,8 @@ public:
     /// Writes the line drawing of a scene that --svg asks for, in the camera that shows all of it
     /// unless the user places one. Returns whether the option was given: then the program has
     /// nothing more to do. A line on stderr tells why a drawing is empty.
-    /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the file
+    /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
+    /// file
     ///         and the system's reason.
     bool write_svg(const l3d_patch_scene& scene) const;
     /// Whether --svg was given.
