@@ -362,7 +362,7 @@ void drawer::join() {
         l3d_drawn_place &begin = line.points.front(), &end = line.points.back();
         if (line.points.size() > 2 && std::hypot(begin.x - end.x, begin.y - end.y) < closed)
             end = begin;
-        if (line.points.size() < 2)
+        if (lengths_along(points).back() < sliver) // a dot
             result_.lines.pop_back();
     }
     std::ranges::stable_sort(result_.lines, {}, [](const l3d_drawn_line& line) {
