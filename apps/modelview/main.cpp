@@ -26,7 +26,7 @@ public:
                 list();
             else
                 shows_ = prepared();
-            return !parts_.lists();
+            return shows_ != nullptr;
         });
         return program_.run(argc, argv, [this] { return shows_(); }); // step 1: choose factories
     }
@@ -39,8 +39,8 @@ private:
             l3d_part_options::list(polygons_.model().parts(), "faces");
     }
 
-    /// Prepares the other steps. Wrong options and models are reported here, before any message or
-    /// question about a back-end.
+    /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
+    /// here, before any message or question about a back-end.
     std::function<l3d_exit()> prepared() {
         const l3d_camera camera = afd_.camera();
         if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
@@ -48,6 +48,8 @@ private:
             const l3d_afd_settings settings = afd_.settings();
             l3d_patch_scene scene = parts_.scene(afd_.model());
             afd_.lay_picture(scene);
+            if (afd_.write_svg(scene))
+                return {};
             return [=, this] { return show<l3d_pipeline_afd_viewer>(scene, camera, settings); };
         }
         const l3d_polygon_settings settings = polygons_.settings();

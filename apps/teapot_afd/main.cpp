@@ -77,6 +77,8 @@ int main(int argc, char** argv) {
                     {"--report", measures && !afd.report().empty(), none},
                     {"--depth-output", measures && keeps_depth, none},
                     {"--error-output", measures && bounds, none},
+                    {"--svg", measures && afd.gives_svg(), none},
+                    {"--svg", compares && afd.gives_svg(), two},
                     {"--pick", measures && afd.pick(), none},
                     {"--explain", measures && afd.explain(), none},
                     {"--statistics", measures && afd.statistics(), none},
@@ -91,6 +93,8 @@ int main(int argc, char** argv) {
         if (folder.empty()) {
             scene = parts.scene(afd.model());
             afd.lay_picture(scene);
+            if (afd.write_svg(scene))
+                return false;
             if (other && scene.transparent_count() > 0)
                 throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
             if (other && scene.has_trims())

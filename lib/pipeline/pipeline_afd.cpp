@@ -124,6 +124,8 @@ void l3d_pipeline_afd::draw_event() {
     changed_ = parts.around();
     if (changed_.empty())
         keep_picture();
+    else if (settings_.drawing)
+        draw_drawing(now.shading);
     else if (settings_.wireframe)
         draw_wireframe(now.shading);
     else
@@ -207,6 +209,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .shading = shading,
             .filter = settings_.texture_filter,
             .wireframe = settings_.wireframe,
+            .drawing = settings_.drawing,
             .net = settings_.net,
             .depth = wants_depth(),
             .outlines = settings_.outlines,
@@ -369,8 +372,9 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     report_.coverage_bound = report_.color_bound = unknown;
     const l3d_frame_lights of_frame = lights();
     const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
-                           !settings_.background.is_none() && of_frame.lighting.point_count == 0 &&
-                           !scene_.has_pictures() && !scene_.has_trims();
+                           !settings_.drawing && !settings_.background.is_none() &&
+                           of_frame.lighting.point_count == 0 && !scene_.has_pictures() &&
+                           !scene_.has_trims();
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

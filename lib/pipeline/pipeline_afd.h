@@ -91,6 +91,10 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the lines of the adaptive grid are drawn instead of the filled surface.
     bool wireframe = false;
 
+    /// Whether contours, creases and borders are drawn instead of the filled surface, hidden ones
+    /// dashed (l3d_draw_lines).
+    bool drawing = false;
+
     /// Whether the control nets are drawn on top.
     bool net = false;
 
@@ -305,6 +309,7 @@ private:
     void draw_on_top(const l3d_shading& shading);
     l3d_patch_scene what_is_there() const;
     void draw_wireframe(const l3d_shading& shading);
+    void draw_drawing(const l3d_shading& shading);
     void draw_nets();
     void draw_curves(const l3d_shading& shading);
     bool has_curves() const { return !curves_.empty() || scene_.has_curves(); }

@@ -26,7 +26,8 @@ struct l3d_pipeline_afd::basis {
     l3d_dice_view view;
     l3d_shading shading;
     l3d_texture_filter filter{};
-    bool wireframe = false, net = false, depth = false, outlines = false, error_map = false;
+    bool wireframe = false, drawing = false, net = false;
+    bool depth = false, outlines = false, error_map = false;
 
     friend bool operator==(const basis&, const basis&) = default;
 };

@@ -34,6 +34,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
         {"c", "shading", {{'c', [this] { take_next_shade(); }}}},
         {"i", "inspect curvature, stripes", {{'i', [this] { take_next_inspection(); }}}},
         {"w", "wireframe", {{'w', [this] { switch_wireframe(); }}}},
+        {"x", "line drawing", {{'x', [this] { settings().drawing = !settings().drawing; }}}},
         {"a", "smooth edges", {{'a', [this] { switch_antialias(); }}}},
         {"l",
          "light with the eye, in the world",
@@ -172,7 +173,7 @@ void l3d_pipeline_afd_viewer::draw_panels() {
 /// shade that shows numbers is asked for with its scale.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
-    const bool is_filled = !settings().wireframe;
+    const bool is_filled = !settings().wireframe && !settings().drawing;
     if (settings().shade == l3d_shade::error && is_filled && screen().is_window()) {
         result.add(error_scale_title());
         result.add_scale({l3d_error_color(0, 1), l3d_error_color(0.5, 1), l3d_error_color(1, 1)},

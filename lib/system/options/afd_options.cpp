@@ -6,15 +6,18 @@
 #include "base/printable_p.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "raster/parallel/workers.h"
+#include "scene/line_drawing.h"
 #include "system/options/color_text_p.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
 #include "system/long_work_p.h"
+#include "tool_2d/output_file_p.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <numbers>
@@ -82,19 +85,22 @@ void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();
     l3d_refuse({
-        {"--error-output", asked.error_map && (asked.wireframe || !is_light),
-         "only surfaces that show light have an exact picture, and neither --wireframe nor --shade "
+        {"--error-output", asked.error_map && (asked.wireframe || asked.drawing || !is_light),
+         "only surfaces that show light have an exact picture, and neither lines nor --shade "
          "normals, error or an inspection does"},
         {"--error-output", asked.error_map && asked.lighting.point_count > 0,
          "colours by --point-light have no bounds"},
         {"--error-output", asked.error_map && is_none,
          "pixels have bounds on a background, and --background none has none"},
-        {"--texture", has_texture && (asked.wireframe || !is_light),
-         "shades of light show it, and neither --wireframe nor --shade " + shade + " does"},
+        {"--texture", has_texture && (asked.wireframe || asked.drawing || !is_light),
+         "shades of light show it, and neither lines nor --shade " + shade + " does"},
         {"--error-output", has_texture && asked.error_map,
          "pictures on surfaces have no bounds, and --texture lays one on"},
         {"--wireframe", asked.wireframe && asked.shade != l3d_afd_settings().shade,
          "lines have one colour, and show nothing of --shade " + shade},
+        {"--drawing", asked.drawing && asked.shade != l3d_afd_settings().shade,
+         "lines have one colour, and show nothing of --shade " + shade},
+        {"--drawing", asked.drawing && asked.wireframe, "--wireframe shows other lines"},
         {"--fog", asked.fog.is_on() && l3d_has_scale(asked.shade),
          "the scale of --shade " + shade + " has no colours for it"},
         {"--fog", asked.fog.is_on() && !asked.fog.color && is_none,
@@ -177,6 +183,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
         "--texture-filter", settings_.texture_filter, "how pictures on surfaces are looked up",
         {l3d_texture_filter_names.begin(), l3d_texture_filter_names.end()});
     options.add("--wireframe", settings_.wireframe, "the adaptive steps as lines");
+    options.add("--drawing", settings_.drawing,
+                "contours, creases and borders as lines, hidden ones dashed");
     options.add("--net", settings_.net, "the control nets on top");
     options.add("--one-sided", settings_.one_sided,
                 "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
@@ -229,6 +237,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "write how far each pixel of the last frame may be from the exact picture, in "
                 "levels of 255 (.pfm); - is the standard output",
                 "FILE");
+    options.add("--svg", svg_,
+                "show nothing; write the lines of --drawing as an .svg file, exact to the "
+                "tolerance; - is the standard output",
+                "FILE");
     options.add("--pick", pick_,
                 "tell what the last frame shows at this place, in pixels from the left upper "
                 "corner: patch, parameters, point, normal and curvature, each with its error");
@@ -236,7 +248,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add("--statistics", statistics_,
                 "tell at the end how many polygons were drawn, in how many seconds");
     for (const char* const name :
-         {"--depth-output", "--error-output", "--report", "--explain", "--statistics"})
+         {"--depth-output", "--error-output", "--report", "--explain", "--statistics", "--svg"})
         options.has_result(name);
     options.prints_result("--pick");
     options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
@@ -248,6 +260,7 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
         options.add_note("Models by name:" + names + ". Without one, the teapot.");
     options.add_example("teapot_bottom --turntable 1", "a model by its name, which turns");
     options.add_example("model.bpt --backend memory --output model.png", "a picture, no window");
+    options.add_example("cone --parallel --svg cone.svg", "its lines, seen and hidden, as a file");
     options.add_example("--shade zebra --light 1,1,1,orange", "stripes of reflection under a lamp");
 }
 
@@ -447,8 +460,9 @@ l3d_afd_settings l3d_afd_options::settings() const {
     result.count_pixels = !report_.empty();
     result.outlines = !report_.empty() || explain_;
     result.threads = threads_.value_or(settings_.threads);
-    l3d_detail::check_pfm("--depth-output", depth_output_);
-    l3d_detail::check_pfm("--error-output", error_output_);
+    l3d_detail::check_ending("--depth-output", depth_output_, ".pfm");
+    l3d_detail::check_ending("--error-output", error_output_, ".pfm");
+    l3d_detail::check_ending("--svg", svg_, ".svg");
     result.depth = !depth_output_.empty();
     result.error_map = !error_output_.empty();
     result.inspection.direction = shade_direction_;
@@ -460,6 +474,41 @@ l3d_afd_settings l3d_afd_options::settings() const {
     if (keep_all_)
         result.keep = l3d_kept_work::all();
     return result;
+}
+
+bool l3d_afd_options::write_svg(const l3d_patch_scene& scene) const {
+    if (svg_.empty())
+        return false;
+    const l3d_common_options& common = options_.common();
+    l3d_refuse({{"--svg", !common.output.empty(), "it shows nothing, and --output wants pictures"},
+                {"--svg", common.frames > 0, "it shows nothing, and --frames wants pictures"}});
+    const l3d_reach reach = l3d_reach_of(scene);
+    const l3d_camera view = camera(
+        [&](const l3d_camera& usual) { return l3d_framed_unless_well(usual, common.size, reach); });
+    const l3d_line_drawing drawing =
+        l3d_draw_lines(scene, view, common.size, {.tolerance = svg_tolerance()});
+    const std::string text = l3d_svg_of(drawing, {.title = model_title()});
+    const auto write = [&](std::FILE* to, const std::string& name) {
+        if (std::fwrite(text.data(), 1, text.size(), to) != text.size() || std::fflush(to) != 0)
+            l3d_detail::throw_write_error(name);
+    };
+    if (svg_ == "-") {
+        write(stdout, "standard output");
+    } else {
+        l3d_detail::output_file file(svg_);
+        write(file.get(), svg_);
+        file.commit();
+    }
+    if (drawing.lines.empty())
+        std::cerr << options_.command() << ": the drawing is empty, as the model is "
+                  << l3d_why_unseen(view, common.size, reach) << '\n';
+    return true;
+}
+
+/// Paper shows finer lines than a screen: the tolerance of drawings, not that of pictures.
+double l3d_afd_options::svg_tolerance() const {
+    return std::clamp(tolerance_.value_or(l3d_line_settings().tolerance),
+                      l3d_line_settings::least_tolerance, l3d_line_settings::most_tolerance);
 }
 
 void l3d_afd_options::lay_picture(l3d_patch_scene& scene) const {

@@ -51,6 +51,18 @@ public:
     /// and the scene stays as it is.
     void lay_picture(l3d_patch_scene& scene) const;
 
+    /// Writes the line drawing of a scene that --svg asks for, in the camera that shows all of it
+    /// unless the user places one. Returns whether the option was given: then the program has
+    /// nothing more to do. A line on stderr tells why a drawing is empty.
+    /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
+    /// file
+    ///         and the system's reason.
+    bool write_svg(const l3d_patch_scene& scene) const;
+    /// Whether --svg was given.
+    bool gives_svg() const { return !svg_.empty(); }
+    /// Whether --svg or --drawing asks for exact lines of patches.
+    bool wants_drawing() const { return gives_svg() || settings_.drawing; }
+
     /// Whether --texture was given.
     bool gives_texture() const { return !texture_.empty(); }
 
@@ -120,6 +132,7 @@ private:
     void add_light(const std::string& text);
     void add_point_light(const std::string& text);
     l3d_camera asked_camera() const;
+    double svg_tolerance() const;
     const l3d_model_camera& camera_of_file() const;
 
     const l3d_options& options_;
@@ -137,7 +150,7 @@ private:
     std::optional<l3d_vector<double, 2>> pick_;
     l3d_afd_settings settings_;
     double turntable_ = 0, turn_speed_ = 1;
-    std::string depth_output_, error_output_, report_;
+    std::string depth_output_, error_output_, svg_, report_;
     bool explain_ = false, statistics_ = false, keep_all_ = false;
     std::optional<double> tolerance_;
     std::optional<l3d_background> background_;

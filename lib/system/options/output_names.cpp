@@ -44,14 +44,14 @@ void l3d_detail::check_folder(const std::string& option, const std::string& name
                         option + ": '" + name + "': there is no folder '" + folder.string() + "'");
 }
 
-void l3d_detail::check_pfm(const std::string& option, const std::string& name) {
+void l3d_detail::check_ending(const std::string& option, const std::string& name,
+                              const std::string& ending) {
     std::error_code ignored;
     const bool is_device = fs::exists(name, ignored) && !fs::is_regular_file(name, ignored);
     if (name.empty() || name == "-" || is_device)
         return;
-    if (ending_of(name) != ".pfm")
-        throw l3d_error(l3d_exit::usage, option + ": '" + name +
-                                             "' does not end in .pfm, nor is it - for the "
-                                             "standard output");
+    if (ending_of(name) != ending)
+        throw l3d_error(l3d_exit::usage, option + ": '" + name + "' does not end in " + ending +
+                                             ", nor is it - for the standard output");
     check_folder(option, name, name);
 }

@@ -23,10 +23,10 @@ bool mean_one_file(const std::string& a, const std::string& b);
 /// Errors:  l3d_error(failure) that names the option, its value and the folder of `file`.
 void check_folder(const std::string& option, const std::string& name, const std::string& file);
 
-/// Checks a name for --depth-output and similar options.
+/// Checks a name for --depth-output and similar options. Shape: the ending has a dot, as ".pfm".
 /// Errors:  l3d_error: usage for another ending than that of the format, failure for a missing
 ///          folder.
-void check_pfm(const std::string& option, const std::string& name);
+void check_ending(const std::string& option, const std::string& name, const std::string& ending);
 
 } // namespace l3d_detail
 

@@ -35,7 +35,8 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.begin_group("Polygons");
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
-        "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
+        "afd draws patches, and is taken for --drawing and --svg; zsort sorts and cuts polygons, "
+        "zbuffer has a depth buffer, mesa has GL "
         "draw them",
         {{"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},

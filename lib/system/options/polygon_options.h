@@ -30,8 +30,10 @@ public:
     l3d_polygon_options(const l3d_polygon_options&) = delete;
     l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
 
-    /// The pipeline that --pipeline names.
-    l3d_pipeline_kind pipeline() const { return pipeline_; }
+    /// The pipeline that --pipeline names; that of patches for --drawing and --svg.
+    l3d_pipeline_kind pipeline() const {
+        return shared_.wants_drawing() ? l3d_pipeline_kind::afd : pipeline_;
+    }
 
     /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
     /// parts of a file are reported on stderr.

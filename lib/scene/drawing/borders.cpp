@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: MIT
+// borders_of: sides that meet, curves as chords.
+#include "scene/drawing/borders_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace l3d_detail {
+
+namespace {
+
+using vector = l3d_vector<double, 3>;
+
+/// Eight levels of Lambert's grey, as in l3d_patch_neighbours: two degrees.
+constexpr double least_angle = 8 / 229.5;
+
+constexpr std::size_t side_count = 4;
+
+/// A side of a piece: v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the piece.
+struct side {
+    std::size_t piece, number;
+
+    static std::array<double, 2> place(std::size_t number, double t) {
+        switch (number) {
+        case 0:
+            return {t, 0};
+        case 1:
+            return {1, t};
+        case 2:
+            return {1 - t, 1};
+        default:
+            return {0, 1 - t};
+        }
+    }
+    std::array<double, 2> place(double t) const { return place(number, t); }
+    /// The parameter of a place of this side; below 0 for any other place.
+    double parameter(double u, double v) const {
+        switch (number) {
+        case 0:
+            return v == 0 ? u : -1;
+        case 1:
+            return u == 1 ? v : -1;
+        case 2:
+            return v == 1 ? 1 - u : -1;
+        default:
+            return u == 0 ? 1 - v : -1;
+        }
+    }
+};
+
+constexpr int places_of_side = 5;
+
+/// A side and its places in the world, at equal steps of its parameter.
+struct placed_side {
+    side of;
+    std::size_t instance;
+    std::array<vector, places_of_side> places{};
+
+    placed_side(const image_piece& piece, const side& one) : of(one), instance(piece.instance) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto [u, v] = of.place(double(i) / (places_of_side - 1));
+            const auto p = piece.world.evaluate(u, v).value;
+            places[i] = {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+        }
+    }
+    bool is_at(const placed_side& other, bool backwards, double same) const {
+        if (instance != other.instance)
+            return false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::size_t k = backwards ? places.size() - 1 - i : i;
+            if (!(l3d_length(places[i] - other.places[k]) <= same))
+                return false;
+        }
+        return true;
+    }
+};
+
+/// The curve along a side. Shape: a net with n = 0.
+bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
+    const int degree = number % 2 == 0 ? net.m : net.n;
+    bernstein_net result(degree, 0, net.dims);
+    for (int i = 0; i <= degree; ++i) {
+        const auto [u, v] = side::place(number, double(i) / degree);
+        const int column = static_cast<int>(std::lround(u * net.m));
+        const int row = static_cast<int>(std::lround(v * net.n));
+        std::copy_n(net.at(row, column), net.dims, result.at(0, i));
+    }
+    return result;
+}
+
+/// The surface's curve along the straight line between two places of parameters. With the part of
+/// the net between them, it is the diagonal, as B_i(t) B_j(t) is a multiple of B_(i+j)(t).
+bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
+                            const l3d_trim_place& b) {
+    const auto binomials = [](int n) {
+        std::vector<double> row{1};
+        for (int k = 1; k <= n; ++k)
+            row.push_back(row.back() * (n - k + 1) / k);
+        return row;
+    };
+    const bernstein_net part = net.part(a[0], b[0], a[1], b[1]);
+    const auto of_m = binomials(net.m), of_n = binomials(net.n), of_all = binomials(net.m + net.n);
+    bernstein_net result(net.m + net.n, 0, net.dims);
+    for (int r = 0; r <= net.n; ++r)
+        for (int k = 0; k <= net.m; ++k)
+            for (int d = 0; d < net.dims; ++d)
+                result.at(0, r + k)[d] += part.at(r, k)[d] * of_m[static_cast<std::size_t>(k)] *
+                                          of_n[static_cast<std::size_t>(r)] /
+                                          of_all[static_cast<std::size_t>(r + k)];
+    return result;
+}
+
+/// Turns curves into chords, which it adds to lines.
+class flattener {
+public:
+    flattener(std::size_t piece, const drawing_view& view, double tolerance)
+        : piece_(piece), view_(view), tolerance_(tolerance) {}
+
+    /// `place` tells the parameters of t, from 0 to 1.
+    void add(const bernstein_net& curve,
+             const std::function<std::array<double, 2>(double)>& place) {
+        add(curve, place, 0, 1, 0);
+    }
+    std::vector<surface_line> take() { return std::move(lines_); }
+
+private:
+    void add(const bernstein_net& curve, const std::function<std::array<double, 2>(double)>& place,
+             double from, double to, int halvings) {
+        constexpr int most_halvings = 24;
+        const ahead_of_near where = side_of_near(curve, view_);
+        if (where == ahead_of_near::none || is_beside(curve, view_))
+            return;
+        const bool is_ahead = where == ahead_of_near::all;
+        if (is_ahead && (halvings == most_halvings || is_flat(curve))) {
+            const surface_vertex a = vertex(curve.at(0, 0), place(from));
+            if (lines_.empty() || !goes_on(lines_.back().back(), a))
+                lines_.push_back({a});
+            lines_.back().push_back(vertex(curve.at(0, curve.m), place(to)));
+            return;
+        }
+        if (halvings == most_halvings)
+            return;
+        const auto [low, high] = curve.halves(true);
+        const double middle = (from + to) / 2;
+        add(low, place, from, middle, halvings + 1);
+        add(high, place, middle, to, halvings + 1);
+    }
+
+    static bool goes_on(const surface_vertex& last, const surface_vertex& next) {
+        constexpr double rounding = 1e-12;
+        return std::abs(last.u - next.u) < rounding && std::abs(last.v - next.v) < rounding;
+    }
+
+    surface_vertex vertex(const double* p, const std::array<double, 2>& at) const {
+        return {{p[0] / p[2], p[1] / p[2], p[3] / p[2]}, piece_, at[0], at[1]};
+    }
+
+    /// Depths may be off four times as much as places: they only tell what is in front.
+    bool is_flat(const bernstein_net& curve) const {
+        const auto place = [](const double* p) {
+            return image_place{p[0] / p[2], p[1] / p[2], p[3] / p[2]};
+        };
+        const image_place a = place(curve.at(0, 0)), b = place(curve.at(0, curve.m));
+        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+        for (int i = 1; i < curve.m; ++i) {
+            const image_place c = place(curve.at(0, i));
+            const double along = (c.x - a.x) * dx + (c.y - a.y) * dy;
+            const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+            if (!(distance_from(c, a, b) <= tolerance_ &&
+                  std::abs(a.z + t * (b.z - a.z) - c.z) <= 4 * tolerance_))
+                return false;
+        }
+        return true;
+    }
+
+    std::size_t piece_;
+    const drawing_view& view_;
+    double tolerance_;
+    std::vector<surface_line> lines_;
+};
+
+class border_search {
+public:
+    border_search(std::span<const image_piece> pieces,
+                  std::span<const std::vector<surface_line>> contours, const drawing_view& view,
+                  double tolerance)
+        : pieces_(pieces), contours_(contours), view_(view), tolerance_(tolerance) {}
+
+    std::vector<drawn_chain> chains() {
+        pair_sides();
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (pieces_[i].is_trimmed)
+                add_trims(i);
+        return std::move(chains_);
+    }
+
+private:
+    void pair_sides();
+    void add_side(const std::vector<side>& met, const std::vector<bool>& forward);
+    void add_contours(const side& a, const side& b, bool turns);
+    bool is_smooth(const side& a, const side& b, bool turns) const;
+    void add_trims(std::size_t piece);
+    /// Adds a stretch of a side.
+    void add(const side& of, double from, double to, l3d_line_kind kind,
+             const std::vector<std::size_t>& sides);
+
+    std::span<const image_piece> pieces_;
+    std::span<const std::vector<surface_line>> contours_;
+    const drawing_view& view_;
+    double tolerance_;
+    std::vector<drawn_chain> chains_;
+};
+
+/// Sides are one if five of their places are, to a thousandth of a pixel or so.
+void border_search::pair_sides() {
+    constexpr int middle = places_of_side / 2;
+    std::vector<placed_side> all;
+    vector least(std::numeric_limits<double>::max()), most(-least[0]);
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        for (std::size_t k = 0; k < side_count; ++k) {
+            const placed_side one(pieces_[i], {i, k});
+            for (const vector& p : one.places)
+                for (int d = 0; d < 3; ++d) {
+                    least[d] = std::min(least[d], p[d]);
+                    most[d] = std::max(most[d], p[d]);
+                }
+            all.push_back(one);
+        }
+    const double same = 1e-6 * l3d_length(most - least);
+    std::erase_if(all, [&](const placed_side& one) { // a point has no line
+        return std::ranges::all_of(
+            one.places, [&](const vector& p) { return l3d_length(p - one.places[0]) <= same; });
+    });
+    const auto x_of = [](const placed_side& one) { return one.places[middle][0]; };
+    std::ranges::stable_sort(all, {}, x_of);
+    std::vector<bool> is_met(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (is_met[i])
+            continue;
+        std::vector<side> met{all[i].of};
+        std::vector<bool> forward{true};
+        for (std::size_t k = i + 1; k < all.size() && x_of(all[k]) - x_of(all[i]) <= same; ++k) {
+            const bool there = all[k].is_at(all[i], false, same);
+            if (is_met[k] || (!there && !all[k].is_at(all[i], true, same)))
+                continue;
+            is_met[k] = true;
+            met.push_back(all[k].of);
+            forward.push_back(there);
+        }
+        add_side(met, forward);
+    }
+}
+
+bool border_search::is_smooth(const side& a, const side& b, bool turns) const {
+    constexpr int places = 5;
+    for (int i = 0; i < places; ++i) {
+        const double t = (i + 0.5) / places;
+        const auto [u, v] = a.place(t);
+        const auto [s, r] = b.place(turns ? t : 1 - t);
+        const auto n = pieces_[a.piece].normal(u, v);
+        const auto o = pieces_[b.piece].normal(s, r) * (turns ? -1.0 : 1.0);
+        if (l3d_length(n) > 0 && l3d_length(o) > 0 &&
+            !(l3d_dot(n, o) > 0 && l3d_length(l3d_cross(n, o)) < least_angle))
+            return false;
+    }
+    return true;
+}
+
+void border_search::add_side(const std::vector<side>& met, const std::vector<bool>& forward) {
+    std::vector<std::size_t> sides;
+    for (const side& one : met)
+        if (std::ranges::find(sides, one.piece) == sides.end())
+            sides.push_back(one.piece);
+    if (met.size() == 1) {
+        add(met[0], 0, 1, l3d_line_kind::border, sides);
+        return;
+    }
+    const bool turns = forward[0] == forward[1];
+    if (met.size() == 2 && is_smooth(met[0], met[1], turns))
+        add_contours(met[0], met[1], turns);
+    else
+        add(met[0], 0, 1, l3d_line_kind::crease, sides);
+}
+
+/// Between the ends of contours of either piece, the side is a contour if just one of both pieces
+/// shows its front.
+void border_search::add_contours(const side& a, const side& b, bool turns) {
+    std::vector<double> ends{0, 1};
+    for (const side* const one : {&a, &b})
+        for (const surface_line& line : contours_[one->piece])
+            for (const surface_vertex* const end : {&line.front(), &line.back()})
+                if (const double t = one->parameter(end->u, end->v); t >= 0)
+                    ends.push_back(one == &a || turns ? t : 1 - t);
+    std::ranges::sort(ends);
+    constexpr double least = 1e-9; // smooth to within rounding
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        if (ends[i + 1] - ends[i] < least)
+            continue;
+        const double t = (ends[i] + ends[i + 1]) / 2;
+        const auto [u, v] = a.place(t);
+        const auto [s, r] = b.place(turns ? t : 1 - t);
+        const bool one = pieces_[a.piece].contour.evaluate(u, v).value[0] >= 0;
+        const bool two = pieces_[b.piece].contour.evaluate(s, r).value[0] >= 0;
+        if ((one != two) != turns)
+            add(a, ends[i], ends[i + 1], l3d_line_kind::contour, {a.piece, b.piece});
+    }
+}
+
+void border_search::add(const side& of, double from, double to, l3d_line_kind kind,
+                        const std::vector<std::size_t>& sides) {
+    const image_piece& piece = pieces_[of.piece];
+    std::vector<std::array<double, 2>> stretches{{from, to}};
+    if (piece.is_trimmed) {
+        // The walk along sides 2 and 3 goes down.
+        stretches.clear();
+        const bool is_back = of.number >= 2;
+        for (const auto& [low, high] : piece.region.stretches(
+                 of.number % 2 == 0 ? 1 : 0, of.number == 1 || of.number == 2 ? 1 : 0)) {
+            const double first = std::max(from, is_back ? 1 - high : low);
+            const double last = std::min(to, is_back ? 1 - low : high);
+            if (first < last)
+                stretches.push_back({first, last});
+        }
+    }
+    const bernstein_net curve = curve_along(piece.net, of.number);
+    for (const auto& [first, last] : stretches) {
+        flattener flat(of.piece, view_, tolerance_);
+        flat.add(curve.part(first, last, 0, 1), [&, first = first, last = last](double t) {
+            return of.place(first + (last - first) * t);
+        });
+        for (surface_line& line : flat.take())
+            chains_.push_back({kind, std::move(line), sides});
+    }
+}
+
+void border_search::add_trims(std::size_t number) {
+    const image_piece& piece = pieces_[number];
+    for (const l3d_trim_polygon& polygon : piece.region.polygons) {
+        flattener flat(number, view_, tolerance_);
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_place &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            const auto on_side = [&](std::size_t k) {
+                return a[k] == b[k] && (a[k] == 0 || a[k] == 1);
+            };
+            if (on_side(0) || on_side(1))
+                continue;
+            flat.add(curve_between(piece.net, a, b), [&](double t) -> std::array<double, 2> {
+                return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t};
+            });
+        }
+        for (surface_line& line : flat.take())
+            chains_.push_back({l3d_line_kind::border, std::move(line), {number}});
+    }
+}
+
+} // namespace
+
+std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
+                                    std::span<const std::vector<surface_line>> contours,
+                                    const drawing_view& view, double tolerance) {
+    return border_search(pieces, contours, view, tolerance).chains();
+}
+
+std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& line) {
+    if (!piece.is_trimmed)
+        return {line};
+    std::vector<surface_line> result;
+    bool goes_on = false;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const surface_vertex &a = line[i], &b = line[i + 1];
+        const double du = b.u - a.u, dv = b.v - a.v;
+        std::vector<double> cuts{0, 1};
+        for (const l3d_trim_polygon& polygon : piece.region.polygons)
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                const l3d_trim_place &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+                const double pu = q[0] - p[0], pv = q[1] - p[1];
+                const double across = du * pv - dv * pu;
+                const double t = ((p[0] - a.u) * pv - (p[1] - a.v) * pu) / across;
+                const double s = ((p[0] - a.u) * dv - (p[1] - a.v) * du) / across;
+                if (t > 0 && t < 1 && s >= 0 && s <= 1)
+                    cuts.push_back(t);
+            }
+        std::ranges::sort(cuts);
+        const auto vertex = [&](double t) {
+            if (t == 0 || t == 1)
+                return t == 0 ? a : b;
+            surface_vertex c{.piece = a.piece, .u = a.u + du * t, .v = a.v + dv * t};
+            c.at = piece.at(c.u, c.v);
+            return on_contour(piece, c).value_or(c);
+        };
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const double middle = (cuts[k] + cuts[k + 1]) / 2;
+            const bool is_there = piece.contains(a.u + du * middle, a.v + dv * middle);
+            if (is_there && !goes_on)
+                result.push_back({vertex(cuts[k])});
+            if (is_there)
+                result.back().push_back(vertex(cuts[k + 1]));
+            goes_on = is_there;
+        }
+    }
+    return result;
+}
+
+} // namespace l3d_detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// borders_of: creases and borders of pieces, and the stretches of smooth sides that are contours.
+#ifndef L3D_SCENE_DRAWING_BORDERS_P_H
+#define L3D_SCENE_DRAWING_BORDERS_P_H
+
+#include "scene/drawing/contours_p.h"
+#include "scene/line_drawing.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// A line on surfaces, before anything is known of what hides it.
+struct drawn_chain {
+    l3d_line_kind kind = l3d_line_kind::contour;
+    surface_line points;
+    /// The pieces that meet along the whole line; none for contours inside of pieces.
+    std::vector<std::size_t> sides{};
+    std::vector<std::size_t> cusps{}; ///< vertices at which the picture of a contour turns back
+};
+
+/// The lines along the sides of pieces, and along their trims.
+///
+/// Two sides at the same places are one, walked either way. They are a crease
+/// if the normals differ by two degrees or more, in any of some places. Otherwise the side is
+/// a contour wherever one piece shows its front and the other its back. So contours of pieces
+/// that are not quite smooth join too.
+/// Shape: `contours` holds the lines of contours_of for each piece, not trimmed.
+std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
+                                    std::span<const std::vector<surface_line>> contours,
+                                    const drawing_view& view, double tolerance);
+
+/// The parts of a line that the piece's trims leave.
+std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& line);
+
+} // namespace l3d_detail
+
+#endif

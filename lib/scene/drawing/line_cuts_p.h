@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// cut_lines: the places at which lines may begin or end to be seen.
+#ifndef L3D_SCENE_DRAWING_LINE_CUTS_P_H
+#define L3D_SCENE_DRAWING_LINE_CUTS_P_H
+
+#include "scene/drawing/borders_p.h"
+#include "scene/drawing/image_piece_p.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The lengths in the picture from a line's first vertex to each.
+std::vector<double> lengths_along(const surface_line& line);
+
+/// Places along lines, by their length in the picture from the line's beginning: each where another
+/// line that may be nearer crosses it or ends on it, and each where it crosses the picture's
+/// border. Between two of them a line is seen or hidden as a whole, unless it passes through a
+/// surface. Shape: for each chain its places in order, its own two ends among them.
+std::vector<std::vector<double>> cut_lines(std::span<const drawn_chain> chains,
+                                           const drawing_view& view, double tolerance);
+
+} // namespace l3d_detail
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// join_lines: which lines continue each other.
+#ifndef L3D_SCENE_DRAWING_LINE_JOINTS_P_H
+#define L3D_SCENE_DRAWING_LINE_JOINTS_P_H
+
+#include "scene/drawing/image_piece_p.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace l3d_detail {
+
+/// An end of a line.
+struct line_end {
+    image_place at;
+    double out_x = 0, out_y = 0; ///< the direction in which the line would go on, of any length
+    std::size_t group = 0;       ///< lines of other groups do not continue it
+};
+
+/// A line in a row of lines, and whether the row runs through it from its end.
+struct joined_line {
+    std::size_t line = 0;
+    bool is_back = false;
+};
+
+/// Joins lines whose ends are the same place, the straightest continuations first.
+/// Shape: two ends for each line, its first one and its last one. Returns rows of lines; each line
+///        is in one of them.
+std::vector<std::vector<joined_line>> join_lines(std::span<const std::array<line_end, 2>> lines);
+
+} // namespace l3d_detail
+
+#endif

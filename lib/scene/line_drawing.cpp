@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+// l3d_draw_lines: from pieces to lines, and to what is seen of them.
+#include "scene/line_drawing.h"
+
+#include "base/error.h"
+#include "base/formatted_p.h"
+#include "geom/nurbs_surface.h"
+#include "scene/drawing/borders_p.h"
+#include "scene/drawing/contours_p.h"
+#include "scene/drawing/image_piece_p.h"
+#include "scene/drawing/line_cuts_p.h"
+#include "scene/drawing/line_joints_p.h"
+#include "scene/drawing/sight_p.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace {
+
+using namespace l3d_detail;
+
+/// Shares of the tolerance for chords and for polygons that stand for trims. The rest is for the
+/// shear and for rounding.
+constexpr double chord_share = 0.5, trim_share = 0.25;
+
+/// A stretch that is shorter takes after its neighbours. Units: pixels.
+constexpr double sliver = 0.75;
+
+/// Lines that pass through a surface are found if they are hidden by it for so many pixels.
+constexpr double sample_distance = 32;
+
+/// The first and last sample of a long stretch are so far from its ends. Units: pixels.
+constexpr double from_ends = 3;
+
+/// A change between seen and hidden inside a stretch is found to so many pixels.
+constexpr double break_error = 1.0 / 32;
+
+drawing_view view_of(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size) {
+    const auto middle = (scene.least() + scene.most()) * 0.5;
+    return {camera, size, camera.depth_of(middle), l3d_length(scene.most() - scene.least()) / 2};
+}
+
+std::vector<l3d_patch_points> pieces_of(const l3d_patch_model& model) {
+    std::vector<l3d_patch_points> result;
+    for (const l3d_nurbs_surface& surface : model.surfaces())
+        std::ranges::move(surface.pieces(), std::back_inserter(result));
+    return result;
+}
+
+class drawer {
+public:
+    drawer(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
+           const l3d_line_settings& settings)
+        : settings_(settings), chord_(chord_share * settings.tolerance),
+          view_(view_of(scene, camera, size)) {
+        double trims = 0;
+        for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+            const l3d_patch_instance& instance = scene.instances()[i];
+            if (instance.opacity() == 0)
+                continue;
+            const std::vector<l3d_patch_points> pieces = pieces_of(instance.model());
+            for (std::size_t p = 0; p < pieces.size(); ++p) {
+                image_piece& piece = pieces_.emplace_back(pieces[p], instance.placement(), view_);
+                piece.instance = i;
+                piece.number = p;
+                if (!pieces[p].trims.empty())
+                    trims = std::max(trims,
+                                     piece.trim(pieces[p].trims, trim_share * settings.tolerance));
+            }
+        }
+        result_.size = size;
+        result_.bound = chord_ + trims + view_.error();
+    }
+
+    l3d_line_drawing draw() {
+        find_chains();
+        std::vector<std::vector<double>> cuts = cut_lines(chains_, view_, settings_.tolerance);
+        line_of_sight sight(pieces_, view_);
+        for (std::size_t i = 0; i < chains_.size(); ++i)
+            add_stretches(chains_[i], cuts[i], sight);
+        join();
+        return std::move(result_);
+    }
+
+private:
+    /// From one length along a chain to another.
+    struct stretch {
+        double from, to;
+        bool is_seen;
+    };
+    /// A stretch of the drawing, before it is joined with others.
+    struct drawn_stretch {
+        surface_line points;
+        l3d_line_kind kind;
+        bool is_seen;
+        std::vector<std::size_t> pieces; ///< indices in pieces_
+    };
+
+    void find_chains();
+    void join_contours(std::vector<drawn_chain> contours);
+    void find_cusps(drawn_chain& chain) const;
+    void add_stretches(const drawn_chain& chain, std::vector<double>& cuts, line_of_sight& sight);
+    bool is_seen(const drawn_chain& chain, const std::vector<double>& lengths, double at,
+                 line_of_sight& sight) const;
+    void sample(const drawn_chain& chain, const std::vector<double>& lengths, double from,
+                double to, line_of_sight& sight, std::vector<stretch>& stretches) const;
+    static void merge_slivers(std::vector<stretch>& stretches);
+    static surface_line part_of(const drawn_chain& chain, const std::vector<double>& lengths,
+                                double from, double to);
+    bool is_in_picture(const image_place& p) const {
+        return std::abs(p.x) <= view_.size().width / 2.0 &&
+               std::abs(p.y) <= view_.size().height / 2.0;
+    }
+    void join();
+
+    const l3d_line_settings settings_;
+    double chord_;
+    drawing_view view_;
+    std::vector<image_piece> pieces_;
+    std::vector<drawn_chain> chains_;
+    std::vector<drawn_stretch> stretches_;
+    l3d_line_drawing result_;
+};
+
+void drawer::find_chains() {
+    std::vector<std::vector<surface_line>> contours;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        contours.push_back(contours_of(pieces_[i], i, view_, chord_));
+    std::vector<drawn_chain> parts;
+    for (drawn_chain& chain : borders_of(pieces_, contours, view_, chord_))
+        (chain.kind == l3d_line_kind::contour ? parts : chains_).push_back(std::move(chain));
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        for (const surface_line& line : contours[i])
+            for (surface_line& part : trimmed(pieces_[i], line))
+                parts.push_back({l3d_line_kind::contour, std::move(part)});
+    join_contours(std::move(parts));
+    for (drawn_chain& chain : chains_)
+        if (chain.kind == l3d_line_kind::contour && chain.sides.empty())
+            find_cusps(chain);
+}
+
+std::array<line_end, 2> ends_of(const surface_line& line, std::size_t group) {
+    const auto end = [&](const surface_vertex& last, const surface_vertex& before) -> line_end {
+        return {last.at, last.at.x - before.at.x, last.at.y - before.at.y, group};
+    };
+    const std::size_t count = line.size();
+    return {end(line[0], line[1]), end(line[count - 1], line[count - 2])};
+}
+
+/// Appends a line, or its reverse, whose first vertex may be the last one again.
+void append(surface_line& to, const surface_line& line, bool is_back) {
+    if (is_back)
+        to.insert(to.end(), line.rbegin(), line.rend());
+    else
+        to.insert(to.end(), line.begin(), line.end());
+}
+
+/// Contours inside of pieces go on in the next pieces. Those along sides stay apart, as another
+/// question tells whether they are seen.
+void drawer::join_contours(std::vector<drawn_chain> contours) {
+    std::vector<std::array<line_end, 2>> ends;
+    for (const drawn_chain& chain : contours)
+        ends.push_back(ends_of(chain.points, chain.sides.empty() ? 0 : 1 + chain.sides[0]));
+    for (const std::vector<joined_line>& row : join_lines(ends)) {
+        drawn_chain& joined = chains_.emplace_back();
+        joined.sides = contours[row.front().line].sides;
+        for (const auto& [line, is_back] : row)
+            append(joined.points, contours[line].points, is_back);
+    }
+}
+
+void drawer::find_cusps(drawn_chain& chain) const {
+    const surface_line old = std::exchange(chain.points, {});
+    std::optional<double> last;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const image_piece& piece = pieces_[old[i].piece];
+        const double turn = shape_of_contour(piece, old[i]).turn;
+        if (i > 0 && old[i - 1].piece == old[i].piece && last && (*last > 0) != (turn > 0)) {
+            // The chord's two ends lie on both sides of the cusp.
+            surface_vertex low = old[i - 1], high = old[i];
+            constexpr int steps = 24; // to 2^-24 of the chord
+            for (int k = 0; k < steps; ++k) {
+                surface_vertex middle = low;
+                middle.u = (low.u + high.u) / 2;
+                middle.v = (low.v + high.v) / 2;
+                const auto there = on_contour(piece, middle);
+                if (!there)
+                    break;
+                ((shape_of_contour(piece, *there).turn > 0) == (*last > 0) ? low : high) = *there;
+            }
+            chain.cusps.push_back(chain.points.size());
+            chain.points.push_back(low);
+        }
+        chain.points.push_back(old[i]);
+        last = turn;
+    }
+}
+
+bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& lengths, double at,
+                     line_of_sight& sight) const {
+    const auto above = std::ranges::upper_bound(lengths, at);
+    const auto next = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+        above - lengths.begin(), 1, static_cast<std::ptrdiff_t>(lengths.size()) - 1));
+    const surface_vertex &a = chain.points[next - 1], &b = chain.points[next];
+    const double length = lengths[next] - lengths[next - 1];
+    const double t = length > 0 ? (at - lengths[next - 1]) / length : 0;
+    surface_vertex here = a;
+    here.at = {a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y),
+               a.at.z + t * (b.at.z - a.at.z)};
+    if (!chain.sides.empty() || chain.kind != l3d_line_kind::contour)
+        return !sight.is_hidden(here.at, chain.sides);
+    // A ray beside the contour, where its own fold is not.
+    here.u = a.u + t * (b.u - a.u);
+    here.v = a.v + t * (b.v - a.v);
+    const auto exact =
+        a.piece == b.piece ? on_contour(pieces_[a.piece], here) : std::optional<surface_vertex>();
+    const bool is_near = exact && distance_from(exact->at, a.at, b.at) <= settings_.tolerance;
+    const surface_vertex& there = is_near ? *exact : t < 0.5 ? a : b;
+    const contour_shape shape = shape_of_contour(pieces_[there.piece], there);
+    const double beside = 2 * settings_.tolerance;
+    return !sight.is_hidden(
+        {there.at.x + beside * shape.out_x, there.at.y + beside * shape.out_y, there.at.z}, {});
+}
+
+/// Adds the stretches between two cuts: one, unless samples tell that the line passes through a
+/// surface.
+void drawer::sample(const drawn_chain& chain, const std::vector<double>& lengths, double from,
+                    double to, line_of_sight& sight, std::vector<stretch>& stretches) const {
+    const bool is_long = to - from > 4 * from_ends;
+    const double first = is_long ? from + from_ends : (from + to) / 2;
+    const double between = is_long ? to - from - 2 * from_ends : 0;
+    const int samples = is_long ? 2 + static_cast<int>(between / sample_distance) : 1;
+    double begin = from, last = from;
+    bool was_seen = false;
+    for (int i = 0; i < samples; ++i) {
+        const double at = first + between * i / std::max(samples - 1, 1);
+        const bool seen = is_seen(chain, lengths, at, sight);
+        if (i > 0 && seen != was_seen) {
+            double low = last, high = at;
+            while (high - low > break_error) {
+                const double middle = (low + high) / 2;
+                (is_seen(chain, lengths, middle, sight) == was_seen ? low : high) = middle;
+            }
+            stretches.push_back({begin, high, was_seen});
+            begin = high;
+        }
+        was_seen = seen;
+        last = at;
+    }
+    stretches.push_back({begin, to, was_seen});
+}
+
+/// Joins stretches that are alike; a short one becomes like those beside it.
+void drawer::merge_slivers(std::vector<stretch>& of) {
+    const auto unite = [&] {
+        std::size_t kept = 0;
+        for (const stretch& one : of)
+            if (kept > 0 && of[kept - 1].to == one.from && of[kept - 1].is_seen == one.is_seen)
+                of[kept - 1].to = one.to;
+            else
+                of[kept++] = one;
+        of.resize(kept);
+    };
+    unite();
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        const bool follows = i > 0 && of[i - 1].to == of[i].from;
+        const bool goes_on = i + 1 < of.size() && of[i + 1].from == of[i].to;
+        if (of[i].to - of[i].from < sliver && (follows || goes_on))
+            of[i].is_seen = follows ? of[i - 1].is_seen : of[i + 1].is_seen;
+    }
+    unite();
+}
+
+surface_line drawer::part_of(const drawn_chain& chain, const std::vector<double>& lengths,
+                             double from, double to) {
+    surface_line result;
+    const auto at = [&](double length) {
+        const auto next = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(lengths, length) - lengths.begin(),
+                                       1, static_cast<std::ptrdiff_t>(lengths.size()) - 1));
+        const surface_vertex &a = chain.points[next - 1], &b = chain.points[next];
+        const double whole = lengths[next] - lengths[next - 1];
+        const double t = whole > 0 ? (length - lengths[next - 1]) / whole : 0;
+        surface_vertex v = t < 1 ? a : b;
+        v.at = {a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y),
+                a.at.z + t * (b.at.z - a.at.z)};
+        return v;
+    };
+    result.push_back(at(from));
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        if (lengths[i] > from && lengths[i] < to)
+            result.push_back(chain.points[i]);
+    result.push_back(at(to));
+    return result;
+}
+
+void drawer::add_stretches(const drawn_chain& chain, std::vector<double>& cuts,
+                           line_of_sight& sight) {
+    const std::vector<double> lengths = lengths_along(chain.points);
+    constexpr double least = 1e-3; // shorter than what files keep
+    if (lengths.back() < least)
+        return;
+    for (const std::size_t cusp : chain.cusps)
+        cuts.push_back(lengths[cusp]);
+    std::ranges::sort(cuts);
+    std::vector<stretch> stretches;
+    double from = cuts.front();
+    for (const double to : cuts) {
+        if (to - from < least && to < cuts.back())
+            continue;
+        const surface_line middle = part_of(chain, lengths, (from + to) / 2, (from + to) / 2);
+        if (to > from && is_in_picture(middle.front().at))
+            sample(chain, lengths, from, to, sight, stretches);
+        from = to;
+    }
+    merge_slivers(stretches);
+    for (const stretch& one : stretches) {
+        if (!one.is_seen && !settings_.hidden)
+            continue;
+        drawn_stretch& drawn = stretches_.emplace_back();
+        drawn = {part_of(chain, lengths, one.from, one.to), chain.kind, one.is_seen, chain.sides};
+        for (const surface_vertex& v : drawn.points)
+            if (chain.sides.empty() &&
+                std::ranges::find(drawn.pieces, v.piece) == drawn.pieces.end())
+                drawn.pieces.push_back(v.piece);
+    }
+}
+
+/// Joins stretches of one kind, and makes lines of the picture of them.
+void drawer::join() {
+    std::vector<std::array<line_end, 2>> ends;
+    for (const drawn_stretch& one : stretches_)
+        ends.push_back(
+            ends_of(one.points, 2 * static_cast<std::size_t>(one.kind) + (one.is_seen ? 1 : 0)));
+    const double left = view_.size().width / 2.0, top = view_.size().height / 2.0;
+    for (const std::vector<joined_line>& row : join_lines(ends)) {
+        const drawn_stretch& first = stretches_[row.front().line];
+        l3d_drawn_line& line = result_.lines.emplace_back();
+        line.kind = first.kind;
+        line.is_seen = first.is_seen;
+        line.instance = pieces_[first.pieces.front()].instance;
+        surface_line points;
+        for (const auto& [number, is_back] : row) {
+            append(points, stretches_[number].points, is_back);
+            for (const std::size_t piece : stretches_[number].pieces)
+                if (std::ranges::find(line.pieces, pieces_[piece].number) == line.pieces.end())
+                    line.pieces.push_back(pieces_[piece].number);
+        }
+        for (const surface_vertex& v : points) {
+            constexpr double same = 1e-4; // joints, and cuts at vertices
+            const l3d_drawn_place p{v.at.x + left, v.at.y + top, view_.depth_of(v.at.z)};
+            if (line.points.empty() ||
+                std::hypot(line.points.back().x - p.x, line.points.back().y - p.y) > same)
+                line.points.push_back(p);
+        }
+        constexpr double closed = 1e-3;
+        l3d_drawn_place &begin = line.points.front(), &end = line.points.back();
+        if (line.points.size() > 2 && std::hypot(begin.x - end.x, begin.y - end.y) < closed)
+            end = begin;
+        if (lengths_along(points).back() < sliver) // a dot
+            result_.lines.pop_back();
+    }
+    std::ranges::stable_sort(result_.lines, {}, [](const l3d_drawn_line& line) {
+        return std::pair(line.instance, line.kind);
+    });
+}
+
+} // namespace
+
+l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,
+                                l3d_size size, const l3d_line_settings& settings) {
+    constexpr double least = l3d_line_settings::least_tolerance;
+    constexpr double most = l3d_line_settings::most_tolerance;
+    if (!(settings.tolerance >= least && settings.tolerance <= most))
+        throw l3d_error(l3d_exit::bad_input,
+                        l3d_detail::formatted("line drawing: the tolerance %g is not from %g to %g "
+                                              "pixels",
+                                              settings.tolerance, least, most));
+    return drawer(scene, camera, size, settings).draw();
+}

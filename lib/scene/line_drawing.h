@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// l3d_line_drawing: contours, creases and borders of surfaces, seen and hidden, as polylines.
+#ifndef L3D_SCENE_LINE_DRAWING_H
+#define L3D_SCENE_LINE_DRAWING_H
+
+#include "base/public.h"
+#include "scene/camera.h"
+#include "scene/patch_scene.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The kind of a line of a surface.
+enum class L3D_PUBLIC l3d_line_kind {
+    contour, ///< the surface turns away from the eye: its silhouette, also in front of itself
+    crease,  ///< two pieces meet at an angle of more than two degrees
+    border   ///< the surface ends, or is trimmed
+};
+
+/// A place of a line in the picture.
+struct L3D_PUBLIC l3d_drawn_place {
+    double x = 0;     ///< pixels from the picture's left border
+    double y = 0;     ///< pixels from the upper border
+    double depth = 0; ///< distance along the view axis, in world units
+
+    friend bool operator==(const l3d_drawn_place&, const l3d_drawn_place&) = default;
+};
+
+/// A stretch of a line that is wholly seen, or wholly hidden.
+struct L3D_PUBLIC l3d_drawn_line {
+    l3d_line_kind kind = l3d_line_kind::contour; ///< why there is a line
+    bool is_seen = true;                         ///< whether no surface lies in front of it
+    std::size_t instance = 0;                    ///< the instance's index in the scene
+    /// The model's pieces that the stretch runs on or between, each once.
+    std::vector<std::size_t> pieces{};
+    /// At least two places. A closed line ends where it begins.
+    std::vector<l3d_drawn_place> points{};
+};
+
+/// The wishes for a line drawing.
+struct L3D_PUBLIC l3d_line_settings {
+    static constexpr double least_tolerance = 0.01; ///< the least tolerance, in pixels
+    static constexpr double most_tolerance = 10;    ///< the largest tolerance, in pixels
+
+    /// The largest distance of lines from the exact ones in the picture, in pixels.
+    double tolerance = 0.1;
+    /// Whether lines that surfaces hide are part of the drawing.
+    bool hidden = true;
+};
+
+/// The lines of a scene's surfaces in a picture.
+///
+/// No point of a line is farther from an exact line of its kind than `bound`, as long as the
+/// surfaces are in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where
+/// visibility is unsure.
+/// Units: pixels.
+struct L3D_PUBLIC l3d_line_drawing {
+    l3d_size size{};                     ///< size of the picture
+    double bound = 0;                    ///< largest distance from the exact lines in the picture
+    std::vector<l3d_drawn_line> lines{}; ///< in the order of instances and kinds
+};
+
+/// Draws the contours, creases and borders of all instances that are not invisible. All surfaces
+/// are opaque, whatever their opacity. The near plane cuts them; the far plane does not.
+///
+/// Surfaces that pierce each other have no line where they meet. A line that another surface cuts
+/// changes there between seen and hidden.
+/// Expects: a valid camera, a size of at least 1 x 1.
+/// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits.
+/// Cost:    some 50 ms for 200 pieces in a picture of a million pixels.
+L3D_PUBLIC l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,
+                                           l3d_size size, const l3d_line_settings& settings = {});
+
+/// The look of an SVG file.
+struct L3D_PUBLIC l3d_svg_look {
+    std::string title{};       ///< the title for people and programs that read it aloud
+    double seen_width = 1.5;   ///< width of seen lines, in pixels
+    double hidden_width = 0.6; ///< width of hidden lines, in pixels
+};
+
+/// The text of an SVG file with a drawing's lines: a path for each line, in groups that Inkscape
+/// shows as layers "seen" and "hidden". Hidden lines are dashed. Places have three decimals.
+L3D_PUBLIC std::string l3d_svg_of(const l3d_line_drawing& drawing, const l3d_svg_look& look = {});
+
+#endif
