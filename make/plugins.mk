@@ -6,8 +6,8 @@
 ALL_PLUGINS  := cad
 proof_cad    := /usr/include/opencascade/STEPCAFControl_Reader.hxx
 includes_cad := -isystem /usr/include/opencascade
-links_cad    := -lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKLCAF -lTKCDF -lTKSTEP -lTKIGES -lTKXSBase -lTKShHealing -lTKTopAlgo -lTKGeomAlgo \
-                -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
+links_cad    := -lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKLCAF -lTKCDF -lTKSTEP -lTKIGES -lTKXSBase -lTKShHealing -lTKFillet -lTKOffset \
+                -lTKBool -lTKBO -lTKPrim -lTKTopAlgo -lTKGeomAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 uses_cad     := base geom tool_2d raster scene
 
 library_plugins := $(foreach p,$(ALL_PLUGINS),$(if $(wildcard $(proof_$(p))),$(p)))

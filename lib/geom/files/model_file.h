@@ -30,6 +30,8 @@ enum class L3D_PUBLIC l3d_model_format {
     stl,        ///< triangles, text or binary
     gltf,       ///< glTF 2.0: JSON or its container, .glb
     grid,       ///< a grid of heights
+    step,       ///< ISO 10303-21, by a plug-in
+    iges,       ///< Initial Graphics Exchange Specification, by a plug-in
 };
 
 /// A file of materials that a model file names.
@@ -135,7 +137,8 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_videoscape,                  ///< 3DG1
     l3d_read_bez,                         ///< geomview's patches
     l3d_read_stl,                         ///< triangles
-    l3d_read_grid;                        ///< a grid of heights, as patches
+    l3d_read_grid,                        ///< a grid of heights, as patches
+    l3d_read_cad;                         ///< STEP and IGES, by the plug-in of the package l3d-cad
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as
