@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
@@ -25,6 +26,13 @@
 namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at once
+
+/// Seconds that the kernel may compute for a text. It takes about a second for a megabyte; broken
+/// files can have it compute for ever.
+rlim_t most_seconds(std::size_t size) {
+    constexpr rlim_t at_least = 30, per_megabyte = 30;
+    return at_least + per_megabyte * (size >> 20);
+}
 
 /// A file that is closed in the end.
 class open_file {
@@ -81,15 +89,17 @@ bool send(int file, std::string_view bytes) {
 
 /// Nothing that the parent does on signals is to happen here, and nothing may be left behind when
 /// it dies.
-void stand_alone(pid_t parent) {
+void stand_alone(pid_t parent, rlim_t seconds) {
     for (const int one : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGSEGV, SIGBUS, SIGFPE,
-                          SIGILL, SIGABRT, SIGCHLD, SIGALRM})
+                          SIGILL, SIGABRT, SIGCHLD, SIGALRM, SIGXCPU})
         std::signal(one, SIG_DFL);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit limit{seconds, seconds + 1}; // SIGXCPU comes first
+    setrlimit(RLIMIT_CPU, &limit);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1);
@@ -134,12 +144,13 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
         return fail(std::string("no process can be made for Open CASCADE: ") +
                     std::strerror(errno));
     open_file records(ends[0]), sent(ends[1]);
+    const auto start = std::chrono::steady_clock::now();
     const pid_t parent = getpid(), child = fork();
     if (child < 0)
         return fail(std::string("no process can be made for Open CASCADE: ") +
                     std::strerror(errno));
     if (child == 0) {
-        stand_alone(parent);
+        stand_alone(parent, most_seconds(size));
         int status = 1;
         try {
             status = work({text, size}, is_iges != 0, sent.get(), fault);
@@ -158,10 +169,22 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
             break;
     }
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+    rusage used{};
+    while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
         continue;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+        l3d_detail::cad_writer effort;
+        effort.begin(l3d_detail::cad_record::effort);
+        effort.number(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        constexpr double unit_of_rusage = 1024;
+        effort.number(unit_of_rusage * static_cast<double>(used.ru_maxrss));
+        take(to, effort.bytes.data(), effort.bytes.size());
         return 1;
+    }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        return fail("Open CASCADE comes to no end: it computed for " +
+                    std::to_string(most_seconds(size)) + " seconds");
     if (WIFSIGNALED(status))
         return fail(std::string("Open CASCADE crashes on it: ") + strsignal(WTERMSIG(status)));
     return fail(*fault.get() != 0 ? fault.get() : "Open CASCADE ends without a word");

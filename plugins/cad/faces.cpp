@@ -138,21 +138,21 @@ struct hull {
     double extent() const { return std::max(box.u1 - box.u0, box.v1 - box.v0); }
 };
 
-/// Brings one range of a face's parameters into that of the surface. `optimal` are bounds that may
-/// be nearer than the hulls of curves.
-void fit(double& low, double& high, const std::array<double, 2>& optimal, bool is_periodic,
-         double period, double first, double last) {
-    if (!is_periodic) {
+/// Brings one range of a face's parameters, which hulls of its curves give, into that of the
+/// surface. Turns about an axis may go on for more than one period, as those of a thread do.
+void fit(double& low, double& high, const std::array<double, 2>& optimal, double period,
+         bool is_turn, double first, double last) {
+    if (period == 0) {
         low = std::max(low, first);
         high = std::min(high, last);
         return;
     }
     constexpr double rounding = 1e-9; // the kernel's own precision of angles
-    if (high - low > period * (1 + rounding)) {
+    if (!is_turn && high - low > period * (1 + rounding)) {
         low = std::max(low, optimal[0]);
-        high = std::min(high, optimal[1]);
+        high = std::min({high, optimal[1], low + period});
     }
-    if (high - low > period * (1 - rounding))
+    if (std::abs(high - low - period) < period * rounding)
         high = low + period;
 }
 
@@ -322,12 +322,16 @@ void face_writer::write_surface(const TopoDS_Face& located) {
     BRepTools::UVBounds(face, nearest.u0, nearest.u1, nearest.v0, nearest.v1);
     rectangle box = wires.empty() ? nearest : bounds.box;
     const GeomAdaptor_Surface known_shape(shape);
-    fit(box.u0, box.u1, {nearest.u0, nearest.u1}, known_shape.IsUPeriodic(),
-        known_shape.IsUPeriodic() ? known_shape.UPeriod() : 0, known_shape.FirstUParameter(),
+    const GeomAbs_SurfaceType kind = known_shape.GetType();
+    const bool turns_twice = kind == GeomAbs_Torus;
+    const bool turns = turns_twice || kind == GeomAbs_Cylinder || kind == GeomAbs_Cone ||
+                       kind == GeomAbs_Sphere || kind == GeomAbs_SurfaceOfRevolution;
+    fit(box.u0, box.u1, {nearest.u0, nearest.u1},
+        known_shape.IsUPeriodic() ? known_shape.UPeriod() : 0, turns, known_shape.FirstUParameter(),
         known_shape.LastUParameter());
-    fit(box.v0, box.v1, {nearest.v0, nearest.v1}, known_shape.IsVPeriodic(),
-        known_shape.IsVPeriodic() ? known_shape.VPeriod() : 0, known_shape.FirstVParameter(),
-        known_shape.LastVParameter());
+    fit(box.v0, box.v1, {nearest.v0, nearest.v1},
+        known_shape.IsVPeriodic() ? known_shape.VPeriod() : 0, turns_twice,
+        known_shape.FirstVParameter(), known_shape.LastVParameter());
     for (const double end : {box.u0, box.u1, box.v0, box.v1})
         if (Precision::IsInfinite(end))
             throw Standard_Failure("it has no end");

@@ -41,6 +41,7 @@
 #include <Interface_Static.hxx>
 #include <Quantity_ColorRGBA.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -293,9 +294,10 @@ std::vector<named_shape> shapes_of_many_kinds() {
 
 void write_step(const TopoDS_Shape& shape, const std::string& path, const std::string& schema,
                 const std::string& unit) {
-    STEPControl_Writer writer;
+    STEPControl_Controller::Init();
     Interface_Static::SetCVal("write.step.schema", schema.c_str());
     Interface_Static::SetCVal("write.step.unit", unit.c_str());
+    STEPControl_Writer writer; // takes what was set before
     writer.Transfer(shape, STEPControl_AsIs);
     writer.Write(path.c_str());
 }
@@ -333,9 +335,10 @@ void write_assembly(const std::string& path) {
     TDataStd_Name::Set(shapes->AddComponent(cart, wheel, TopLoc_Location(right)), "right");
     TDataStd_Name::Set(shapes->AddComponent(cart, beam, TopLoc_Location()), "middle");
     shapes->UpdateAssemblies();
-    STEPCAFControl_Writer writer;
+    STEPControl_Controller::Init();
     Interface_Static::SetCVal("write.step.schema", "AP214IS");
     Interface_Static::SetCVal("write.step.unit", "MM");
+    STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
     writer.Transfer(document, STEPControl_AsIs);

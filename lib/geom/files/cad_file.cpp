@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -76,7 +77,7 @@ public:
 
     void read(const std::string& bytes) {
         cad_reader from(bytes);
-        while (!from.is_over() && !is_complete_)
+        while (!from.is_over())
             read_record(from);
     }
 
@@ -116,6 +117,9 @@ private:
         case cad_record::end:
             is_complete_ = true;
             break;
+        case cad_record::effort:
+            read_effort(from);
+            break;
         case cad_record::note:
             note_first(from.text());
             break;
@@ -139,6 +143,19 @@ private:
             read_face(from);
             break;
         }
+    }
+
+    /// Nobody wants to know it of a file that is read at once.
+    void read_effort(cad_reader& from) {
+        constexpr double noticed = 1; // second
+        const double seconds = from.number(), bytes = from.number();
+        if (seconds < noticed)
+            return;
+        std::array<char, 100> text{};
+        std::snprintf(text.data(), text.size(),
+                      "%zu faces; Open CASCADE took %.1f s and %.0f MB to read them", faces_,
+                      seconds, bytes / 1e6);
+        note(text.data());
     }
 
     void read_material(cad_reader& from) {

@@ -33,7 +33,8 @@ struct cad_plugin : plugin_interface {
 
 /// The kinds of records. A curve is its degree, knots, and points of x, y, z and weight.
 enum class cad_record : std::uint64_t {
-    end,      ///< the last one; what comes without it is cut off
+    end,      ///< the last of what the file holds; what comes without it is cut off
+    effort,   ///< seconds, bytes: what it took, after the end
     note,     ///< text: a thing that was left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
     part,     ///< name: of the faces that follow
