@@ -8,7 +8,7 @@ proof_cad    := /usr/include/opencascade/STEPCAFControl_Reader.hxx
 includes_cad := -isystem /usr/include/opencascade
 links_cad    := -lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKLCAF -lTKCDF -lTKSTEP -lTKIGES -lTKXSBase -lTKShHealing -lTKFillet -lTKOffset \
                 -lTKBool -lTKBO -lTKPrim -lTKTopAlgo -lTKGeomAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
-uses_cad     := base geom tool_2d raster scene
+uses_cad     := base geom
 
 library_plugins := $(foreach p,$(ALL_PLUGINS),$(if $(wildcard $(proof_$(p))),$(p)))
 missing_plugins := $(filter-out $(library_plugins),$(ALL_PLUGINS))

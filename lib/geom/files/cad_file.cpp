@@ -25,7 +25,7 @@ constexpr std::size_t most_notes = 20;
 
 /// A text that ends as its format says.
 bool is_whole(std::string_view text, bool is_iges) {
-    constexpr std::size_t column = 72; // of an IGES file's letter for the kind of line
+    constexpr std::size_t column = 72; // an IGES line has a letter for its kind there
     while (text.ends_with('\n') || text.ends_with('\r') || text.ends_with(' '))
         text.remove_suffix(1);
     if (!is_iges)
