@@ -5,6 +5,7 @@
 
 #include "document.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>

@@ -5,7 +5,9 @@
 #include "faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>

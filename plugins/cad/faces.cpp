@@ -3,9 +3,9 @@
 #include "faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -252,7 +252,7 @@ face_writer::loop face_writer::trims_of(const edge_use& use, const rational_surf
             std::array<place_2d, 6> at;
             for (std::size_t i = 0; i < 6; ++i)
                 at[i] = place(from + (to - from) * static_cast<double>(i) / 5);
-            std::vector<point> line{{at[0][0], at[0][1], 0, 1}, {at[5][0], at[5][1], 0, 1}};
+            const std::vector<point> line{{at[0][0], at[0][1], 0, 1}, {at[5][0], at[5][1], 0, 1}};
             bool is_line = true, is_close = true;
             const std::vector<point> curved = through(at);
             for (std::size_t i = 0; i < 5; ++i) {
@@ -264,7 +264,7 @@ face_writer::loop face_writer::trims_of(const edge_use& use, const rational_surf
             }
             constexpr int most_depth = 10; // an error of degree 6 is below 2^-60 of the first one
             if (is_line || is_close || depth == most_depth) {
-                result.push_back({number, from, to, bezier(is_line ? std::move(line) : curved)});
+                result.push_back({number, from, to, bezier(is_line ? line : curved)});
                 return;
             }
             const double middle = (from + to) / 2;

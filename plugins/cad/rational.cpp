@@ -55,6 +55,7 @@ std::vector<double> arc_ends(double from, double to, double longest) {
     // Rounding of a range of four arcs must not make five of it.
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
     std::vector<double> ends;
+    ends.reserve(static_cast<std::size_t>(count) + 1);
     for (int i = 0; i < count; ++i)
         ends.push_back(from + (to - from) * i / count);
     ends.push_back(to);

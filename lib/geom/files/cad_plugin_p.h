@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -93,7 +92,7 @@ public:
     }
     std::string text() {
         const std::uint64_t size = count();
-        const std::string result(rest_.substr(0, size));
+        std::string result(rest_.substr(0, size));
         rest_.remove_prefix(result.size());
         return result;
     }

@@ -48,7 +48,7 @@ const l3d_detail::plugin_interface* l3d_detail::load_plugin(std::string_view nam
     const std::string plain = "libl3d_" + std::string(name) + ".so";
     const std::string symbol = "l3d_" + std::string(name) + "_plugin";
     for (const std::string& folder : plugin_folders()) {
-        const std::string file = folder + '/' + plain;
+        const std::string file = fs::path(folder) / plain;
         std::error_code unknown;
         if (!fs::is_regular_file(file, unknown))
             continue;
