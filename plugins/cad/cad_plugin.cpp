@@ -31,7 +31,7 @@ constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at on
 /// Seconds that the kernel may compute for a text. It takes about a second for a megabyte; broken
 /// files can have it compute for ever.
 rlim_t most_seconds(std::size_t size) {
-    constexpr rlim_t at_least = 30, per_megabyte = 30;
+    constexpr rlim_t at_least = 10, per_megabyte = 30;
     return at_least + per_megabyte * (size >> 20);
 }
 
