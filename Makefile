@@ -34,6 +34,7 @@ links_raster  := -lhwy -lfreetype -lharfbuzz -lfribidi -lfontconfig
 include config.mk
 # Each file says in its first lines what it is for; `make help` lists the targets of all.
 include make/variant.mk
+include make/plugins.mk
 include make/tree.mk
 include make/build.mk
 include make/lab.mk

@@ -23,7 +23,7 @@ build = $(if $(dry_run),: $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
 SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options/options scene/bends/surface_bends_lanes)
 
 all: ## build the library and the programs (the default)
-	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(DATA) $(ARCHIVES))
+	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(LIBRARY_PLUGINS) $(DATA) $(ARCHIVES))
 
 run: packages-run ## build, then show the teapot: in a window, or as a PNG where there is no display
 	+@$(call build,$(SLOW_FIRST) $(OUT)/bin/teapot_afd)
@@ -115,6 +115,11 @@ $(foreach p,$(plugins),$(eval $(call plugged,$(p)): $(p)))
 $(PLUGINS): $(OUT)/flags | packages-build
 	$(call say,PLUG,$@)
 	$(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(link_$(MODE)) -I$(OUT)/include -fPIC -shared -MD -MP $(filter %.cpp,$^) -o $@
+
+# A plug-in of the library shares headers with it, and links nothing of it.
+$(LIBRARY_PLUGINS): $(OUT)/lib/l3d/libl3d_%.so: $$(objects_plugins/$$*) $(OUT)/list/plugins/%
+	$(call say,PLUG,$@)
+	$(Q)mkdir -p $(@D); $(LINK) -shared -Wl,-z,defs $(filter %.o,$^) $(links_$*) -o $@
 
 $(foreach d,$(data),$(eval $(OUT)/share/l3d/$(notdir $(d)): $(d)))
 $(foreach r,$(reports),$(eval $(OUT)/share/l3d/report/$(notdir $(r)): $(r)))

@@ -47,7 +47,7 @@ $(OUT)/%.h.ok: %.h $(OUT)/flags | packages-build
 	    $(CXX) $(FLAGS) $(call include_paths,$<) -MD -MP -MF $@.d -MT $@ -fsyntax-only -x c++ - && touch $@
 
 include_law = awk -f tests/lint/layers.awk -v out=$(OUT)/ \
-    -v law="$(foreach l,$(LAYERS) compare reference stability models apps python,$(l): $(uses_$(l));)" \
+    -v law="$(foreach l,$(LAYERS) compare reference stability models apps python $(library_plugins),$(l): $(uses_$(l));)" \
     -v with_compare="$(tests_with_compare:%=tests/%) $(apps_with_compare:%=apps/%)" \
     -v with_reference="$(tests_with_reference:%=tests/%) $(apps_with_reference:%=apps/%)" $(HEADERS) $(OBJECTS:.o=.d)
 # Archives are lazy, so a whole one is linked: a call that climbs is an undefined symbol.

@@ -29,7 +29,7 @@ PYTHON_LOGS := $(patsubst tests/%,$(OUT)/log/%.log,$(wildcard tests/python/*_tes
 FARM_LOGS   := $(OUT)/log/farm/farm_test.py.log
 STRESS_LOGS := $(SERVER_LOGS) $(patsubst %,$(OUT)/log/%-stress.log,raster dice pipeline)
 # What is tested is made before anything is run, and what runs longest is begun first.
-MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(DATA) \
+MADE_FIRST = $(TESTERS) $(APPS) $(PLUGINS) $(LIBRARY_PLUGINS) $(DATA) \
              $(if $(filter lab,$(WITH)),$(STABILITY)) \
              $(if $(filter python,$(WITH)),python-package) \
              $(if $(filter install,$(WITH)),$(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc)
@@ -117,9 +117,10 @@ $(OUT)/log/%-stress.log: $(OUT)/tests/%_tests FORCE
 	$(call logged,timeout --foreground $(STRESS_TIMEOUT) $< --gtest_color=no \
 	    --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_*')
 
-$(OUT)/log/system.log: $(PLUGINS) $(DATA)
+$(OUT)/log/system.log $(OUT)/log/geom.log: $(PLUGINS) $(DATA)
+$(library_plugins:%=$(OUT)/log/%.log): $(LIBRARY_PLUGINS)
 
-$(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) $(DATA) FORCE
+$(OUT)/log/x11/%.log: tests/x11/% $(APPS) $(PLUGINS) $(LIBRARY_PLUGINS) $(DATA) FORCE
 	$(call say,TEST,$<)
 	$(call logged,PYTHONDONTWRITEBYTECODE=1 L3D_BIN=$(abspath $(OUT)/bin) \
 	    timeout --foreground $(TEST_TIMEOUT) $<)

@@ -11,7 +11,8 @@ may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),refer
 # beside the library also include by paths from the top, tests by paths from tests/, too.
 looks_inside  = $(filter compare/% tests/% $(apps_with_compare:%=apps/%/%),$(1))
 include_paths = $(if $(filter apps/% python/%,$(1)),-I$(OUT)/include) \
-                $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/%,$(1)),-Ilib))
+                $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/% plugins/%,$(1)),-Ilib)) \
+                $(foreach p,$(library_plugins),$(if $(filter plugins/$(p)/% tests/$(p)/%,$(1)),$(includes_$(p))))
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))
@@ -21,8 +22,9 @@ helpers            = $(call objects,$(filter-out %_test.cpp,$(wildcard tests/$(1
 objects_reference := $(call helpers,reference)
 apps := $(patsubst apps/%/main.cpp,%,$(wildcard apps/*/main.cpp))
 $(foreach a,$(apps),$(eval objects_apps/$(a) := $(call objects,$(wildcard apps/$(a)/*.cpp))))
+$(foreach p,$(library_plugins),$(eval objects_plugins/$(p) := $(call objects,$(wildcard plugins/$(p)/*.cpp))))
 
-tested    := $(foreach l,$(LAYERS) compare reference,$(if $(wildcard tests/$(l)/*_test.cpp),$(l)))
+tested    := $(foreach l,$(LAYERS) compare reference $(library_plugins),$(if $(wildcard tests/$(l)/*_test.cpp),$(l)))
 plugins   := $(wildcard apps/*/plugins/*.cpp tests/*/plugins/*.cpp)
 # A variant's bin, lib/l3d and share/l3d lie as they are installed.
 plugged    = $(patsubst %.cpp,$(OUT)/lib/l3d/%.so,$(notdir $(1)))
@@ -40,6 +42,6 @@ APPS      := $(apps:%=$(OUT)/bin/%)
 PUBLIC    := $(shell sed '/^\#/d' packaging/public_headers)
 DOOR      := $(addprefix $(OUT)/include/l3d/,l3d.h $(notdir $(PUBLIC)))
 HEADERS   := $(sort $(wildcard lib/*/*.h lib/*/*/*.h compare/*.h compare/*/*.h))
-SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp))
-FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h python/*.h python/*.cpp tests/*.h tests/*/*.h))
-LINTED    := $(filter-out tests/fail/% tests/bench/% tests/fuzz/%,$(SOURCES))
+SOURCES   := $(sort $(wildcard lib/*/*.cpp lib/*/*/*.cpp compare/*.cpp compare/*/*.cpp apps/*/*.cpp tests/*/*.cpp $(library_plugins:%=plugins/%/*.cpp)))
+FORMATTED := $(SOURCES) $(HEADERS) $(plugins) $(sort $(wildcard apps/*/*.h plugins/*/*.h plugins/*/*.cpp python/*.h python/*.cpp tests/*.h tests/*/*.h))
+LINTED    := $(filter-out tests/fail/% tests/bench/% tests/fuzz/% $(missing_plugins:%=tests/%/%),$(SOURCES))

@@ -38,7 +38,7 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
             $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) -isystem $(FREETYPE) $(CPPFLAGS) $(CXXFLAGS)
 # A source is of the library, a test, or of the rest, and so are its flags.
-kind = $(if $(filter lib/% python/%,$(1)),lib,$(if $(filter %_test.cpp,$(1)),test,rest))
+kind = $(if $(filter lib/% python/% plugins/%,$(1)),lib,$(if $(filter %_test.cpp,$(1)),test,rest))
 # What the shared library is made of serves the static one, too: without interposition the code is
 # that of -fPIE, which programs get anyway, and one compilation is enough.
 # L3D_PUBLIC marks what the shared library exports.

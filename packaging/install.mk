@@ -47,11 +47,12 @@ install-library-told:
 
 put = install -d $(DESTDIR)$(2) && install -m $(1) $(3) $(DESTDIR)$(2)
 
-install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS) $(ICON)
+install-programs: $(foreach a,$(apps),$(call installable,$(a))) $(PLUGINS) $(LIBRARY_PLUGINS) $(DATA) $(PAGES) $(BASH_WORDS) $(ZSH_WORDS) $(ICON)
 	$(Q)install -d $(DESTDIR)$(BINDIR)
 	$(Q)$(foreach a,$(apps),install -m 755 $(call installable,$(a)) \
 	    $(DESTDIR)$(BINDIR)/$(call installed,$(a)) &&) true
 	$(Q)$(call put,644,$(PLUGINDIR),$(filter-out $(TEST_PLUGINS),$(PLUGINS)))
+	$(Q)$(if $(LIBRARY_PLUGINS),$(call put,644,$(LIBDIR)/l3d,$(LIBRARY_PLUGINS)))
 	$(Q)$(call put,644,$(SHAREDIR)/l3d,$(filter-out $(REPORTS),$(DATA)))
 	$(Q)$(call put,644,$(SHAREDIR)/l3d/report,$(REPORTS))
 	$(Q)$(call put,644,$(SHAREDIR)/man/man1,$(PAGES))
@@ -77,7 +78,7 @@ install-library: $(STATIC) $(SHARED) $(OUT)/$(NAME).pc $(DOOR) \
 	    $(OUT)/l3d-config-version.cmake)
 
 uninstall: ## remove what install has put there, given the same PREFIX and DESTDIR
-	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(SHAREDIR)/l3d $(DOCDIR) \
+	rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/l3d $(PLUGINDIR) $(LIBDIR)/l3d $(SHAREDIR)/l3d $(DOCDIR) \
 	    $(LIBDIR)/cmake/l3d)
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,$(call installed,$(apps))) \
 	    $(patsubst $(OUT)/man/%,$(DESTDIR)$(SHAREDIR)/man/man1/%,$(PAGES)) \
@@ -167,8 +168,8 @@ $(ICON): $(OUT)/bin/teapot_afd
 	$(Q)mkdir -p $(@D); $< --no-input --backend memory --size 128x128 --fov 30 --target 0.25,1.5,0 --background none --output $@
 
 # Where installed programs and the shared library look for data, if not beside themselves.
-$(OUT)/lib/system/install_paths.o: $(OUT)/place
-$(OUT)/lib/system/install_paths.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"'
+$(OUT)/lib/system/plugin_loader.o $(OUT)/lib/geom/files/plugin.o: $(OUT)/place
+$(OUT)/lib/system/plugin_loader.o $(OUT)/lib/geom/files/plugin.o: private CPPFLAGS += -DL3D_PREFIX='"$(PREFIX)"' -DL3D_LIBDIR='"$(LIBDIR)"'
 
 # The library of the other numbers is only looked at for its place and its names, so it is compiled in
 # a hurry, for one set of instructions. `make test` builds it before anything is run: the check of what

@@ -52,12 +52,22 @@ TEST(model_file, knows_formats_by_their_first_word) {
     EXPECT_EQ(l3d_model_format_of(" 28\n3 3"), bpt);
     EXPECT_EQ(l3d_model_format_of("STBBP\n"), bez);
     EXPECT_EQ(l3d_model_format_of("CBEZ334_ST\n"), bez);
+    EXPECT_EQ(l3d_model_format_of("ISO-10303-21;\nHEADER;"), step);
+    const std::string first_of_iges = std::string(72, ' ') + "S      1\r\n";
+    EXPECT_EQ(l3d_model_format_of(first_of_iges), iges);
+    EXPECT_EQ(l3d_model_format_of(std::string(72, ' ') + "S0000001\n"), iges);
+    EXPECT_NE(l3d_model_format_of(std::string(72, ' ') + "S      2\n"), iges);
+    // They are cut off, with or without a plug-in.
+    EXPECT_EQ(complaint("ISO-10303-21;\nHEADER;"),
+              "name: it is cut off: END-ISO-10303-21 is not at its end");
+    EXPECT_EQ(complaint(first_of_iges),
+              "name: it is cut off: its last line is not the one of kind T");
     for (const std::string_view text :
          {"", "\n", "# v 1 2 3", "plywood", "3DG2", "2.5", "-", "\x7f"})
         EXPECT_FALSE(l3d_model_format_of(text)) << text;
     EXPECT_EQ(complaint("\n# nothing\n"), "name:3: the text is empty");
     EXPECT_EQ(complaint("\n\nsolids x"), "name:3: 'solids' begins none of asc, obj, off, ply, "
-                                         "3DG1, bpt, BBP, BEZ, stl, glTF and ncols");
+                                         "3DG1, bpt, BBP, BEZ, stl, glTF, ncols, STEP and IGES");
 }
 
 TEST(model_file, every_sample_is_read_by_content_and_survives_the_writers) {

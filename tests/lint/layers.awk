@@ -39,7 +39,7 @@ function permitted(unit, other,    part) {
     split(unit, part, "/")
     if ((part[1] "/" part[2], other) in may)
         return 1
-    if (unit !~ /^tests\//)
+    if (unit !~ /^(tests|plugins)\//)
         return (layer_of(unit), other) in may
     return (part[2] == "bench" ? "apps" : part[2], other) in may
 }

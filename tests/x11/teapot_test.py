@@ -37,6 +37,7 @@ def wrong_models():
         ("words.bpt", "Hello, world\n", "words.bpt:1: 'Hello,' begins none of "),
         ("mesh.bpt", "OFF 3 1 0\n1 2 3\n4 5 7\n7 8 9\n3 0 1 2\n",
          "mesh.bpt: holds 1 polygon and no patches; modelview "),
+        ("cut.step", "ISO-10303-21;\nHEADER;\n", "cut.step: it is cut off: "),
         ("weight.bez", "BEZ114\n" + "1 2 3 1\n" * 3 + "1 2 3 -0.5\n", "weight.bez:5: "),
         ("weight.bpt", "1\n1 1 rational\n" + "1 2 3 1\n" * 3 + "1 2 3 0\n", "weight.bpt:6: "),
     ]

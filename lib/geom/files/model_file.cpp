@@ -29,11 +29,24 @@ std::optional<l3d_model_file> read_bpt(std::string_view text, std::string_view n
     return l3d_model_file{{}, *std::move(patches), {}};
 }
 
+/// Whether a text begins with a line of IGES: 80 columns, whose last 8 are the kind of line, S, and
+/// its number, 1.
+bool is_iges(std::string_view text) {
+    constexpr std::size_t columns = 80, kind = 72;
+    if (text.size() < columns)
+        return false;
+    const std::string_view line = text.substr(0, columns);
+    return line.find_first_of("\r\n") == line.npos && line[kind] == 'S' &&
+           line.find_first_not_of(" 0", kind + 1) == columns - 1 && line.back() == '1';
+}
+
 } // namespace
 
 std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
     if (l3d_detail::is_binary_stl(text))
         return l3d_model_format::stl;
+    if (is_iges(text))
+        return l3d_model_format::iges;
     text_cursor cursor(text, "", '#');
     if (!cursor.next())
         return std::nullopt;
@@ -49,6 +62,8 @@ std::optional<l3d_model_format> l3d_model_format_of(std::string_view text) {
         return l3d_model_format::gltf;
     if (word == "ncols" || word == "NCOLS")
         return l3d_model_format::grid;
+    if (word.starts_with("ISO-10303-21"))
+        return l3d_model_format::step;
     if (word == "3DG1")
         return l3d_model_format::videoscape;
     if (word.ends_with("OFF"))
@@ -78,7 +93,7 @@ std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
         text_cursor cursor(text, name, '#');
         cursor.fail(cursor.next() ? l3d_detail::quoted(cursor.token()) +
                                         " begins none of asc, obj, off, ply, 3DG1, bpt, BBP, BEZ, "
-                                        "stl, glTF and ncols"
+                                        "stl, glTF, ncols, STEP and IGES"
                                   : "the text is empty");
         why = cursor.why();
         return std::nullopt;
@@ -104,6 +119,9 @@ std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
         return l3d_read_grid(text, name, why);
     case l3d_model_format::gltf:
         return l3d_read_gltf(text, name, why, files);
+    case l3d_model_format::step:
+    case l3d_model_format::iges:
+        return l3d_read_cad(text, name, why);
     }
     return std::nullopt;
 }

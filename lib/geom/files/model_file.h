@@ -30,6 +30,8 @@ enum class L3D_PUBLIC l3d_model_format {
     stl,        ///< triangles, text or binary
     gltf,       ///< glTF 2.0: JSON or its container, .glb
     grid,       ///< a grid of heights
+    step,       ///< ISO 10303-21, by a plug-in
+    iges,       ///< Initial Graphics Exchange Specification, by a plug-in
 };
 
 /// A file of materials that a model file names.
@@ -64,6 +66,14 @@ struct L3D_PUBLIC l3d_model_camera {
     friend bool operator==(const l3d_model_camera&, const l3d_model_camera&) = default;
 };
 
+/// A curve in space at which trimmed faces end (l3d_trim_curve::edge).
+struct L3D_PUBLIC l3d_model_edge {
+    l3d_nurbs_curve curve; ///< its place
+    double tolerance = 0;  ///< the distance that the file allows between the curve and its faces
+
+    friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
+};
+
 /// Polygons, patches, or both, in the file's own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
@@ -82,6 +92,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
     /// Optional, one per curve: the index of its material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
+    std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
@@ -126,7 +137,8 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_videoscape,                  ///< 3DG1
     l3d_read_bez,                         ///< geomview's patches
     l3d_read_stl,                         ///< triangles
-    l3d_read_grid;                        ///< a grid of heights, as patches
+    l3d_read_grid,                        ///< a grid of heights, as patches
+    l3d_read_cad;                         ///< STEP and IGES, by the plug-in of the package l3d-cad
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as

@@ -321,7 +321,8 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
     const std::string asked = "--file-camera: '" + l3d_detail::printable(file_camera_);
     if (model_file_.empty())
         throw l3d_error(l3d_exit::usage, asked + "' is sought in a FILE, and none is given");
-    file_ = l3d_detail::load_named_model(model_file_);
+    if (!file_)
+        file_ = l3d_detail::load_named_model(model_file_);
     std::string names;
     for (const l3d_model_camera& camera : file_->cameras) {
         if (camera.name == file_camera_)
@@ -339,6 +340,15 @@ l3d_model_file l3d_afd_options::file() const {
     l3d_model_file result = *std::move(file_);
     file_.reset();
     return result;
+}
+
+bool l3d_afd_options::has_trims() const {
+    if (model_file_.empty())
+        return false;
+    if (!file_)
+        file_ = l3d_detail::load_named_model(model_file_);
+    return std::ranges::any_of(file_->patches,
+                               [](const l3d_patch_points& patch) { return !patch.trims.empty(); });
 }
 
 l3d_camera

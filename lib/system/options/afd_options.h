@@ -73,11 +73,14 @@ public:
     /// Errors:  l3d_error(bad_input) with file and line.
     std::vector<l3d_nurbs_surface> surfaces(const l3d_patch_model& model) const;
 
-    /// The contents of the model's file. The file is read once, even if camera() has looked into it
-    /// before.
+    /// The contents of the model's file. The file is read once, even if camera() or has_trims()
+    /// has looked into it before.
     /// Expects: model_file() is not empty.
     /// Errors:  l3d_error(bad_input) with file and line.
     l3d_model_file file() const;
+    /// Whether surfaces of the model's file are trimmed; not without a file.
+    /// Errors:  as file().
+    bool has_trims() const;
 
     /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
@@ -137,7 +140,7 @@ private:
 
     const l3d_options& options_;
     std::string model_file_, file_camera_, texture_;
-    mutable std::optional<l3d_model_file> file_; ///< read for camera(), and not yet handed out
+    mutable std::optional<l3d_model_file> file_; ///< read, and not yet handed out
     mutable std::optional<l3d_model_camera> camera_of_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;

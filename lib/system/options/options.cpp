@@ -218,7 +218,8 @@ std::string l3d_options::end_of_help() const {
         text += wrapped(note, help_width) + "\n\n";
     text += wrapped("Environment: DISPLAY; L3D_BACKEND, as --backend; L3D_NO_SHM, if not empty: "
                     "share no memory with the display; L3D_MESA=auto|egl|osmesa, where to look for "
-                    "software GL; L3D_FONT=FILE|built-in, for text on panels.",
+                    "software GL; L3D_FONT=FILE|built-in, for text on panels; "
+                    "L3D_PLUGIN_PATH, folders with plug-ins for STEP and IGES.",
                     help_width);
     if (!examples_.empty())
         text += "\n\nExamples:";

@@ -35,10 +35,10 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.begin_group("Polygons");
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
-        "afd draws patches, and is taken for --drawing and --svg; zsort sorts and cuts polygons, "
-        "zbuffer has a depth buffer, mesa has GL "
-        "draw them",
-        {{"afd", l3d_pipeline_kind::afd},
+        "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
+        "draw them; auto is afd for trimmed surfaces, --drawing and --svg, else zbuffer",
+        {{"auto", l3d_pipeline_kind::suitable},
+         {"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},
          {"zbuffer", l3d_pipeline_kind::zbuffer},
          {"mesa", l3d_pipeline_kind::mesa}});
@@ -66,6 +66,15 @@ std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settin
         if (settings.rotation_order == order && order != usual.rotation_order)
             text += std::string(" --rotate-order ") + word;
     return text;
+}
+
+l3d_pipeline_kind l3d_polygon_options::pipeline() const {
+    if (!chosen_)
+        chosen_ = shared_.wants_drawing()                    ? l3d_pipeline_kind::afd
+                  : pipeline_ != l3d_pipeline_kind::suitable ? pipeline_
+                  : shared_.has_trims()                      ? l3d_pipeline_kind::afd
+                                                             : l3d_pipeline_kind::zbuffer;
+    return *chosen_;
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {

@@ -9,6 +9,7 @@
 #include "system/options/afd_options.h"
 #include "system/options/options.h"
 
+#include <optional>
 #include <string>
 
 /// The pipelines that a program may draw a model with.
@@ -16,7 +17,8 @@ enum class L3D_PUBLIC l3d_pipeline_kind {
     afd,     ///< patches by adaptive forward differencing
     zsort,   ///< triangles from far to near, cut where no order is right
     zbuffer, ///< triangles with a depth buffer
-    mesa     ///< triangles by OpenGL in memory
+    mesa,    ///< triangles by OpenGL in memory
+    suitable ///< afd for trimmed surfaces, which only it draws, and zbuffer for all else
 };
 
 /// Adds options for pipeline, projection and style. l3d_afd_options has those that patches and
@@ -30,10 +32,10 @@ public:
     l3d_polygon_options(const l3d_polygon_options&) = delete;
     l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
 
-    /// The pipeline that --pipeline names; that of patches for --drawing and --svg.
-    l3d_pipeline_kind pipeline() const {
-        return shared_.wants_drawing() ? l3d_pipeline_kind::afd : pipeline_;
-    }
+    /// The pipeline that --pipeline names, or the one that suits the model; never `suitable`. For
+    /// --drawing and --svg it is that of patches.
+    /// Errors:  l3d_error(bad_input) with file and line, if it takes a look at the model.
+    l3d_pipeline_kind pipeline() const;
 
     /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
     /// parts of a file are reported on stderr.
@@ -55,7 +57,8 @@ public:
 
 private:
     const l3d_afd_options& shared_;
-    l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::zbuffer;
+    l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::suitable;
+    mutable std::optional<l3d_pipeline_kind> chosen_; ///< once pipeline() was asked
     bool hidden_lines_ = false, to_origin_ = false;
     l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
     l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;

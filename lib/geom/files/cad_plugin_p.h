@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// cad_plugin: what the plug-in for STEP and IGES does, and the records that it gives.
+#ifndef L3D_GEOM_FILES_CAD_PLUGIN_P_H
+#define L3D_GEOM_FILES_CAD_PLUGIN_P_H
+
+#include "geom/files/plugin_p.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l3d_detail {
+
+/// The version of cad_plugin and of its records.
+inline constexpr std::uint32_t cad_version = 1;
+
+/// The interface of the plug-in libl3d_cad.so.
+struct cad_plugin : plugin_interface {
+    /// Reads the text of a STEP file, or of an IGES file, and gives its surfaces as records to
+    /// take(to, bytes, size), piece by piece. Lengths are in millimetres.
+    ///
+    /// Shape:  records as cad_record lists them, each a number of that list and its fields. Texts
+    ///         and lists begin with their length.
+    /// Errors: 0, and one line in `why`, which has room for `room` bytes with the zero at its end.
+    int (*read)(const char* text, std::size_t size, int is_iges, void* to,
+                void (*take)(void* to, const void* bytes, std::size_t size), char* why,
+                std::size_t room);
+};
+
+/// The kinds of records. A curve is its degree, knots, and points of x, y, z and weight.
+enum class cad_record : std::uint64_t {
+    end,      ///< the last of what the file holds; what comes without it is cut off
+    effort,   ///< seconds, bytes: what it took, after the end
+    note,     ///< text: a thing that was left out or changed
+    material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
+    part,     ///< name: of the faces that follow
+    edge,     ///< tolerance, curve: edges count from 0
+    curve,    ///< curve: a line in space that bounds no face
+    /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
+    /// number of loops. Each loop is its number of curves. A curve of a loop is that of the edge
+    /// that it follows or l3d_no_edge, the edge's parameters at its ends, and a curve of u, v, 0
+    /// and weight.
+    face,
+};
+
+/// Writes records.
+class cad_writer {
+public:
+    /// Begins a record.
+    void begin(cad_record kind) { count(static_cast<std::uint64_t>(kind)); }
+    void count(std::uint64_t value) { append(&value, sizeof value); }
+    void number(double value) { append(&value, sizeof value); }
+    void numbers(const std::vector<double>& values) {
+        count(values.size());
+        append(values.data(), values.size() * sizeof(double));
+    }
+    void text(std::string_view value) {
+        count(value.size());
+        append(value.data(), value.size());
+    }
+
+    /// The bytes so far.
+    std::string bytes;
+
+private:
+    void append(const void* from, std::size_t size) {
+        bytes.append(static_cast<const char*>(from), size);
+    }
+};
+
+/// Reads what cad_writer wrote. After the end of the bytes all numbers are 0, and all lists empty.
+/// Lives: borrows the bytes.
+class cad_reader {
+public:
+    explicit cad_reader(std::string_view bytes) : rest_(bytes) {}
+
+    std::uint64_t count() { return value<std::uint64_t>(); }
+    double number() { return value<double>(); }
+    std::vector<double> numbers() {
+        const std::uint64_t size = count();
+        std::vector<double> result;
+        if (size <= rest_.size() / sizeof(double)) {
+            result.resize(size);
+            std::memcpy(result.data(), rest_.data(), size * sizeof(double));
+            rest_.remove_prefix(size * sizeof(double));
+        } else
+            rest_ = {};
+        return result;
+    }
+    std::string text() {
+        const std::uint64_t size = count();
+        std::string result(rest_.substr(0, size));
+        rest_.remove_prefix(result.size());
+        return result;
+    }
+    bool is_over() const { return rest_.empty(); }
+
+private:
+    template <class T> T value() {
+        T result{};
+        if (rest_.size() >= sizeof result) {
+            std::memcpy(&result, rest_.data(), sizeof result);
+            rest_.remove_prefix(sizeof result);
+        } else
+            rest_ = {};
+        return result;
+    }
+
+    std::string_view rest_;
+};
+
+} // namespace l3d_detail
+
+#endif

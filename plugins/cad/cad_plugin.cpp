@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The plug-in's interface. The kernel works in a process of its own: what it writes to the terminal
+// is not seen, and what makes it crash ends that process alone.
+#include "geom/files/cad_plugin_p.h"
+
+#include "document.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at once
+
+/// Seconds that the kernel may compute for a text. It takes about a second for a megabyte; broken
+/// files can have it compute for ever.
+rlim_t most_seconds(std::size_t size) {
+    constexpr rlim_t at_least = 10, per_megabyte = 30;
+    return at_least + per_megabyte * (size >> 20);
+}
+
+/// A file that is closed in the end.
+class open_file {
+public:
+    explicit open_file(int file) : file_(file) {}
+    open_file(const open_file&) = delete;
+    open_file& operator=(const open_file&) = delete;
+    ~open_file() { close(); }
+
+    int get() const { return file_; }
+    void close() {
+        if (file_ >= 0)
+            ::close(file_);
+        file_ = -1;
+    }
+
+private:
+    int file_;
+};
+
+/// Memory that two processes share, for a text that ends with a zero.
+class shared_text {
+public:
+    explicit shared_text(std::size_t size)
+        : size_(size),
+          at_(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+    shared_text(const shared_text&) = delete;
+    shared_text& operator=(const shared_text&) = delete;
+    ~shared_text() {
+        if (is_there())
+            munmap(at_, size_);
+    }
+
+    bool is_there() const { return at_ != MAP_FAILED; }
+    void set(std::string_view text) {
+        std::snprintf(get(), size_, "%.*s", static_cast<int>(text.size()), text.data());
+    }
+    char* get() { return static_cast<char*>(at_); }
+
+private:
+    std::size_t size_;
+    void* at_;
+};
+
+bool send(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::write(file, bytes.data(), bytes.size());
+        if (sent < 0 && errno != EINTR)
+            return false;
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
+    }
+    return true;
+}
+
+/// Nothing that the parent does on signals is to happen here, and nothing may be left behind when
+/// it dies.
+void stand_alone(pid_t parent, rlim_t seconds) {
+    for (const int one : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGSEGV, SIGBUS, SIGFPE,
+                          SIGILL, SIGABRT, SIGCHLD, SIGALRM, SIGXCPU})
+        std::signal(one, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit limit{seconds, seconds + 1}; // SIGXCPU comes first
+    setrlimit(RLIMIT_CPU, &limit);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(1);
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int standard : {0, 1, 2})
+        dup2(nowhere, standard);
+}
+
+/// Reads the text, and sends its records. Returns the process's exit status.
+int work(std::string_view text, bool is_iges, int records, shared_text& why) {
+    // The kernel reads files by name alone.
+    const int file = memfd_create("l3d_cad", MFD_CLOEXEC);
+    if (file < 0 || !send(file, text)) {
+        why.set("there is no memory for a copy of the file");
+        return 1;
+    }
+    const std::string path = "/proc/self/fd/" + std::to_string(file);
+    l3d_detail::cad_writer to;
+    bool is_lost = false;
+    const auto send_all = [&] {
+        is_lost = is_lost || !send(records, to.bytes);
+        to.bytes.clear();
+    };
+    const std::string fault = cad::write_document(path.c_str(), is_iges, to, [&] {
+        if (to.bytes.size() > chunk)
+            send_all();
+    });
+    send_all();
+    why.set(fault);
+    return fault.empty() && !is_lost ? 0 : 1;
+}
+
+int read(const char* text, std::size_t size, int is_iges, void* to,
+         void (*take)(void* to, const void* bytes, std::size_t size), char* why, std::size_t room) {
+    const auto fail = [&](const std::string& reason) {
+        std::snprintf(why, room, "%s", reason.c_str());
+        return 0;
+    };
+    shared_text fault(room);
+    std::array<int, 2> ends{-1, -1};
+    if (!fault.is_there() || pipe2(ends.data(), O_CLOEXEC) != 0)
+        return fail(std::string("no process can be made for Open CASCADE: ") +
+                    std::strerror(errno));
+    open_file records(ends[0]), sent(ends[1]);
+    const auto start = std::chrono::steady_clock::now();
+    const pid_t parent = getpid(), child = fork();
+    if (child < 0)
+        return fail(std::string("no process can be made for Open CASCADE: ") +
+                    std::strerror(errno));
+    if (child == 0) {
+        stand_alone(parent, most_seconds(size));
+        int status = 1;
+        try {
+            status = work({text, size}, is_iges != 0, sent.get(), fault);
+        } catch (const std::exception& failure) {
+            fault.set(std::string("Open CASCADE fails: ") + failure.what());
+        }
+        _exit(status); // what the parent registered for its own end does not happen twice
+    }
+    sent.close();
+    std::string bytes(chunk, '\0');
+    for (ssize_t got = 1; got != 0;) {
+        got = ::read(records.get(), bytes.data(), bytes.size());
+        if (got > 0)
+            take(to, bytes.data(), static_cast<std::size_t>(got));
+        else if (got < 0 && errno != EINTR)
+            break;
+    }
+    int status = 0;
+    rusage used{};
+    while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
+        continue;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+        l3d_detail::cad_writer effort;
+        effort.begin(l3d_detail::cad_record::effort);
+        effort.number(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        constexpr double unit_of_rusage = 1024;
+        effort.number(unit_of_rusage * static_cast<double>(used.ru_maxrss));
+        take(to, effort.bytes.data(), effort.bytes.size());
+        return 1;
+    }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        return fail("Open CASCADE comes to no end: it computed for " +
+                    std::to_string(most_seconds(size)) + " seconds");
+    if (WIFSIGNALED(status))
+        return fail(std::string("Open CASCADE crashes on it: ") + strsignal(WTERMSIG(status)));
+    return fail(*fault.get() != 0 ? fault.get() : "Open CASCADE ends without a word");
+}
+
+} // namespace
+
+extern "C" {
+extern __attribute__((visibility("default"))) const l3d_detail::cad_plugin l3d_cad_plugin;
+const l3d_detail::cad_plugin l3d_cad_plugin{
+    {l3d_detail::cad_version, sizeof(l3d_detail::cad_plugin)}, read};
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// write_document: the readers of the kernel, and its document of parts and styles.
+#include "document.h"
+
+#include "faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <IFSelect_ReturnStatus.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XCAFPrs.hxx>
+#include <XCAFPrs_DocumentExplorer.hxx>
+#include <XCAFPrs_DocumentNode.hxx>
+#include <XCAFPrs_IndexedDataMapOfShapeStyle.hxx>
+#include <XCAFPrs_Style.hxx>
+
+namespace cad {
+
+namespace {
+
+using l3d_detail::cad_record;
+
+/// A look of faces and curves.
+struct look {
+    std::uint64_t color = 0xffffff;
+    double opacity = 1;
+
+    friend bool operator==(const look&, const look&) = default;
+};
+
+std::uint64_t pixel_word(const Quantity_Color& color) {
+    std::array<double, 3> levels{};
+    color.Values(levels[0], levels[1], levels[2], Quantity_TOC_sRGB);
+    std::uint64_t word = 0;
+    for (const double level : levels)
+        word =
+            word << 8 | static_cast<std::uint64_t>(std::lround(255 * std::clamp(level, 0.0, 1.0)));
+    return word;
+}
+
+look face_look(const XCAFPrs_Style& style) {
+    if (!style.IsSetColorSurf())
+        return {};
+    return {pixel_word(style.GetColorSurf()),
+            std::clamp<double>(style.GetColorSurfRGBA().Alpha(), 0, 1)};
+}
+
+look line_look(const XCAFPrs_Style& style) {
+    return style.IsSetColorCurv() ? look{pixel_word(style.GetColorCurv()), 1} : face_look(style);
+}
+
+/// The name of a label, unless it only repeats where the label is.
+std::string name_of(const TDF_Label& label) {
+    Handle(TDataStd_Name) name;
+    if (!label.FindAttribute(TDataStd_Name::GetID(), name))
+        return {};
+    const std::string text = TCollection_AsciiString(name->Get()).ToCString();
+    return text.starts_with("=>[") ? std::string() : text;
+}
+
+/// The names from the top of the assembly to a part, with slashes between. A file of one part or
+/// one assembly has that one's name for the part alone.
+std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
+    std::string path;
+    const int depth = at.CurrentDepth();
+    for (int i = has_one_root && depth > 0 ? 1 : 0; i <= depth; ++i) {
+        const XCAFPrs_DocumentNode& node = at.Current(i);
+        std::string name = name_of(node.Label);
+        if (name.empty())
+            name = name_of(node.RefLabel);
+        std::ranges::replace(name, '/', '_'); // a slash stands between names
+        if (!name.empty())
+            path += (path.empty() ? "" : "/") + name;
+    }
+    return path.empty() ? "part" : path;
+}
+
+/// Writes parts one after another.
+class part_writer {
+public:
+    part_writer(l3d_detail::cad_writer& to, const std::function<void()>& flush)
+        : to_(to), flush_(flush), faces_(to) {}
+
+    void write(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
+        const XCAFPrs_DocumentNode& node = at.Current();
+        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(node.RefLabel);
+        if (shape.IsNull())
+            return;
+        to_.begin(cad_record::part);
+        std::string name = path_of(at, has_one_root);
+        if (const int times = ++names_[name]; times > 1)
+            name += " (" + std::to_string(times) + ')';
+        to_.text(name);
+        XCAFPrs_IndexedDataMapOfShapeStyle styles;
+        XCAFPrs::CollectStyleSettings(node.RefLabel, TopLoc_Location(), styles);
+        TopTools_IndexedMapOfShape shapes;
+        TopExp::MapShapes(shape, TopAbs_FACE, shapes);
+        // A style of a solid or a shell is that of its faces, unless they have their own.
+        std::vector<XCAFPrs_Style> by_face(static_cast<std::size_t>(shapes.Size()), node.Style);
+        for (const TopAbs_ShapeEnum kind :
+             {TopAbs_COMPOUND, TopAbs_COMPSOLID, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
+            for (int i = 1; i <= styles.Extent(); ++i)
+                if (styles.FindKey(i).ShapeType() == kind && styles(i).IsSetColorSurf())
+                    for (TopExp_Explorer face(styles.FindKey(i), TopAbs_FACE); face.More();
+                         face.Next())
+                        if (const int index = shapes.FindIndex(face.Current()); index > 0)
+                            by_face[static_cast<std::size_t>(index) - 1] = styles(i);
+        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+            const auto index = static_cast<std::size_t>(shapes.FindIndex(face.Current())) - 1;
+            use(face_look(by_face[index]));
+            faces_.write(TopoDS::Face(face.Current().Moved(node.Location)));
+            flush_();
+        }
+        for (TopExp_Explorer edge(shape, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) {
+            use(line_look(styles.Contains(edge.Current()) ? styles.FindFromKey(edge.Current())
+                                                          : node.Style));
+            faces_.write_curve(TopoDS::Edge(edge.Current().Moved(node.Location)));
+        }
+    }
+
+    void finish() {
+        faces_.finish();
+        to_.begin(cad_record::end);
+        flush_();
+    }
+
+private:
+    void use(const look& now) {
+        if (look_ == now)
+            return;
+        look_ = now;
+        to_.begin(cad_record::material);
+        to_.count(now.color);
+        to_.number(now.opacity);
+    }
+
+    l3d_detail::cad_writer& to_;
+    const std::function<void()>& flush_;
+    face_writer faces_;
+    std::map<std::string, int> names_;
+    std::optional<look> look_;
+};
+
+/// Reads a file into a document.
+template <class Reader>
+std::string read(const char* path, const Handle(TDocStd_Document) & document, const char* format) {
+    Reader reader;
+    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+    reader.SetColorMode(true);
+    reader.SetNameMode(true);
+    reader.SetLayerMode(false);
+    if (reader.ReadFile(path) != IFSelect_RetDone)
+        return std::string("Open CASCADE cannot read it as ") + format;
+    Handle(TDocStd_Document) to = document;
+    return reader.Transfer(to) ? "" : "it holds no shapes that Open CASCADE can make";
+}
+
+} // namespace
+
+std::string write_document(const char* path, bool is_iges, l3d_detail::cad_writer& to,
+                           const std::function<void()>& flush) {
+    try {
+        const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+        std::string why = is_iges ? read<IGESCAFControl_Reader>(path, document, "IGES")
+                                  : read<STEPCAFControl_Reader>(path, document, "STEP");
+        if (!why.empty())
+            return why;
+        TDF_LabelSequence roots;
+        XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
+        part_writer parts(to, flush);
+        for (XCAFPrs_DocumentExplorer at(document, XCAFPrs_DocumentExplorerFlags_OnlyLeafNodes);
+             at.More(); at.Next())
+            parts.write(at, roots.Length() == 1);
+        parts.finish();
+        return {};
+    } catch (const Standard_Failure& failure) {
+        return std::string("Open CASCADE fails: ") + failure.DynamicType()->Name() + ' ' +
+               failure.GetMessageString();
+    }
+}
+
+} // namespace cad

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Faces of a shape as records: a rational surface, and the loops that trim it.
+#ifndef L3D_PLUGINS_CAD_FACES_H
+#define L3D_PLUGINS_CAD_FACES_H
+
+#include "geom/files/cad_plugin_p.h"
+#include "rational.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+
+namespace cad {
+
+/// Writes faces and the edges that they share.
+/// Lives: borrows the writer.
+class face_writer {
+public:
+    explicit face_writer(l3d_detail::cad_writer& to) : to_(to) {}
+
+    /// Writes a face, and those of its edges that no face before it had. What cannot be written
+    /// becomes a note.
+    void write(const TopoDS_Face& face);
+
+    /// Writes an edge that bounds no face as a curve.
+    void write_curve(const TopoDS_Edge& edge);
+
+    /// Writes a note if faces are approximated.
+    void finish();
+
+private:
+    /// A curve of a loop, and the edge that it follows.
+    struct trim {
+        std::uint32_t edge;
+        double from, to; ///< the edge's parameters at the curve's ends
+        rational_curve curve;
+    };
+    using loop = std::vector<trim>;
+    /// An edge as a face's wire has it.
+    struct edge_use;
+    /// An edge that was written, or is none: it has no curve in space.
+    struct known_edge {
+        std::uint32_t number;
+        direction along;
+    };
+
+    const known_edge* known(const TopoDS_Edge& edge);
+    void write_surface(const TopoDS_Face& face);
+    loop trims_of(const edge_use& use, const rational_surface& surface);
+    void put(const rational_curve& curve);
+    void put_points(const std::vector<point>& points);
+
+    l3d_detail::cad_writer& to_;
+    TopTools_IndexedMapOfShape edges_;
+    std::vector<known_edge> known_; ///< in the order of edges_
+    std::uint32_t written_ = 0;     ///< edges
+    std::size_t faces_ = 0, approximate_ = 0;
+};
+
+} // namespace cad
+
+#endif

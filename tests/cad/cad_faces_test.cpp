@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Each face of files that the kernel wrote is there, where it is, and as large as the kernel says.
+#include "cad/records.h"
+#include "cad/shapes.h"
+#include "geom/trim_region.h"
+
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+using vector = l3d_nurbs_surface::vector;
+
+/// The kernel's faces of a file, in its order.
+template <class Reader> std::vector<TopoDS_Face> faces_of(const std::string& path) {
+    Reader reader;
+    reader.ReadFile(path.c_str());
+    reader.TransferRoots();
+    std::vector<TopoDS_Face> faces;
+    for (TopExp_Explorer face(reader.OneShape(), TopAbs_FACE); face.More(); face.Next())
+        faces.push_back(TopoDS::Face(face.Current()));
+    return faces;
+}
+
+vector cross(const vector& a, const vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The range of a face's parameters.
+struct parameter_range {
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0, u_period = 0, v_period = 0;
+
+    parameter_range(const TopoDS_Face& face, const Handle(Geom_Surface) & surface) {
+        BRepTools::UVBounds(face, u0, u1, v0, v1);
+        if (surface->IsUPeriodic())
+            u_period = surface->UPeriod();
+        if (surface->IsVPeriodic())
+            v_period = surface->VPeriod();
+    }
+    double extent() const { return std::min(u1 - u0, v1 - v0); }
+    /// The place, as many periods away as bring it nearest to another one.
+    gp_Pnt2d moved(const gp_Pnt2d& p, double u, double v) const {
+        return {near(p.X(), u, u_period), near(p.Y(), v, v_period)};
+    }
+    static double near(double x, double to, double period) {
+        return period > 0 ? x + period * std::round((to - x) / period) : x;
+    }
+};
+
+/// What n by n places of a face say.
+struct comparison {
+    double area = 0;     ///< of the places that are inside
+    double furthest = 0; ///< from the kernel's surface
+    int places = 0, inside = 0,
+        wrong = 0;  ///< places, and those that the kernel puts on the other side
+    int turned = 0; ///< places whose outside is the kernel's inside
+};
+
+comparison compare(const l3d_nurbs_surface& ours, const TopoDS_Face& theirs, int n) {
+    comparison result;
+    l3d_trim_region region;
+    l3d_flat_trims(ours.trims(), {1, 1},
+                   1e-6 * std::max(ours.u().to - ours.u().from, ours.v().to - ours.v().from),
+                   region);
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(theirs);
+    ShapeAnalysis_Surface nearest(surface);
+    BRepClass_FaceClassifier classifier;
+    const parameter_range inside(theirs, surface);
+    const double side = theirs.Orientation() == TopAbs_REVERSED ? -1 : 1;
+    const double du = (ours.u().to - ours.u().from) / n, dv = (ours.v().to - ours.v().from) / n;
+    for (int i = 0; i < n * n; ++i) {
+        const double u = ours.u().from + (i % n + 0.5) * du, v = ours.v().from + (i / n + 0.5) * dv;
+        const auto at = ours.derivatives(u, v);
+        const vector normal = cross(at.by_u, at.by_v);
+        const bool is_inside = ours.trims().empty() || region.contains({u, v});
+        const gp_Pnt p(at.place[0], at.place[1], at.place[2]);
+        const gp_Pnt2d place = nearest.ValueOfUV(p, 1e-7);
+        if (is_inside) {
+            ++result.inside;
+            result.area +=
+                std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) *
+                du * dv;
+            // The kernel's search for the nearest place of a spline stops early; its parameters
+            // are ours.
+            const gp_Pnt same = side > 0 ? surface->Value(u, v) : surface->Value(v, u);
+            result.furthest = std::max(result.furthest, std::min(nearest.Gap(), same.Distance(p)));
+            gp_Pnt q;
+            gp_Vec by_u, by_v;
+            surface->D1(place.X(), place.Y(), q, by_u, by_v);
+            const gp_Vec outside = (by_u ^ by_v) * side;
+            result.turned +=
+                outside.X() * normal[0] + outside.Y() * normal[1] + outside.Z() * normal[2] < 0;
+        }
+        // A place nearer to the border than this share of the face is on neither side.
+        classifier.Perform(theirs, side > 0 ? inside.moved(place, u, v) : inside.moved(place, v, u),
+                           1e-5 * inside.extent());
+        ++result.places;
+        result.wrong +=
+            classifier.State() != TopAbs_ON && (classifier.State() == TopAbs_IN) != is_inside;
+    }
+    return result;
+}
+
+double area_of(const TopoDS_Face& face) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    return std::abs(properties.Mass());
+}
+
+void expect_faces(const std::string& name, const cad_records& read,
+                  const std::vector<TopoDS_Face>& theirs) {
+    ASSERT_EQ(read.why, "") << name;
+    ASSERT_TRUE(read.is_complete) << name;
+    ASSERT_EQ(read.faces.size(), theirs.size()) << name;
+    ASSERT_FALSE(theirs.empty()) << name;
+    const bool is_thorough = std::getenv("L3D_THOROUGH") != nullptr;
+    for (std::size_t i = 0; i < theirs.size(); ++i) {
+        // 10^4 places of each face, or a fraction; more where there are many holes.
+        const auto loops = static_cast<double>(read.faces[i].trims().size());
+        int n = is_thorough ? 100 : std::max(10, static_cast<int>(8 * std::sqrt(loops)));
+        comparison is = compare(read.faces[i], theirs[i], n);
+        while (is.inside < 100 && n < 200) // a narrow face in a wide range of parameters
+            is = compare(read.faces[i], theirs[i], n *= 2);
+        const double exact = area_of(theirs[i]);
+        const std::string where = name + ", face " + std::to_string(i);
+        EXPECT_EQ(is.wrong, 0) << where << " of " << is.places;
+        EXPECT_EQ(is.turned, 0) << where;
+        EXPECT_LT(is.furthest, 2e-6) << where;
+        // Each of the cells that a border crosses is wrong by half of itself, at random.
+        EXPECT_NEAR(is.area / exact, 1, 3 / std::sqrt(is.inside)) << where;
+    }
+}
+
+TEST(cad_faces, of_step_files_are_all_there_and_as_large_as_the_kernel_says) {
+    const cad_folder folder;
+    const char* const schemas[] = {"AP203", "AP214IS", "AP242DIS"};
+    std::size_t i = 0;
+    for (const named_shape& one : shapes_of_many_kinds()) {
+        const std::string path = folder.file("a.step");
+        write_step(one.shape, path, schemas[i++ % 3]);
+        expect_faces(one.name, cad_records::of(cad_records::text_of(path), false),
+                     faces_of<STEPControl_Reader>(path));
+    }
+}
+
+TEST(cad_faces, of_iges_files_are_all_there_and_as_large_as_the_kernel_says) {
+    const cad_folder folder;
+    std::size_t i = 0;
+    for (const named_shape& one : shapes_of_many_kinds()) {
+        const std::string path = folder.file("a.igs");
+        write_iges(one.shape, path, i++ % 2 == 0);
+        expect_faces(one.name, cad_records::of(cad_records::text_of(path), true),
+                     faces_of<IGESControl_Reader>(path));
+    }
+}
+
+} // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Shapes of many kinds, made by Open CASCADE, and files of them.
+#ifndef L3D_TESTS_CAD_SHAPES_H
+#define L3D_TESTS_CAD_SHAPES_H
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+
+/// A shape for a file.
+struct named_shape {
+    std::string name;
+    TopoDS_Shape shape;
+};
+
+/// Fillets, lofts, sweeps, a thread, conics, periodic and degenerate faces, faces over the seam,
+/// voids, tolerances from 1e-7 to 1e-2 mm.
+std::vector<named_shape> shapes_of_many_kinds();
+
+/// A plate of 100 by 100 by 5 mm with n by n holes.
+TopoDS_Shape plate_with_holes(int n);
+
+/// Writes a STEP file. `schema` is as the kernel calls it: AP203, AP214IS or AP242DIS.
+/// Units: `unit` is MM, INCH or M.
+void write_step(const TopoDS_Shape& shape, const std::string& path,
+                const std::string& schema = "AP214IS", const std::string& unit = "MM");
+
+/// Writes an IGES file: of a solid's faces, or of solids.
+void write_iges(const TopoDS_Shape& shape, const std::string& path, bool of_solids);
+
+/// Writes an assembly: two red wheels and a beam, whose first face is blue and half transparent.
+/// The wheels are at x = -30 and x = 30, the second one turned by 90 degrees about z.
+void write_assembly(const std::string& path);
+
+#endif
