@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -227,8 +228,17 @@ private:
     std::vector<double> weights_;
 };
 
+/// The edge that a curve of a loop follows, and the edge's parameters at the curve's ends.
+struct L3D_PUBLIC l3d_edge_use {
+    std::uint32_t edge = l3d_no_edge; ///< its index in the model
+    /// The parameters of the edge at along().from and along().to of the curve.
+    double from = 0, to = 1;
+};
+
 /// A loop of curves one after another, whose x and y are u and v; z does not count.
-L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves);
+/// Shape: `edges` has an entry for each curve, or none.
+L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
+                                          std::span<const l3d_edge_use> edges = {});
 
 /// The surface of a curve that turns once around the y axis, exact.
 ///

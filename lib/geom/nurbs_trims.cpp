@@ -87,9 +87,18 @@ l3d_trim_loop l3d_trim_around(const l3d_trim_box& box) {
             {{{u0, v1, 1}, {u0, v0, 1}}}};
 }
 
-l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves) {
+l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
+                               std::span<const l3d_edge_use> edges) {
     l3d_trim_loop result;
-    for (const l3d_nurbs_curve& curve : curves) {
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        const l3d_nurbs_curve& curve = curves[k];
+        const l3d_bspline_direction& along = curve.along();
+        const l3d_edge_use use = k < edges.size() ? edges[k] : l3d_edge_use();
+        const auto on_edge = [&](double t) {
+            return t == along.to ? use.to
+                                 : use.from + (use.to - use.from) *
+                                                  ((t - along.from) / (along.to - along.from));
+        };
         // The curve as a surface that is the same all along v.
         std::vector<std::array<double, 3>> points;
         std::vector<double> weights;
@@ -98,9 +107,17 @@ l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves) {
                 points.push_back({p[0], p[1], 0});
             weights.insert(weights.end(), curve.weights().begin(), curve.weights().end());
         }
-        for (const l3d_patch_points& piece : l3d_bezier_patches(
-                 curve.along(), l3d_bspline_direction::clamped(1, 2), points, weights)) {
+        const auto spans = l3d_spans_of(along);
+        std::size_t span = 0;
+        for (const l3d_patch_points& piece :
+             l3d_bezier_patches(along, l3d_bspline_direction::clamped(1, 2), points, weights)) {
             l3d_trim_curve& one = result.emplace_back();
+            if (use.edge != l3d_no_edge) {
+                one.edge = use.edge;
+                one.from = on_edge(spans[span][0]);
+                one.to = on_edge(spans[span][1]);
+            }
+            ++span;
             for (std::size_t i = 0; i <= static_cast<std::size_t>(piece.degree_u); ++i)
                 one.points.push_back({piece.points[i][0], piece.points[i][1],
                                       piece.weights.empty() ? 1 : piece.weights[i]});

@@ -64,6 +64,14 @@ struct L3D_PUBLIC l3d_model_camera {
     friend bool operator==(const l3d_model_camera&, const l3d_model_camera&) = default;
 };
 
+/// A curve in space at which trimmed faces end (l3d_trim_curve::edge).
+struct L3D_PUBLIC l3d_model_edge {
+    l3d_nurbs_curve curve; ///< its place
+    double tolerance = 0;  ///< the distance that the file allows between the curve and its faces
+
+    friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
+};
+
 /// Polygons, patches, or both, in the file's own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
@@ -82,6 +90,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
     /// Optional, one per curve: the index of its material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
+    std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };

@@ -15,12 +15,20 @@
 #include <string_view>
 #include <vector>
 
-/// A rational Bezier curve in the plane of a surface's parameters.
+/// The edge of a curve that follows none.
+inline constexpr std::uint32_t l3d_no_edge = 0xffffffff;
+
+/// A rational Bezier curve in the plane of a surface's parameters. It may follow an edge of the
+/// model, a curve in space at which several faces end.
 ///
 /// Shape: 2 to 16 control points, which say its degree; each has u, v and its weight, by which u
 ///        and v are not multiplied.
 struct L3D_PUBLIC l3d_trim_curve {
     std::vector<std::array<double, 3>> points; ///< u, v, weight
+    /// The index of the edge that the curve follows.
+    std::uint32_t edge = l3d_no_edge;
+    /// The parameters of the edge's curve where this one begins and ends; between, both run alike.
+    double from = 0, to = 1;
 
     friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
 };
