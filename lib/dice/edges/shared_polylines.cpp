@@ -11,9 +11,12 @@
 
 namespace {
 
-/// The homogeneous control points of a part of an edge in the picture.
+/// A control point: x w, y w and w in the picture, all times its weight, and the weight.
+using control_point = l3d_vector<double, 4>;
+
+/// The control points of a part of an edge.
 struct image_curve {
-    std::array<l3d_image_point, l3d_bpt_largest_degree + 1> points;
+    std::array<control_point, l3d_bpt_largest_degree + 1> points;
     std::size_t count = 0;
 
     std::pair<image_curve, image_curve> halves() const {
@@ -27,6 +30,8 @@ struct image_curve {
         return result;
     }
 };
+
+using vector = l3d_vector<double, 3>;
 
 class flattener {
 public:
@@ -53,7 +58,8 @@ public:
             add(high, middle, to, halvings + 1);
             return;
         }
-        put(of.points[of.count - 1], to);
+        const control_point& end = of.points[of.count - 1];
+        put({end[0] / end[3], end[1] / end[3], end[2] / end[3]}, to);
     }
 
     void put(const l3d_image_point& h, double t) {
@@ -73,9 +79,9 @@ private:
             return std::all_of(of.points.begin(),
                                of.points.begin() + static_cast<std::ptrdiff_t>(of.count), is_out);
         };
-        using point = l3d_image_point;
-        return !all([&](const point& p) { return p[2] <= view_.near; }) &&
-               !all([&](const point& p) { return p[2] >= view_.far; }) &&
+        using point = control_point;
+        return !all([&](const point& p) { return p[2] <= view_.near * p[3]; }) &&
+               !all([&](const point& p) { return p[2] >= view_.far * p[3]; }) &&
                !all([&](const point& p) { return p[0] < box_.left * p[2]; }) &&
                !all([&](const point& p) { return p[0] > box_.right * p[2]; }) &&
                !all([&](const point& p) { return p[1] < box_.top * p[2]; }) &&
@@ -83,9 +89,9 @@ private:
     }
 
     bool is_flat(const image_curve& of) const {
-        const l3d_image_point &a = of.points[0], &b = of.points[of.count - 1];
+        const control_point &a = of.points[0], &b = of.points[of.count - 1];
         for (std::size_t i = 0; i < of.count; ++i)
-            if (of.points[i][2] <= view_.near)
+            if (of.points[i][2] <= view_.near * of.points[i][3])
                 return false;
         const double ax = a[0] / a[2], ay = a[1] / a[2];
         const double dx = b[0] / b[2] - ax, dy = b[1] / b[2] - ay, square = dx * dx + dy * dy;
@@ -96,6 +102,12 @@ private:
             const double y = of.points[i][1] / of.points[i][2] - ay;
             const double part = square > 0 ? std::clamp((x * dx + y * dy) / square, 0.0, 1.0) : 0;
             if (std::hypot(x - part * dx, y - part * dy) > wanted_)
+                return false;
+            // 1 / w is linear along chords. A change of w by by_w_ is as long as by_place_ / w
+            // pixels.
+            const double depth = of.points[i][3] / of.points[i][2];
+            const double on_chord = (1 - part) * a[3] / a[2] + part * b[3] / b[2];
+            if (std::abs(depth - on_chord) * by_place_ > wanted_ * by_w_ * depth)
                 return false;
         }
         return true;
@@ -118,10 +130,12 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
     flattener flat(edge, to_image, view, *this);
     const auto placed = [&](double x, double y, double z, double w) {
         const l3d_vector<double, 4> q = to_image * l3d_vector<double, 4>{x, y, z, w};
-        return l3d_image_point{q[0], q[1], q[3]};
+        return control_point{q[0], q[1], q[3], w};
     };
     const auto end = [&](std::size_t side) {
-        return placed(edge.ends[side][0], edge.ends[side][1], edge.ends[side][2], 1);
+        const vector& at = edge.ends[side];
+        const control_point p = placed(at[0], at[1], at[2], 1);
+        return l3d_image_point{p[0], p[1], p[2]};
     };
     flat.put(end(0), edge.spans.front().from);
     for (const l3d_shared_edge::span& span : edge.spans) {
