@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 /// A vertex with the patch parameters of the exact point that it stands for.
@@ -47,12 +48,21 @@ struct l3d_diced_piece {
     /// without a grid do not note it.
     std::vector<std::array<double, 2>> border_along;
 
+    /// A place on a side of the piece where its region's border follows an edge.
+    struct crossing {
+        std::array<double, 2> at; ///< u, v
+        std::uint32_t edge;
+        double t; ///< the edge's parameter
+    };
+    std::vector<crossing> crossings;
+
     /// Removes grid and triangles; keeps the memory.
     void clear() {
         part.grid.rows = part.grid.columns = 0;
         part.triangles.clear();
         part.border.clear();
         border_along.clear();
+        crossings.clear();
         u.clear();
         v.clear();
         bound = 0;

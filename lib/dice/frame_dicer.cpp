@@ -3,6 +3,7 @@
 #include "dice/frame_dicer.h"
 
 #include "dice/error_color.h"
+#include "dice/snap.h"
 #include "scene/facing_cones.h"
 #include "scene/placed_net.h"
 #include "dice/point_patch.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace {
 
@@ -92,6 +94,8 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
         space.view = view_;
     counts_ = {};
     next_slot_ = patches_before_ = 0;
+    for (instance_edges& one : edges_)
+        one.is_made = false;
     counts_.near_z = view_.near;
     budget_left_ = view_.budget();
 }
@@ -112,6 +116,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
         allowance / std::max<std::int64_t>(1, static_cast<std::int64_t>(batch.size()));
     wanted_.resize(batch.size());
     std::iota(wanted_.begin(), wanted_.end(), std::size_t{0});
+    make_polylines(of);
     dice_slots(of, share);
     dice_short_ones(of, allowance, share);
     parts_.clear();
@@ -150,6 +155,32 @@ void l3d_frame_dicer<T>::name_polygons(std::size_t i, const l3d_detail::painted_
         triangles.materials.resize(triangles.count);
         std::iota(triangles.materials.begin(), triangles.materials.end(),
                   first + static_cast<std::uint32_t>(quads));
+    }
+}
+
+/// Makes the polylines of edges that patches of a batch follow, unless an earlier batch did.
+template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
+    for (const l3d_placed_patch& p : of.batch) {
+        const l3d_patch_model& model = of.scene.instances()[p.instance].model();
+        if (!model.follows_edges(p.patch))
+            continue;
+        if (edges_.size() <= p.instance)
+            edges_.resize(p.instance + 1);
+        instance_edges& one = edges_[p.instance];
+        if (std::exchange(one.is_made, true))
+            continue;
+        one.lines.resize(model.edges().size());
+        workers_.for_each(static_cast<int>(one.lines.size()), [&](int item, int) {
+            const auto i = static_cast<std::size_t>(item);
+            one.lines[i].make(model.edges()[i], of.culling.matrix(p), view_);
+        });
+        one.off_px = 0;
+        for (const l3d_shared_polyline& line : one.lines)
+            one.off_px = std::max(one.off_px, line.off_px);
+        counts_.edges_px = std::max(counts_.edges_px, one.off_px);
+        counts_.bound_px =
+            std::max(counts_.bound_px, l3d_shared_chord_error(view_) +
+                                           l3d_snap_error<double>(view_.window().reach()));
     }
 }
 
@@ -200,6 +231,16 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     space.counts = {};
     space.view.trim = region;
     space.view.tolerance = view_.tolerance * (region ? trimmed_share : 1);
+    space.view.keep = view_.keep;
+    space.view.edges = nullptr;
+    space.view.edge_reach = 0;
+    if (model.follows_edges(of.batch[i].patch)) {
+        // Its strips are beside those of its neighbours, whatever it covers itself.
+        const instance_edges& edges = edges_[of.batch[i].instance];
+        space.view.edges = &edges.lines;
+        space.view.edge_reach = l3d_longest_shared_chord + edges.off_px;
+        space.view.keep.centreless = space.view.keep.dicing = true;
+    }
     dice_placed(i, of, budget, space);
     if (region)
         trim(*region, slot(i), space);
@@ -248,7 +289,9 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         l3d_draw_point(*point, net, {n[0], n[1], n[2]}, view, slot(i), space.counts);
         return;
     }
-    const unsigned backs = backs_of(instance, culling.matrix(p), p.patch);
+    const unsigned backs = view.edges != nullptr && !view.one_sided
+                               ? 0
+                               : backs_of(instance, culling.matrix(p), p.patch);
     if (backs == l3d_facing_cones::all) {
         ++space.counts.backfacing;
         return;

@@ -7,6 +7,7 @@
 #include "scene/dice_view.h"
 #include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
+#include "dice/edges/shared_polylines.h"
 #include "dice/lanes/lane_dicer.h"
 #include "dice/patch_dicer.h"
 #include "dice/trim_cells.h"
@@ -114,6 +115,7 @@ private:
         std::span<const l3d_placed_patch> batch;
     };
 
+    void make_polylines(const task& of);
     void dice_slots(const task& of, std::int64_t share);
     void dice_short_ones(const task& of, std::int64_t allowance, std::int64_t share);
     void dice_slot(std::size_t i, const task& of, std::int64_t share, worker_space& space);
@@ -128,12 +130,20 @@ private:
                     const std::array<double, l3d_edge_polylines::sides>& edge_shares,
                     l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;
 
+    /// The polylines of an instance's edges, once a patch of it follows any.
+    struct instance_edges {
+        bool is_made = false;
+        std::vector<l3d_shared_polyline> lines;
+        double off_px = 0; ///< the most that any is off its faces
+    };
+
     l3d_workers& workers_;
     l3d_dice_way way_;
     bool keep_parameters_;
     l3d_dice_view view_; ///< the frame's, its near plane where the camera's is
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
+    std::vector<instance_edges> edges_; ///< by the scene's instances
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches

@@ -3,6 +3,7 @@
 #include "dice/grid_builder.h"
 
 #include "dice/edges/gap_filler.h"
+#include "dice/edges/shared_polylines.h"
 #include "dice/grid_light.h"
 #include "dice/facing_fix.h"
 #include "dice/snap.h"
@@ -44,6 +45,12 @@ float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     const l3d_image_point across{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
                                  b[0] * c[1] - b[1] * c[0]};
     return l3d_dot(a, across) > 0 ? -1.0F : 1.0F;
+}
+
+/// Where a place of the patch is in a box.
+l3d_trim_place part_of(const l3d_trim_box& box, const l3d_trim_place& at) {
+    return {(at[0] - box.least[0]) / (box.most[0] - box.least[0]),
+            (at[1] - box.least[1]) / (box.most[1] - box.least[1])};
 }
 
 } // namespace
@@ -263,56 +270,105 @@ template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& 
     const auto take = [&](const l3d_trim_block& of, const l3d_trim_region* region) {
         if (region == nullptr)
             return;
-        if (region->is_all_of(box_of(of)))
+        const auto index = [](const std::vector<double>& along, double at, std::size_t last) {
+            return static_cast<int>(std::min(
+                static_cast<std::size_t>(std::ranges::lower_bound(along, at) - along.begin()),
+                last));
+        };
+        if (region->is_all_of(box_of(of))) {
+            if (view_.edges != nullptr)
+                l3d_for_followed_sides(
+                    *region, out.u, out.v, of,
+                    [&](const l3d_trim_use& use, const l3d_trim_place& a, const l3d_trim_place& b) {
+                        const auto vertex = [&](const l3d_trim_place& at) {
+                            return clip_vertex(index(out.v, at[1], of.end_row),
+                                               index(out.u, at[0], of.end_column));
+                        };
+                        add_strip(use, {vertex(a), vertex(b)},
+                                  half_of_quad(index(out.v, a[1], of.end_row - 1),
+                                               index(out.u, a[0], of.end_column - 1), true),
+                                  out);
+                    });
             return add_clipped_block(of, out);
+        }
         trims_.cut(*region, box_of(of));
         for (const auto& [a, b, c] : trims_.triangles())
             add_trimmed(of, {a, b, c}, box_of(of), out);
+        if (view_.edges != nullptr)
+            for (const auto& [a, b, triangle, use] : trims_.followed())
+                add_strip(use, {corner_at(of, box_of(of), a), corner_at(of, box_of(of), b)},
+                          half_of_quad(static_cast<int>(of.row), static_cast<int>(of.column), true),
+                          out);
     };
     l3d_for_trimmed_blocks(view_.trim->within(box_of(all)), out.u, out.v, all, take);
 }
 
-/// Adds a triangle of a quad. Its corners are interpolated before projection.
+/// A place of a quad, interpolated before projection. Parameters are those of the patch.
+template <class T>
+l3d_clip_vertex l3d_grid_builder<T>::corner_at(const l3d_trim_block& quad, const l3d_trim_box& box,
+                                               const l3d_trim_place& at) const {
+    const int r = static_cast<int>(quad.row), c = static_cast<int>(quad.column);
+    const std::array of{clip_vertex(r, c), clip_vertex(r, c + 1), clip_vertex(r + 1, c + 1),
+                        clip_vertex(r + 1, c)};
+    const auto [s, t] = part_of(box, at);
+    const std::array<double, 4> shares{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+    if (const auto whole = std::ranges::find(shares, 1.0); whole != shares.end())
+        return of[static_cast<std::size_t>(whole - shares.begin())];
+    l3d_image_point h{0.0, 0.0, 0.0};
+    std::array<double, 3> normal{};
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        h += of[i].h * shares[i];
+        for (std::size_t n = 0; n < normal.size(); ++n)
+            normal[n] += shares[i] * double{of[i].dice.vertex.normal[n]};
+    }
+    l3d_clip_vertex result = l3d_canonical_vertex(h, view_);
+    result.dice.u = at[0];
+    result.dice.v = at[1];
+    for (std::size_t n = 0; n < normal.size(); ++n)
+        result.dice.vertex.normal[n] = static_cast<float>(normal[n]);
+    if (!view_.makes_levels())
+        l3d_make_unit(result.dice.vertex.normal);
+    return result;
+}
+
 template <class T>
 void l3d_grid_builder<T>::add_trimmed(const l3d_trim_block& quad,
                                       const std::array<l3d_trim_place, 3>& triangle,
                                       const l3d_trim_box& box, l3d_diced_piece& out) const {
-    const int r = static_cast<int>(quad.row), c = static_cast<int>(quad.column);
-    const std::array of{clip_vertex(r, c), clip_vertex(r, c + 1), clip_vertex(r + 1, c + 1),
-                        clip_vertex(r + 1, c)};
     double s_sum = 0, t_sum = 0;
     corners_of_half corners;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto& [u, v] = triangle[k];
-        const double s = (u - box.least[0]) / (box.most[0] - box.least[0]);
-        const double t = (v - box.least[1]) / (box.most[1] - box.least[1]);
+        const auto [s, t] = part_of(box, triangle[k]);
         s_sum += s;
         t_sum += t;
-        const std::array<double, 4> shares{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
-        if (const auto whole = std::ranges::find(shares, 1.0); whole != shares.end()) {
-            corners[k] = of[static_cast<std::size_t>(whole - shares.begin())];
-            continue;
-        }
-        l3d_image_point h{0.0, 0.0, 0.0};
-        std::array<double, 3> normal{};
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            h += of[i].h * shares[i];
-            for (std::size_t n = 0; n < normal.size(); ++n)
-                normal[n] += shares[i] * double{of[i].dice.vertex.normal[n]};
-        }
-        corners[k] = l3d_canonical_vertex(h, view_);
-        corners[k].dice.u = u;
-        corners[k].dice.v = v;
-        for (std::size_t n = 0; n < normal.size(); ++n)
-            corners[k].dice.vertex.normal[n] = static_cast<float>(normal[n]);
-        if (!view_.makes_levels())
-            l3d_make_unit(corners[k].dice.vertex.normal);
+        corners[k] = corner_at(quad, box, triangle[k]);
     }
-    const float side = side_of(half_of_quad(r, c, s_sum >= t_sum));
+    const float side = side_of(
+        half_of_quad(static_cast<int>(quad.row), static_cast<int>(quad.column), s_sum >= t_sum));
     for (l3d_clip_vertex& corner : corners)
         for (float& number : corner.dice.vertex.normal)
             number *= side;
     l3d_clip_triangle(corners[0], corners[1], corners[2], view_, out);
+}
+
+/// Adds the strip beside a part of the border, with the light of the triangle beside it.
+template <class T>
+void l3d_grid_builder<T>::add_strip(const l3d_trim_use& use,
+                                    const std::array<l3d_clip_vertex, 2>& border,
+                                    const corners_of_half& beside, l3d_diced_piece& out) const {
+    std::array<l3d_border_point, 2> ends{{{border[0], use.from}, {border[1], use.to}}};
+    for (l3d_border_point& end : ends) {
+        const l3d_dice_vertex& at = end.at.dice;
+        if (at.u == out.u.front() || at.u == out.u.back() || at.v == out.v.front() ||
+            at.v == out.v.back())
+            out.crossings.push_back({{at.u, at.v}, use.edge, end.t});
+        for (float& number : end.at.dice.vertex.normal)
+            number *= side_of(beside);
+        if (view_.makes_levels())
+            end.at.dice.vertex.normal[1] = end.at.dice.vertex.normal[2] = 0;
+    }
+    if (use.edge < view_.edges->size())
+        l3d_add_strip((*view_.edges)[use.edge], ends[0], ends[1], view_, out);
 }
 
 template <class T>

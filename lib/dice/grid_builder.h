@@ -61,6 +61,10 @@ private:
     corners_of_half half_of_quad(int row, int column, bool first) const;
     void add_clipped_quads(l3d_diced_piece& out);
     void add_clipped_block(const l3d_trim_block& of, l3d_diced_piece& out) const;
+    l3d_clip_vertex corner_at(const l3d_trim_block& quad, const l3d_trim_box& box,
+                              const l3d_trim_place& at) const;
+    void add_strip(const l3d_trim_use& use, const std::array<l3d_clip_vertex, 2>& border,
+                   const corners_of_half& beside, l3d_diced_piece& out) const;
     void add_trimmed(const l3d_trim_block& quad, const std::array<l3d_trim_place, 3>& triangle,
                      const l3d_trim_box& box, l3d_diced_piece& out) const;
     l3d_clip_vertex grid_vertex(const piece& p, const l3d_micro_grid& grid, int row,

@@ -2,6 +2,8 @@
 // l3d_trim_cells: regions are halved along the grid's lines until they are those of single quads.
 #include "dice/trim_cells.h"
 
+#include "dice/edges/shared_polylines.h"
+#include "dice/facing_fix.h"
 #include "dice/grid_light.h"
 #include "dice/snap.h"
 #include "raster/surfaces/quad_cut_p.h"
@@ -218,7 +220,7 @@ l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice
                 leave_out(of);
             else if (here->is_all_of({{piece_->u[of.column], piece_->v[of.row]},
                                       {piece_->u[of.end_column], piece_->v[of.end_row]}}))
-                keep_all(of);
+                keep_all(*here, of);
             else
                 cut_quad(*here, of.row, of.column);
         };
@@ -245,7 +247,8 @@ void l3d_trim_cells::leave_out(const l3d_trim_block& of) {
                 grid.index(static_cast<int>(row), static_cast<int>(column))));
 }
 
-void l3d_trim_cells::keep_all(const l3d_trim_block& of) {
+void l3d_trim_cells::keep_all(const l3d_trim_region& region, const l3d_trim_block& of) {
+    strip_whole(region, of);
     const std::vector<double>&u = piece_->u, &v = piece_->v;
     if (view_->shading.antialias)
         for (std::size_t row = of.row; row < of.end_row; ++row)
@@ -312,6 +315,83 @@ void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
                          {p[2].vertex, p[2].uv.u, p[2].uv.v});
 }
 
+/// A point of a strip's border, with the light of one side and without bends.
+template <class Surface>
+l3d_dice_vertex l3d_trim_cells::lit(const Surface& of, const typename Surface::point& at,
+                                    float side) const {
+    l3d_dice_vertex result{at.vertex, at.uv.u, at.uv.v};
+    float(&normal)[3] = result.vertex.normal;
+    if (view_->makes_levels()) {
+        normal[0] = static_cast<float>(of.level(at.shares));
+        normal[1] = normal[2] = 0;
+    } else {
+        of.set_normal(at.shares, result.vertex);
+    }
+    for (float& number : normal)
+        number *= side;
+    return result;
+}
+
+bool l3d_trim_cells::has_strip(const l3d_trim_use& use) const {
+    return view_->edges != nullptr && use.edge < view_->edges->size();
+}
+
+void l3d_trim_cells::add_strip(const l3d_trim_use& use, const l3d_dice_vertex& from,
+                               const l3d_dice_vertex& to) {
+    if (has_strip(use))
+        l3d_add_strip((*view_->edges)[use.edge], l3d_border_point_of(from, use.from, *view_),
+                      l3d_border_point_of(to, use.to, *view_), *view_, *piece_);
+}
+
+/// Notes a place on a side of the piece, for the slit beside it.
+void l3d_trim_cells::note_crossing(const l3d_trim_place& at, std::uint32_t edge, double t) {
+    if (at[0] == piece_->u.front() || at[0] == piece_->u.back() || at[1] == piece_->v.front() ||
+        at[1] == piece_->v.back())
+        piece_->crossings.push_back({at, edge, t});
+}
+
+const l3d_diced_piece::crossing* l3d_trim_cells::crossing_at(bool along_u, double across,
+                                                             double along) const {
+    constexpr double rounding = 0x1p-44; // borders are cut at lines in more than one order
+    const auto& all = piece_->crossings;
+    const auto here = std::ranges::find_if(all, [&](const l3d_diced_piece::crossing& c) {
+        return c.at[along_u ? 1 : 0] == across &&
+               std::abs(c.at[along_u ? 0 : 1] - along) <= rounding;
+    });
+    return here == all.end() ? nullptr : &*here;
+}
+
+/// Adds strips along the sides of whole quads that follow edges.
+void l3d_trim_cells::strip_whole(const l3d_trim_region& region, const l3d_trim_block& of) {
+    if (view_->edges == nullptr)
+        return;
+    const l3d_micro_grid& grid = piece_->part.grid;
+    const auto visit = [&](const l3d_trim_use& use, const l3d_trim_place& from,
+                           const l3d_trim_place& to) {
+        const auto place_of = [](const std::vector<double>& all, double at) {
+            return static_cast<int>(std::ranges::lower_bound(all, at) - all.begin());
+        };
+        const int row = place_of(piece_->v, from[1]), column = place_of(piece_->u, from[0]);
+        const int end_row = place_of(piece_->v, to[1]), end_column = place_of(piece_->u, to[0]);
+        const auto last = [](std::size_t end) { return static_cast<int>(end) - 1; };
+        const float turn = l3d_side_of_quad(grid, std::min(row, last(of.end_row)),
+                                            std::min(column, last(of.end_column)), 0);
+        const auto vertex = [&](int r, int c, const l3d_trim_place& at) {
+            l3d_dice_vertex result{grid.vertex(r, c), at[0], at[1]};
+            float(&normal)[3] = result.vertex.normal;
+            if (view_->makes_levels())
+                normal[1] = normal[2] = 0;
+            for (float& number : normal)
+                number *= turn;
+            return result;
+        };
+        note_crossing(from, use.edge, use.from);
+        note_crossing(to, use.edge, use.to);
+        add_strip(use, vertex(row, column, from), vertex(end_row, end_column, to));
+    };
+    l3d_for_followed_sides(region, piece_->u, piece_->v, of, visit);
+}
+
 void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column) {
     const std::vector<double>&u = piece_->u, &v = piece_->v;
     leave_out({row, row + 1, column, column + 1});
@@ -322,6 +402,10 @@ void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, st
         if (at_border[side])
             kept_[side].insert(kept_[side].end(), triangles_.sides()[side].begin(),
                                triangles_.sides()[side].end());
+    for (const auto& [from, to, triangle, use] : triangles_.followed()) {
+        note_crossing(from, use.edge, use.from);
+        note_crossing(to, use.edge, use.to);
+    }
     if (is_unseen(row, column))
         return;
     const l3d_micro_grid& grid = piece_->part.grid;
@@ -336,10 +420,16 @@ void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, st
         // One without area has given its place to the one before.
         const std::size_t last = piece_->part.triangles.count - 1;
         for (; notes && border != triangles_.border().end() && border->triangle == i; ++border)
-            if (piece_->part.triangles.count > 0)
+            if (piece_->part.triangles.count > 0 && !has_strip(border->use))
                 trims_.push_back(side_of(of.point_at(border->from).vertex,
                                          of.point_at(border->to).vertex, -1, static_cast<int>(last),
                                          true));
+    }
+    if (!triangles_.followed().empty() && view_->edges != nullptr) {
+        const float turn =
+            l3d_side_of_quad(grid, static_cast<int>(row), static_cast<int>(column), 0);
+        for (const auto& [from, to, triangle, use] : triangles_.followed())
+            add_strip(use, lit(of, of.point_at(from), turn), lit(of, of.point_at(to), turn));
     }
     if (!notes)
         return;
@@ -493,6 +583,13 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         return at < along(middle) || along(middle) == along(high) ? between(low, middle, at)
                                                                   : between(middle, high, at);
     };
+    const double across = along_u ? slits_uv_[0][triangle].v : slits_uv_[0][triangle].u;
+    // Where the region ends, its border goes on across the slit.
+    const auto strip_end = [&](double at, const slit_surface::point& a,
+                               const slit_surface::point& b) {
+        if (const auto* const crossing = crossing_at(along_u, across, at))
+            add_strip({crossing->edge, crossing->t, crossing->t}, lit(of, a, 1), lit(of, b, 1));
+    };
     for (; first != kept.end() && (*first)[0] <= along(high); ++first) {
         const auto [from, to] = *first;
         if (from <= along(low) && to >= along(high))
@@ -504,6 +601,8 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
                                                           view_->depth_rounding());
         const slit_surface::point straight = between(low, high, begin);
         slit_surface::point last = by_way(begin);
+        if (begin == from)
+            strip_end(begin, straight, last);
         if (begin < along(middle) && along(middle) < end) {
             slit_surface::point corner;
             corner.shares[middle] = 1;
@@ -514,6 +613,9 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         }
         const slit_surface::point far = by_way(end);
         add(of, straight, last, far);
-        add(of, straight, far, between(low, high, end));
+        const slit_surface::point end_straight = between(low, high, end);
+        add(of, straight, far, end_straight);
+        if (end == to)
+            strip_end(end, end_straight, far);
     }
 }

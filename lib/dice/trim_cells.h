@@ -38,7 +38,8 @@ private:
     using stretch = std::array<double, 2>;
     using stretches = std::vector<stretch>;
     void leave_out(const l3d_trim_block& of);
-    void keep_all(const l3d_trim_block& of);
+    void keep_all(const l3d_trim_region& region, const l3d_trim_block& of);
+    bool has_strip(const l3d_trim_use& use) const;
     void cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column);
     template <class Surface>
     void add(const Surface& of, const typename Surface::point& a, const typename Surface::point& b,
@@ -46,6 +47,12 @@ private:
     void cut_slits(const l3d_trim_region& region);
     void keep_slit(std::size_t triangle);
     void cut_slit(std::size_t triangle, bool along_u, const stretches& kept);
+    const l3d_diced_piece::crossing* crossing_at(bool along_u, double across, double along) const;
+    template <class Surface>
+    l3d_dice_vertex lit(const Surface& of, const typename Surface::point& at, float side) const;
+    void add_strip(const l3d_trim_use& use, const l3d_dice_vertex& from, const l3d_dice_vertex& to);
+    void note_crossing(const l3d_trim_place& at, std::uint32_t edge, double t);
+    void strip_whole(const l3d_trim_region& region, const l3d_trim_block& of);
     bool is_unseen(std::size_t row, std::size_t column) const;
     void note_whole_quads();
     void cut_border();

@@ -124,8 +124,14 @@ public:
     const std::vector<l3d_trim_loop>& trims() const { return trims_; }
     /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
     /// curves.
-    /// Errors: throws l3d_error(bad_input) with what l3d_trims_complaint() says.
-    l3d_nurbs_surface trimmed(std::vector<l3d_trim_loop> loops) const;
+    ///
+    /// On a surface that comes back to where it began, loops may go across that seam. A curve may
+    /// end at one side of the parameters where the next begins at the other, and curves may go on
+    /// beyond the parameters. Loops that go around leave what is on their left, seen from outside.
+    /// trims() then has them as closed loops of the plane.
+    /// Errors: throws l3d_error(bad_input) with what l3d_trims_complaint() says, and for loops that
+    ///         go around twice, or both ways.
+    l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
 
     /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
     /// none.

@@ -15,6 +15,13 @@ double l3d_trapezoids::side::at(double v) const {
     return low[0] + (high[0] - low[0]) * ((v - low[1]) / (high[1] - low[1]));
 }
 
+l3d_trim_use l3d_trapezoids::side::use_between(double from_v, double to_v) const {
+    if (use.edge == l3d_no_edge)
+        return use;
+    const auto at_v = [&](double v) { return use.at((v - low[1]) / (high[1] - low[1])); };
+    return {use.edge, at_v(from_v), at_v(to_v)};
+}
+
 void l3d_trapezoids::begin(const l3d_trim_region& region) {
     sides_.clear();
     corners_.clear();
@@ -26,13 +33,18 @@ void l3d_trapezoids::begin(const l3d_trim_region& region) {
     for (const l3d_trim_polygon& polygon : region.polygons)
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             l3d_trim_place a = polygon[i], b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            l3d_trim_use use = polygon[i].side;
             corners_.push_back(a);
             if (a[1] == b[1])
                 continue;
-            if (a[1] > b[1])
+            if (a[1] > b[1]) {
                 std::swap(a, b);
-            sides_.emplace_back().low = a;
-            sides_.back().high = b;
+                std::swap(use.from, use.to);
+            }
+            side& one = sides_.emplace_back();
+            one.low = a;
+            one.high = b;
+            one.use = use;
         }
     std::ranges::sort(corners_, {}, [](const l3d_trim_place& p) { return std::pair(p[1], p[0]); });
     std::ranges::sort(sides_, {}, [](const side& s) { return s.low[1]; });
@@ -131,7 +143,7 @@ void l3d_trapezoids::end_and_begin() {
         if (goes_on(left))
             continue;
         const auto [high, count] = between(left, sides_[left.right]);
-        ended_.push_back({left.low_v, left.first_low, left.low_count, high, count});
+        ended_.push_back({left.low_v, left.first_low, left.low_count, high, count, i, left.right});
     }
     for (const std::size_t i : open_)
         if (!goes_on(sides_[i]))

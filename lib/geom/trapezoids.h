@@ -12,10 +12,12 @@
 /// A trapezoid of a region, between two lines of equal v.
 ///
 /// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
-///        rising order, at least one on each.
+///        rising order, at least one on each. `left` and `right` say which edges those sides
+///        follow, upwards.
 struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
+    l3d_trim_use left{}, right{};
 };
 
 /// Cuts a region into trapezoids that meet without a T: where a corner of one lies on the low or
@@ -32,23 +34,27 @@ public:
         while (next_line())
             for (const ended& one : ended_)
                 visit(l3d_trapezoid{one.low_v, v_, std::span(pool_).subspan(one.low, one.low_count),
-                                    std::span(marks_).subspan(one.high, one.high_count)});
+                                    std::span(marks_).subspan(one.high, one.high_count),
+                                    sides_[one.left].use_between(one.low_v, v_),
+                                    sides_[one.right].use_between(one.low_v, v_)});
     }
 
 private:
     /// A side of a polygon, upwards.
     struct side {
         l3d_trim_place low, high;
+        l3d_trim_use use{};
         std::size_t right = none; ///< the side at the other end of the trapezoid that it begins
         std::size_t next_right = none;
         double low_v = 0;
         std::size_t first_low = 0, low_count = 0; ///< in pool_
 
         double at(double v) const;
+        l3d_trim_use use_between(double from_v, double to_v) const;
     };
     struct ended {
         double low_v;
-        std::size_t low, low_count, high, high_count;
+        std::size_t low, low_count, high, high_count, left, right;
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

@@ -39,20 +39,31 @@ bool is_flat(const l3d_trim_polygon& polygon) {
 l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, double at,
                          bool above) {
     l3d_trim_polygon result;
-    const auto add = [&](const l3d_trim_place& p) {
-        if (result.empty() || result.back() != p)
-            result.push_back(p);
+    const auto add = [&](const l3d_trim_place& p, l3d_trim_use side) {
+        if (result.empty() || result.back() != p) {
+            result.push_back({p, side});
+            return;
+        }
+        // The side before has lost its length, but none of its edge.
+        const l3d_trim_use& before = result.back().side;
+        if (before.edge == side.edge && before.to == side.from)
+            side.from = before.from;
+        result.back().side = side;
     };
     const auto is_in = [&](const l3d_trim_place& p) {
         return above ? p[along] >= at : p[along] <= at;
     };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const l3d_trim_place& a = polygon[i];
-        const l3d_trim_place& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const l3d_trim_corner& a = polygon[i];
+        const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        l3d_trim_use before = a.side, behind = a.side;
+        const bool is_cut = is_in(a) != is_in(b);
+        if (is_cut && a.side.edge != l3d_no_edge)
+            before.to = behind.from = a.side.at((at - a[along]) / (b[along] - a[along]));
         if (is_in(a))
-            add(a);
-        if (is_in(a) != is_in(b))
-            add(crossing(a, b, along, at));
+            add(a, is_cut ? before : a.side);
+        if (is_cut)
+            add(crossing(a, b, along, at), is_in(a) ? l3d_trim_use() : behind);
     }
     while (result.size() > 1 && result.back() == result.front())
         result.pop_back();
@@ -105,20 +116,24 @@ double off_chord(const curve& of, const l3d_trim_place& lengths) {
     return between > 0 ? result * (between / (between + ends)) : 0;
 }
 
-/// Adds the points of a curve but its first. Returns how far the polygon may be from it.
-double flatten(const curve& of, const l3d_trim_place& lengths, double wanted, int halvings,
-               l3d_trim_polygon& to) {
+/// Adds the points of a curve but its last. Returns how far the polygon may be from it.
+double flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& lengths,
+               double wanted, int halvings, l3d_trim_polygon& to) {
     const double off = off_chord(of, lengths);
     if (off <= wanted || halvings == 0) {
-        to.push_back({of.back()[0], of.back()[1]});
+        to.push_back({{of.front()[0], of.front()[1]}, use});
         return off;
     }
     const auto [first, second] = halves_of(of);
-    const double of_first = flatten(first, lengths, wanted, halvings - 1, to);
-    return std::max(of_first, flatten(second, lengths, wanted, halvings - 1, to));
+    const double middle = use.at(0.5);
+    const double of_first =
+        flatten(first, {use.edge, use.from, middle}, lengths, wanted, halvings - 1, to);
+    return std::max(of_first,
+                    flatten(second, {use.edge, middle, use.to}, lengths, wanted, halvings - 1, to));
 }
 
-std::string complaint_of(const l3d_trim_loop& loop) {
+/// Why curves are none, if a loop need not be closed.
+std::string complaint_of(const l3d_trim_loop& loop, bool may_be_open) {
     if (loop.empty())
         return "has no curve";
     std::array<double, 2> least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
@@ -137,6 +152,8 @@ std::string complaint_of(const l3d_trim_loop& loop) {
                                              p[2]);
         }
     }
+    if (may_be_open)
+        return "";
     const double widest = 0x1p-20 * std::max(most[0] - least[0], most[1] - least[1]);
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const auto& end = loop[i].points.back();
@@ -148,13 +165,21 @@ std::string complaint_of(const l3d_trim_loop& loop) {
     return "";
 }
 
+std::string complaint_of(std::span<const l3d_trim_loop> loops, bool may_be_open) {
+    for (std::size_t i = 0; i < loops.size(); ++i)
+        if (const std::string why = complaint_of(loops[i], may_be_open); !why.empty())
+            return "trim " + std::to_string(i + 1) + ' ' + why;
+    return "";
+}
+
 } // namespace
 
 std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops) {
-    for (std::size_t i = 0; i < loops.size(); ++i)
-        if (const std::string why = complaint_of(loops[i]); !why.empty())
-            return "trim " + std::to_string(i + 1) + ' ' + why;
-    return "";
+    return complaint_of(loops, false);
+}
+
+std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops) {
+    return complaint_of(loops, true);
 }
 
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
@@ -163,14 +188,15 @@ double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place
     double off = 0;
     for (const l3d_trim_loop& loop : loops) {
         l3d_trim_polygon& polygon = to.polygons.emplace_back();
-        for (const l3d_trim_curve& one : loop) {
-            const l3d_trim_place first{one.points.front()[0], one.points.front()[1]};
-            if (polygon.empty() || polygon.back() != first)
-                polygon.push_back(first);
-            off = std::max(off, flatten(one.points, lengths, wanted, most_halvings, polygon));
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
+            off = std::max(off, flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted,
+                                        most_halvings, polygon));
+            // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
+            const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
+            if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
+                polygon.push_back({end, {one.edge, one.to, one.to}});
         }
-        while (polygon.size() > 1 && polygon.back() == polygon.front())
-            polygon.pop_back();
         if (is_flat(polygon))
             to.polygons.pop_back();
     }
@@ -191,6 +217,13 @@ bool l3d_trim_region::is_all_of(const l3d_trim_box& box) const {
             return false;
     }
     return p[0] != p[2] && p[1] != p[3];
+}
+
+bool l3d_trim_region::follows_edges() const {
+    return std::ranges::any_of(polygons, [](const l3d_trim_polygon& polygon) {
+        return std::ranges::any_of(
+            polygon, [](const l3d_trim_corner& c) { return c.side.edge != l3d_no_edge; });
+    });
 }
 
 bool l3d_trim_region::contains(const l3d_trim_place& at) const {

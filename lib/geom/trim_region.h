@@ -8,15 +8,33 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 /// A place in the plane of parameters. Shape: u, v.
 using l3d_trim_place = std::array<double, 2>;
 
+/// The edge of the model that a side of a polygon follows, and the edge's parameters at the ends of
+/// the side.
+struct l3d_trim_use {
+    std::uint32_t edge = l3d_no_edge;
+    double from = 0, to = 0;
+
+    /// The edge's parameter at a part of the side.
+    double at(double part) const { return part >= 1 ? to : from + (to - from) * part; }
+};
+
+/// A corner of a polygon, and what the side from here to the next corner follows.
+struct l3d_trim_corner : l3d_trim_place {
+    l3d_trim_use side{};
+};
+
 /// A closed polygon of parameters.
-using l3d_trim_polygon = std::vector<l3d_trim_place>;
+using l3d_trim_polygon = std::vector<l3d_trim_corner>;
 
 /// A rectangle of parameters.
 struct l3d_trim_box {
@@ -34,8 +52,12 @@ struct l3d_trim_region {
     /// Whether a place is inside.
     bool contains(const l3d_trim_place& at) const;
 
+    /// Whether a side follows an edge.
+    bool follows_edges() const;
+
     /// Cuts the region at a line of equal u (along = 0) or equal v (along = 1), and returns the
-    /// parts below and above the line. Both parts have the same corners on the line, bit for bit.
+    /// parts below and above the line. Both parts have the same corners on the line, bit for bit,
+    /// and the same parameters of edges there.
     /// Corners that touch the line from one side alone are an exception.
     std::array<l3d_trim_region, 2> halves(std::size_t along, double at) const;
     /// The part in a box.
@@ -65,6 +87,26 @@ double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place
 /// Expects: loops without a complaint.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box);
+
+/// As l3d_trims_complaint, but curves need not begin where others end.
+std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops);
+
+/// Loops of a surface that is closed along u, v or both, as closed loops of the plane that leave
+/// the same places of the box. A curve may end at one side of the box where the next begins at the
+/// other, and curves may go on beyond the box.
+///
+/// A loop that goes around the surface, and so comes back at the other side, leaves what is on its
+/// left if u runs to the right and v upwards. If several go around, that of the least v (or u, if
+/// they go along v) decides.
+/// Errors: nothing, and the loop at fault in `why`: as l3d_trims_complaint, for loops that go
+///         around twice, and for loops around both ways.
+std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_loop> loops,
+                                                       const l3d_trim_box& box,
+                                                       const std::array<bool, 2>& is_closed,
+                                                       std::string& why);
+
+/// Whether a surface comes back to where it began, along u and along v.
+std::array<bool, 2> l3d_closed_ways(const l3d_nurbs_surface& surface);
 
 /// The border of a box.
 l3d_trim_loop l3d_trim_around(const l3d_trim_box& box);

@@ -6,15 +6,18 @@
 #include <tuple>
 
 void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& box) {
+    region_ = &region;
     box_ = box;
     triangles_.clear();
     border_.clear();
+    followed_.clear();
     level_sides_.clear();
     for (std::vector<stretch>& side : sides_)
         side.clear();
     trapezoids_.of(region, [this](const l3d_trapezoid& one) { take(one); });
     close_sides();
     find_level_border();
+    find_followed();
 }
 
 void l3d_trim_triangles::take(const l3d_trapezoid& one) {
@@ -30,9 +33,10 @@ void l3d_trim_triangles::take(const l3d_trapezoid& one) {
         if (low == high && low == (is_right ? box_.most[0] : box_.least[0]))
             sides_[is_right ? 3 : 2].push_back({one.low_v, one.high_v});
         else if (is_right)
-            border_.push_back({from, to, triangles_.size() - 1});
+            border_.push_back({from, to, triangles_.size() - 1, one.right});
         else
-            border_.push_back({to, from, triangles_.size()});
+            border_.push_back(
+                {to, from, triangles_.size(), {one.left.edge, one.left.to, one.left.from}});
     };
     if (one.low.size() + one.high.size() < 3)
         return; // nothing but a line
@@ -75,6 +79,22 @@ void l3d_trim_triangles::close_sides() {
     }
 }
 
+/// The edge that a side of equal v follows: that of the polygon's side that it is a part of.
+l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) const {
+    for (const l3d_trim_polygon& polygon : region_->polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_corner& a = polygon[i];
+            const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            if (a.side.edge == l3d_no_edge || a[1] != v || b[1] != v ||
+                std::min(from, to) < std::min(a[0], b[0]) ||
+                std::max(from, to) > std::max(a[0], b[0]))
+                continue;
+            const auto at = [&](double u) { return a.side.at((u - a[0]) / (b[0] - a[0])); };
+            return {a.side.edge, at(from), at(to)};
+        }
+    return {};
+}
+
 /// Two trapezoids share a side of equal v, unless it is border.
 void l3d_trim_triangles::find_level_border() {
     const auto key = [](const level_side& s) { return std::tuple(s.v, s.from, s.to); };
@@ -86,8 +106,46 @@ void l3d_trim_triangles::find_level_border() {
             continue;
         }
         const l3d_trim_place from{s.from, s.v}, to{s.to, s.v};
-        border_.push_back(s.is_high ? border_side{to, from, s.triangle}
-                                    : border_side{from, to, s.triangle});
+        border_.push_back(s.is_high
+                              ? border_side{to, from, s.triangle, level_use(s.v, s.to, s.from)}
+                              : border_side{from, to, s.triangle, level_use(s.v, s.from, s.to)});
     }
     std::ranges::sort(border_, {}, &border_side::triangle);
+}
+
+/// On the box's sides, a stretch may follow several edges. Its own side then has corners in
+/// between; triangles without area join them to it.
+void l3d_trim_triangles::find_followed() {
+    for (const border_side& side : border_)
+        if (side.use.edge != l3d_no_edge)
+            followed_.push_back(side);
+    for (const l3d_trim_polygon& polygon : region_->polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_corner& a = polygon[i];
+            const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            if (a.side.edge == l3d_no_edge || a == b)
+                continue;
+            const std::size_t across = a[1] == b[1] ? 1 : 0, along = 1 - across;
+            const bool is_low = a[across] == box_.least[across];
+            if (a[across] != b[across] || (!is_low && a[across] != box_.most[across]))
+                continue;
+            const double first = std::min(a[along], b[along]), last = std::max(a[along], b[along]);
+            const auto place = [&](double at) {
+                l3d_trim_place result = a;
+                result[along] = at;
+                return result;
+            };
+            const auto t = [&](double at) {
+                return a.side.at((at - a[along]) / (b[along] - a[along]));
+            };
+            for (const stretch& one : sides_[(across == 1 ? 0 : 2) + (is_low ? 0 : 1)]) {
+                const double from = std::max(one[0], first), to = std::min(one[1], last);
+                if (!(from < to))
+                    continue;
+                followed_.push_back(
+                    {place(from), place(to), triangles_.size(), {a.side.edge, t(from), t(to)}});
+                if (to != one[1])
+                    triangles_.push_back({place(from), place(to), place(one[1])});
+            }
+        }
 }

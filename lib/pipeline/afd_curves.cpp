@@ -2,6 +2,7 @@
 // l3d_pipeline_afd: curves in space on the surfaces' picture, hidden by the surfaces' depth.
 #include "pipeline/pipeline_afd_p.h"
 
+#include "scene/edge_lines.h"
 #include "scene/flat_space_curve_p.h"
 
 #include <algorithm>
@@ -9,6 +10,12 @@
 void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
     if (!has_curves())
         return;
+    auto& edges = stages_->edges;
+    std::erase_if(edges, [&](const auto& kept) {
+        return std::ranges::none_of(scene_.instances(), [&](const l3d_patch_instance& i) {
+            return i.model().identity() == kept.first;
+        });
+    });
     rasterizer().finish();
     const l3d_pixels target = screen_->pixels();
     const l3d_size size = target.size();
@@ -20,7 +27,8 @@ void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
         // Surfaces and chords keep the tolerance each, so they may be off by twice as much.
         const l3d_detail::depth_lines::line line{.depth = depth_,
                                                  .width = curve.width(),
-                                                 .error = 2 * settings_.tolerance,
+                                                 .error = 2 * settings_.tolerance +
+                                                          report_.dice.edges_px,
                                                  .law = law,
                                                  .smooth = settings_.antialias};
         for (const l3d_detail::depth_chord& chord :
@@ -31,5 +39,13 @@ void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
     for (const l3d_patch_instance& instance : scene_.instances())
         for (const l3d_space_curve& curve : instance.model().curves())
             draw(curve.placed(instance.placement() * curve.placement()));
+    if (settings_.edges)
+        for (const l3d_patch_instance& instance : scene_.instances()) {
+            const auto [kept, is_new] = edges.try_emplace(instance.model().identity());
+            if (is_new)
+                kept->second = l3d_edge_lines(instance.model());
+            for (const l3d_space_curve& curve : kept->second)
+                draw(curve.placed(instance.placement()));
+        }
     std::ranges::for_each(curves_, draw);
 }

@@ -86,6 +86,7 @@ std::string l3d_frame_report::json() const {
                  {"error_bound_px", number_or_null(dice.bound_px)},
                  {"depth_error_bound_px", number_or_null(dice.depth_bound_px)},
                  {"curved_px", number_or_null(curved_px)},
+                 {"edges_px", number_or_null(dice.edges_px)},
                  {"coverage_error_bound", number_or_null(coverage_bound)},
                  {"color_error_bound", number_or_null(color_bound)}});
     l3d_detail::add_tail(line, *this, reasons);

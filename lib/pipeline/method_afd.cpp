@@ -95,6 +95,8 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     times.raster += finishing.milliseconds();
     counts_ = dicer_.counts();
     counts_.add(culling_.counts());
+    counts_.bound_px += counts_.edges_px;
+    counts_.depth_bound_px += counts_.edges_px;
     const stopwatch seeking;
     if (outlines_)
         outlines_->finish(counts_.bound_px + frame.curved_px,

@@ -211,6 +211,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .wireframe = settings_.wireframe,
             .drawing = settings_.drawing,
             .net = settings_.net,
+            .edges = settings_.edges,
             .depth = wants_depth(),
             .outlines = settings_.outlines,
             .error_map = settings_.error_map};

@@ -98,6 +98,10 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the control nets are drawn on top.
     bool net = false;
 
+    /// Whether edges are drawn as black lines, where no surface hides them: those at which trimmed
+    /// faces end, or else all sides of patches that are open or creased, and borders of trims.
+    bool edges = false;
+
     /// Work that is done although it could be skipped.
     l3d_kept_work keep{};
 
@@ -312,7 +316,7 @@ private:
     void draw_drawing(const l3d_shading& shading);
     void draw_nets();
     void draw_curves(const l3d_shading& shading);
-    bool has_curves() const { return !curves_.empty() || scene_.has_curves(); }
+    bool has_curves() const { return settings_.edges || !curves_.empty() || scene_.has_curves(); }
     bool wants_depth() const { return settings_.depth || has_curves(); }
 
     std::unique_ptr<l3d_screen> screen_;

@@ -15,9 +15,12 @@
 #include "scene/image_transform.h"
 #include "scene/level_choice.h"
 #include "scene/scene_culling.h"
+#include "scene/space_curve.h"
 #include "tool_2d/image.h"
 
+#include <map>
 #include <memory>
+#include <vector>
 
 /// Everything that a picture depends on, except the placements of its models.
 struct l3d_pipeline_afd::basis {
@@ -26,7 +29,7 @@ struct l3d_pipeline_afd::basis {
     l3d_dice_view view;
     l3d_shading shading;
     l3d_texture_filter filter{};
-    bool wireframe = false, drawing = false, net = false;
+    bool wireframe = false, drawing = false, net = false, edges = false;
     bool depth = false, outlines = false, error_map = false;
 
     friend bool operator==(const basis&, const basis&) = default;
@@ -58,6 +61,8 @@ struct l3d_pipeline_afd::stages {
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent things
     l3d_image mixed;               ///< one of these pictures, to be mixed
     l3d_detail::depth_lines lines; ///< kept for its memory
+    /// The edges of models as lines, by the identity of each.
+    std::map<const void*, std::vector<l3d_space_curve>> edges;
     std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
 };
 

@@ -41,6 +41,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_afd_viewer::own_rows() {
          {{'l', [this] { controls_.switch_headlight(settings().headlight); }}}},
         {"v", "perspective, parallel", {{'v', [this] { switch_projection(); }}}},
         {"n", "control nets", {{'n', [this] { settings().net = !settings().net; }}}},
+        {"E", "edges as lines", {{'E', [this] { settings().edges = !settings().edges; }}}},
         {"e", "choose the next part", {{'e', [this] { tell_of_part(parts_.choose_next()); }}}},
         {"d", "hide or show that part", {{'d', [this] { tell_of_part(parts_.switch_chosen()); }}}}};
 }

@@ -95,6 +95,10 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
+    /// How far edges may be off the faces that end at them, in the model itself, where they may be
+    /// seen (l3d_trim_curve::edge). It is measured, and part of the bounds above.
+    double edges_px = 0;
+
     /// Largest error of interpolated normals, over quads and slits. They are compared with the
     /// exact unit normals at the same parameters. Only vertices that have normals count.
     /// l3d_surface_counts::normal_error has the error that polygons' shapes add.
@@ -127,6 +131,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         near_z = std::max(near_z, other.near_z);
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
+        edges_px = std::max(edges_px, other.edges_px);
         normal_off = std::max(normal_off, other.normal_off);
         shade_bound = std::max(shade_bound, other.shade_bound);
         unproven_quads += other.unproven_quads;

@@ -75,7 +75,7 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
     const l3d_trim_box box{{part.u0, part.v0}, {part.u1, part.v1}};
     if (region.is_empty() || cells.empty())
         return;
-    if (region.is_all_of(box)) {
+    if (region.is_all_of(box) && !region.follows_edges()) {
         for (const cell& one : cells)
             visit(one, l3d_trim_region());
         return;
@@ -176,8 +176,10 @@ std::array<std::optional<boundary>, 4> boundaries_of(const l3d_patch_points& pie
 
 } // namespace
 
-l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces)
-    : pieces_(std::move(pieces)), alike_(2 * pieces_.size()) {
+l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
+                                     std::vector<l3d_model_edge> edges)
+    : pieces_(std::move(pieces)), file_edges_(std::move(edges)),
+      edges_(l3d_shared_edges(file_edges_, pieces_)), alike_(2 * pieces_.size()) {
     bool is_first = true;
     for (const l3d_patch_points& piece : pieces_) {
         has_trims_ = has_trims_ || !piece.trims.empty();
@@ -193,6 +195,16 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces)
     for (std::size_t i = 0; i < alike_.size(); ++i)
         alike_[i].other = i;
     unite_common_boundaries();
+}
+
+/// The most that the edges are off which a region follows; negative if it follows none.
+double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
+    double result = -1;
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (const l3d_trim_corner& corner : polygon)
+            if (corner.side.edge < edges_.size())
+                result = std::max(result, edges_[corner.side.edge].off);
+    return result;
 }
 
 l3d_curved_pieces::line l3d_curved_pieces::root_of(std::size_t index) const {
@@ -366,6 +378,8 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_w
             result.pieces.push_back(static_cast<std::uint32_t>(i));
             result.errors.push_back(one.error + of_trims);
             result.share = std::max(result.share, result.errors.back() / one.allowed);
+            if (!edges_.empty())
+                result.edges_off.push_back(off_edges(region));
             if (has_trims_)
                 result.trims.push_back(std::move(region));
         };

@@ -10,6 +10,7 @@
 #include "geom/trim_region.h"
 #include "scene/patch_scene.h"
 #include "scene/seen_region.h"
+#include "scene/shared_edges.h"
 
 #include <array>
 #include <cstddef>
@@ -75,10 +76,16 @@ public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
-    /// Expects: each piece as l3d_rational_piece expects.
-    explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces);
+    /// Expects: each piece as l3d_rational_piece expects. Edges that trims name and that are not
+    /// there do not count.
+    explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
+                               std::vector<l3d_model_edge> edges = {});
 
     std::span<const l3d_patch_points> pieces() const { return pieces_; }
+    /// The edges that trims follow, as the file has them.
+    std::span<const l3d_model_edge> file_edges() const { return file_edges_; }
+    /// The same edges as Bezier curves.
+    std::span<const l3d_shared_edge> edges() const { return edges_; }
 
     /// The box of all control points, which holds all pieces.
     const vector& least() const { return least_; }
@@ -108,7 +115,9 @@ public:
         std::vector<l3d_trim_region> trims;
         /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
         std::vector<double> errors;
-        double share = 0;        ///< the largest of these by what is allowed for its patch
+        double share = 0; ///< the largest of these by what is allowed for its patch
+        /// How far the edges may be off that each patch follows; negative where it follows none.
+        std::vector<double> edges_off;
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
@@ -135,6 +144,7 @@ private:
         bool is_symmetric = false; ///< whether it is cut alike both ways: asked of roots alone
     };
     line root_of(std::size_t index) const;
+    double off_edges(const l3d_trim_region& region) const;
     bool is_cut(const cuts& by, std::size_t index, double from, double to) const;
     void halve(cuts& by, const line& root, double place) const;
     template <class Visit>
@@ -142,6 +152,8 @@ private:
                      const Visit& visit) const;
 
     std::vector<l3d_patch_points> pieces_;
+    std::vector<l3d_model_edge> file_edges_;
+    std::vector<l3d_shared_edge> edges_;
     std::vector<line> alike_; ///< for lines 2 i and 2 i + 1, along u and v of the piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;

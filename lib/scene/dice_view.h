@@ -13,7 +13,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
+struct l3d_shared_polyline;
 struct l3d_trim_region;
 
 /// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
@@ -93,6 +95,10 @@ struct l3d_dice_view {
     unsigned folds = 0;
     /// The part of that patch that its trims leave; null where they leave all.
     const l3d_trim_region* trim = nullptr;
+    /// The polylines of the edges that its trims follow; null if they follow none.
+    const std::vector<l3d_shared_polyline>* edges = nullptr;
+    /// How far strips along these edges may reach beyond the patch. Units: pixels.
+    double edge_reach = 0;
 
     /// How vertices are lit: in mode `levels` they get levels, else unit normals, turned to the eye
     /// if the shading has one.
@@ -237,7 +243,9 @@ struct l3d_dice_view {
     l3d_image_box margin() const { return margin(window()); }
 
     /// The margin around a part of the picture.
-    l3d_image_box margin(const l3d_image_box& part) const { return part.grown(1 + most_moved()); }
+    l3d_image_box margin(const l3d_image_box& part) const {
+        return part.grown(1 + most_moved() + edge_reach);
+    }
 
     /// Position of the picture's centre in 1/256 pixel; a half pixel is 128, so this is exact.
     std::int32_t centre_x() const { return size.width * (l3d_subpixel_one / 2); }

@@ -39,6 +39,7 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
+/// Boxes grow by what edges are off that a patch follows.
 void l3d_patch_model::contents::learn(const contents* like,
                                       std::span<const std::size_t> places_in_like) {
     normals.reserve(patches.size());
@@ -55,7 +56,13 @@ void l3d_patch_model::contents::learn(const contents* like,
             bends.push_back(std::make_shared<bends_on_demand>());
         }
         reaches.push_back(reach_of(p));
-        const auto [lowest, highest] = p.bounds();
+        auto [lowest, highest] = p.bounds();
+        if (const std::size_t last = normals.size() - 1;
+            last < edges_off.size() && edges_off[last] > 0)
+            for (int k = 0; k < 3; ++k) {
+                lowest[k] -= edges_off[last];
+                highest[k] += edges_off[last];
+            }
         boxes.add(upright_box(lowest, highest));
         if (normals.size() == 1) {
             least = lowest;
@@ -76,7 +83,7 @@ l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
 
 l3d_patch_model::contents::contents(l3d_curved_pieces::cells of, const contents* like)
     : patches(std::move(of.patches)), pieces(std::move(of.pieces)), ranges(std::move(of.ranges)),
-      trims(std::move(of.trims)) {
+      trims(std::move(of.trims)), edges_off(std::move(of.edges_off)) {
     constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places_in_like;
     if (like != nullptr) {

@@ -53,6 +53,7 @@ struct l3d_patch_model::contents {
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
     std::vector<l3d_parameter_range> ranges; ///< the part of it
     std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
+    std::vector<double> edges_off;           ///< as l3d_curved_pieces::cells has it
     std::vector<double> errors;              ///< errors of places, one for each patch
     double surface_error = 0, normal_error = 0;
     double share = 0; ///< the largest error of places by what the wish allows there

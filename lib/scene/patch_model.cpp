@@ -9,6 +9,7 @@
 #include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
 #include "scene/model_loader.h"
+#include "scene/shared_edges.h"
 #include "scene/space_curve.h"
 #include "base/error.h"
 
@@ -143,7 +144,8 @@ std::vector<l3d_nurbs_surface> l3d_patch_model::surfaces() const {
 l3d_patch_model l3d_patch_model::reshaped(std::span<const l3d_nurbs_surface> surfaces) const {
     std::string why;
     const std::vector<l3d_patch_points> read = pieces_of(surfaces);
-    auto result = made_like(this, read, "reshaped model", why);
+    const auto edges = source_ ? source_->pieces.file_edges() : std::span<const l3d_model_edge>();
+    auto result = made_like(this, read, edges, "reshaped model", why);
     if (result && result->pieces() != pieces())
         why = "reshaped model: " + std::to_string(result->pieces()) + " pieces in place of " +
               std::to_string(pieces());
@@ -212,6 +214,34 @@ const l3d_trim_region* l3d_patch_model::trim(std::size_t index) const {
     return contents_->trims.empty() || contents_->trims[index].is_empty()
                ? nullptr
                : &contents_->trims[index];
+}
+
+std::span<const l3d_shared_edge> l3d_patch_model::edges() const {
+    return source_ ? source_->pieces.edges() : std::span<const l3d_shared_edge>();
+}
+
+std::string l3d_patch_model::edges_note() const {
+    constexpr double rounding = 0x1p-40; // by the largest coordinates
+    const double least = rounding * std::max(l3d_length(pieces_least()), l3d_length(pieces_most()));
+    std::size_t count = 0, worst = 0;
+    const auto beyond = [&](std::size_t i) {
+        return edges()[i].off - std::max(edges()[i].tolerance, least);
+    };
+    for (std::size_t i = 0; i < edges().size(); ++i) {
+        count += beyond(i) > 0;
+        if (beyond(i) > beyond(worst))
+            worst = i;
+    }
+    if (count == 0)
+        return "";
+    return l3d_detail::formatted("%zu of %zu edges are off their faces by more than the file "
+                                 "allows: edge %zu by %.3g, not %.3g",
+                                 count, edges().size(), worst + 1, edges()[worst].off,
+                                 edges()[worst].tolerance);
+}
+
+bool l3d_patch_model::follows_edges(std::size_t index) const {
+    return !contents_->edges_off.empty() && contents_->edges_off[index] >= 0;
 }
 
 const void* l3d_patch_model::source_identity() const {
@@ -385,9 +415,12 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
             kept.push_back(patches()[i]);
         materials.push_back(all[i]);
     }
-    const l3d_patch_model of = curved.empty()
-                                   ? l3d_patch_model(std::move(kept))
-                                   : l3d_patch_model(l3d_curved_pieces(std::move(curved)), nullptr);
+    const l3d_patch_model of =
+        curved.empty() ? l3d_patch_model(std::move(kept))
+                       : l3d_patch_model(l3d_curved_pieces(std::move(curved),
+                                                           {source_->pieces.file_edges().begin(),
+                                                            source_->pieces.file_edges().end()}),
+                                         nullptr);
     const l3d_patch_model result = of.with_parts(runs);
     return materials.empty() ? result : result.painted(materials);
 }
@@ -412,7 +445,7 @@ l3d_patch_model l3d_patch_model::load(const std::string& file) {
 
 std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
                                                           std::string_view name, std::string& why) {
-    auto model = from_patches(file.patches, name, why);
+    auto model = from_patches(file.patches, file.edges, name, why);
     if (model && !file.patch_parts.empty())
         model = model->with_parts(file.patch_parts);
     if (model && !file.curves.empty())
@@ -447,18 +480,35 @@ std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,
 std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d_patch_points> read,
                                                              std::string_view name,
                                                              std::string& why) {
-    return made_like(nullptr, read, name, why);
+    return made_like(nullptr, read, {}, name, why);
+}
+
+std::optional<l3d_patch_model> l3d_patch_model::from_patches(std::span<const l3d_patch_points> read,
+                                                             std::span<const l3d_model_edge> edges,
+                                                             std::string_view name,
+                                                             std::string& why) {
+    for (std::size_t i = 0; i < read.size(); ++i)
+        for (const l3d_trim_loop& loop : read[i].trims)
+            for (const l3d_trim_curve& one : loop)
+                if (one.edge != l3d_no_edge && one.edge >= edges.size()) {
+                    why = std::string(name) + ": patch " + std::to_string(i + 1) +
+                          ": a trim follows edge " + std::to_string(one.edge + 1) + " of " +
+                          std::to_string(edges.size());
+                    return std::nullopt;
+                }
+    return made_like(nullptr, read, edges, name, why);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::made_like(const l3d_patch_model* like,
                                                           std::span<const l3d_patch_points> read,
+                                                          std::span<const l3d_model_edge> edges,
                                                           std::string_view name, std::string& why) {
     std::vector<patch> patches;
     patches.reserve(read.size());
     for (const l3d_patch_points& points : read) {
         const auto bicubic = l3d_as_bicubic(points);
         if (!bicubic || !points.trims.empty())
-            return curved(like, read, name, why);
+            return curved(like, read, edges, name, why);
         patch& p = patches.emplace_back();
         for (std::size_t i = 0; i < 16; ++i)
             for (int k = 0; k < 3; ++k)
@@ -474,6 +524,7 @@ std::optional<l3d_patch_model> l3d_patch_model::made_like(const l3d_patch_model*
 
 std::optional<l3d_patch_model> l3d_patch_model::curved(const l3d_patch_model* like,
                                                        std::span<const l3d_patch_points> read,
+                                                       std::span<const l3d_model_edge> edges,
                                                        std::string_view name, std::string& why) {
     for (std::size_t i = 0; i < read.size(); ++i) {
         const std::string what = complaint_of(read[i]);
@@ -482,13 +533,15 @@ std::optional<l3d_patch_model> l3d_patch_model::curved(const l3d_patch_model* li
         why = std::string(name) + ": patch " + std::to_string(i + 1) + what;
         return std::nullopt;
     }
-    return l3d_patch_model(l3d_curved_pieces({read.begin(), read.end()}),
-                           like == nullptr ? nullptr : like->source_.get());
+    return l3d_patch_model(
+        l3d_curved_pieces({read.begin(), read.end()}, {edges.begin(), edges.end()}),
+        like == nullptr ? nullptr : like->source_.get());
 }
 
-l3d_patch_model l3d_patch_model::from_surfaces(std::span<const l3d_nurbs_surface> surfaces) {
+l3d_patch_model l3d_patch_model::from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
+                                               std::span<const l3d_model_edge> edges) {
     std::string why;
-    const auto model = from_patches(pieces_of(surfaces), "surfaces", why);
+    const auto model = from_patches(pieces_of(surfaces), edges, "surfaces", why);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     return *model;

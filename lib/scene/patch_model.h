@@ -26,8 +26,10 @@ class l3d_nurbs_surface;
 class l3d_space_curve;
 class l3d_surface_bends;
 struct l3d_cell_wish;
+struct l3d_model_edge;
 struct l3d_model_file;
 struct l3d_parameter_range;
+struct l3d_shared_edge;
 struct l3d_trim_region;
 struct l3d_patch_points;
 
@@ -97,6 +99,11 @@ public:
     ///         and for coordinates that checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
+    /// A model of patches whose trims follow these edges.
+    /// Errors: as the function without edges, and if a trim follows an edge that is not there.
+    static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
+                                                       std::span<const l3d_model_edge> edges,
+                                                       std::string_view name, std::string& why);
 
     /// A model of the patches and curves of a file that was read, with the colours that the file
     /// gives them.
@@ -105,9 +112,12 @@ public:
                                                     std::string_view name, std::string& why);
 
     /// A model of the pieces of NURBS surfaces, in their order. Surfaces meet without a gap where
-    /// they have the same control points, weights and knots along a boundary.
-    /// Errors: throws l3d_error(bad_input) as from_patches.
-    static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces);
+    /// they have the same control points, weights and knots along a boundary, and where curves of
+    /// their trims follow the same one of these edges (l3d_trim_curve::edge).
+    /// Errors: throws l3d_error(bad_input) as from_patches, and if a trim follows an edge that is
+    ///         not there.
+    static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
+                                         std::span<const l3d_model_edge> edges = {});
 
     /// The number of pieces that the model is made of: that of patches(), unless it is curved.
     std::size_t pieces() const;
@@ -170,6 +180,13 @@ public:
     /// The part of a patch that its trims leave; null where they leave all.
     /// Expects: index < patches().size().
     const l3d_trim_region* trim(std::size_t index) const;
+    /// The edges at which its trimmed pieces end.
+    std::span<const l3d_shared_edge> edges() const;
+    /// Tells how many edges are off their faces by more than the file's own tolerance, and by how
+    /// much the worst is; "" if none is. Pictures close such gaps all the same.
+    std::string edges_note() const;
+    /// Whether the trims of a patch follow edges. Expects: index < patches().size().
+    bool follows_edges(std::size_t index) const;
 
     /// An address that copies of one model share at all levels. Any other model that lives at the
     /// same time has another one.
@@ -276,10 +293,12 @@ private:
     /// Errors:  nothing, with the reason in `why`.
     static std::optional<l3d_patch_model> made_like(const l3d_patch_model* like,
                                                     std::span<const l3d_patch_points> patches,
+                                                    std::span<const l3d_model_edge> edges,
                                                     std::string_view name, std::string& why);
     /// Errors:  as made_like.
     static std::optional<l3d_patch_model> curved(const l3d_patch_model* like,
                                                  std::span<const l3d_patch_points> patches,
+                                                 std::span<const l3d_model_edge> edges,
                                                  std::string_view name, std::string& why);
 
     struct paint;

@@ -3,6 +3,7 @@
 #include "scene/scene_culling.h"
 
 #include "scene/scene_culling_p.h"
+#include "scene/shared_edges.h"
 #include "scene/visibility.h"
 
 #include <algorithm>
@@ -117,19 +118,29 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 
 /// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
 /// the others. When a part is drawn, all have one reason: they lie beside it.
-template <class See, class LeaveOut>
+///
+/// A box that is `followed` has edges along which strips go on beside its neighbours, so it is left
+/// out for its place alone.
+template <class Followed, class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                                const l3d_detail::placing_terms& terms, See see,
+                                const l3d_detail::placing_terms& terms, Followed followed, See see,
                                 LeaveOut leave_out) {
     culled_boxes culled;
+    l3d_dice_view with_all = view_;
+    with_all.keep.centreless = true;
     for (std::size_t first = 0; first < boxes.count(); first += l3d_box_lanes::lanes) {
         l3d_detail::cull_boxes(boxes, first, to_image, terms, view_, margin_, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
-            std::int64_t* const reason = reason_to_leave_out(culled, i, view_, counts_);
-            if (reason == nullptr)
-                see(first + i, extent_of(culled, i));
-            else
+            const bool is_followed = followed(first + i);
+            std::int64_t* const reason =
+                reason_to_leave_out(culled, i, is_followed ? with_all : view_, counts_);
+            if (reason == nullptr) {
+                extent where = extent_of(culled, i);
+                if (is_followed)
+                    where.inv_w = std::numeric_limits<float>::infinity();
+                see(first + i, where);
+            } else
                 leave_out(first + i, is_part_ ? counts_.unchanged : *reason);
         }
     }
@@ -141,6 +152,9 @@ void l3d_scene_culling::begin(const l3d_patch_scene& scene, const l3d_matrix<dou
     to_image_ = to_image;
     view_ = view.unlifted();
     margin_ = view.margin(view.window(part));
+    if (std::ranges::any_of(scene.instances(),
+                            [](const l3d_patch_instance& i) { return !i.model().edges().empty(); }))
+        margin_ = margin_.grown(l3d_longest_shared_chord);
     is_part_ = part != l3d_whole(view.size);
     counts_ = {};
     instances_.clear();
@@ -151,7 +165,7 @@ void l3d_scene_culling::begin(const l3d_patch_scene& scene, const l3d_matrix<dou
     batch_size_ = 0;
     left_ = scene.patch_count();
     look_at(
-        scene.boxes(), to_image, {},
+        scene.boxes(), to_image, {}, [](std::size_t) { return false; },
         [&](std::size_t i, const extent& where) {
             instance_line_.push_back(ticket_of(where, instances_.size()));
             instances_.push_back({where, static_cast<std::uint32_t>(i)});
@@ -178,6 +192,7 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
     sorted_ = 0;
     look_at(
         instance.model().boxes(), matrices_.back(), {instance.terms(), instance.shift()},
+        [&](std::size_t i) { return instance.model().follows_edges(i); },
         [&](std::size_t i, const extent& where) {
             patch_line_.push_back(ticket_of(where, patches_.size()));
             patches_.push_back({where, next.index, static_cast<std::uint32_t>(i), matrix});

@@ -110,9 +110,10 @@ private:
 
     static ticket ticket_of(const extent& where, std::size_t at);
     extent extent_of(const l3d_detail::culled_boxes& boxes, std::size_t i) const;
-    template <class See, class LeaveOut>
+    template <class Followed, class See, class LeaveOut>
     void look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
-                 const l3d_detail::placing_terms& terms, See see, LeaveOut leave_out);
+                 const l3d_detail::placing_terms& terms, Followed followed, See see,
+                 LeaveOut leave_out);
     void leave_out(const l3d_patch_instance& instance, std::int64_t& count);
     void open_next_instance(hidden_call hidden, const void* context);
     void sort_nearest(std::size_t count);

@@ -2,6 +2,8 @@
 // l3d_seen_region: four sides, wide enough for all views with the same rounded eye and direction.
 #include "scene/seen_region.h"
 
+#include "scene/shared_edges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -54,7 +56,8 @@ vector across(const vector& v) {
 /// + b z)).
 std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d_size size,
                                                    double least_depth, double reach) {
-    constexpr double rim_px = 2; // filters, and patches that are off by a part of a pixel
+    // Filters, patches that are off by a part of a pixel, and strips beside what is not seen.
+    constexpr double rim_px = 2 + l3d_longest_shared_chord;
     const double half_px = std::hypot(size.width, size.height) / 2 + rim_px;
     const double t = half_px / camera.focal_length(size);
     // Half of the picture where things are nearest, in the world's unit.

@@ -63,7 +63,7 @@ l3d_trim_region random_region(std::mt19937& random, bool on_lattice) {
             l3d_trim_place p{any(random), any(random)};
             if (on_lattice)
                 p = {std::round(p[0] * 8) / 8, std::round(p[1] * 8) / 8};
-            polygon.push_back(p);
+            polygon.push_back({p});
         }
     }
     return result;
@@ -169,6 +169,76 @@ TEST(flat_trims, name_the_loop_at_fault) {
               "trim 2 has the weight 0, which is not from 1e-100 to 1e12");
     EXPECT_EQ(complaint({{{{0, 0, 1}, {NAN, 0, 1}, {0, 0, 1}}}}),
               "trim 2 has a coordinate that is not finite, or beyond 1e12");
+}
+
+/// Loops on a surface that is closed along u, from 0 to 4; v is from 0 to 2.
+TEST(unrolled_trims, go_across_the_seam) {
+    const l3d_trim_box box{{0, 0}, {4, 2}};
+    const auto straight = [](double u0, double v0, double u1, double v1) {
+        return l3d_trim_curve{{{u0, v0, 1}, {u1, v1, 1}}};
+    };
+    const auto holds = [&](const std::vector<l3d_trim_loop>& loops, double u, double v) {
+        std::string why;
+        const auto closed = l3d_unrolled(loops, box, {true, false}, why);
+        EXPECT_TRUE(closed) << why;
+        l3d_trim_region region;
+        if (closed)
+            l3d_flat_trims(*closed, {1, 1}, 1e-3, region);
+        return region.within(box).contains({u, v});
+    };
+    const l3d_trim_loop right{straight(0, 0.5, 4, 0.5)}, left{straight(4, 1.5, 0, 1.5)};
+    for (const double u : {0.1, 2.0, 3.9}) {
+        EXPECT_TRUE(holds({right}, u, 1));
+        EXPECT_FALSE(holds({right}, u, 0.3));
+        EXPECT_TRUE(holds({left}, u, 1));
+        EXPECT_FALSE(holds({left}, u, 1.7));
+        EXPECT_TRUE(holds({left, right}, u, 1));
+        EXPECT_FALSE(holds({right, left}, u, 0.3));
+        EXPECT_FALSE(holds({right, left}, u, 1.7));
+    }
+    // A square about the seam: it goes on beyond it, or comes back at the other side.
+    const l3d_trim_loop on{straight(3.5, 0.5, 4.5, 0.5), straight(4.5, 0.5, 4.5, 1.5),
+                           straight(4.5, 1.5, 3.5, 1.5), straight(3.5, 1.5, 3.5, 0.5)};
+    const l3d_trim_loop back{straight(3.5, 0.5, 4, 0.5),   straight(0, 0.5, 0.5, 0.5),
+                             straight(0.5, 0.5, 0.5, 1.5), straight(0.5, 1.5, 0, 1.5),
+                             straight(4, 1.5, 3.5, 1.5),   straight(3.5, 1.5, 3.5, 0.5)};
+    for (const l3d_trim_loop& loop : {on, back}) {
+        EXPECT_TRUE(holds({loop}, 0.2, 1));
+        EXPECT_TRUE(holds({loop}, 3.8, 1));
+        EXPECT_FALSE(holds({loop}, 0.7, 1));
+        EXPECT_FALSE(holds({loop}, 3.3, 1));
+    }
+    std::string why;
+    EXPECT_FALSE(l3d_unrolled(std::span(&right, 1), box, {false, false}, why));
+    EXPECT_EQ(why, "trim 1 is open from (4, 0.5) to (0, 0.5)");
+    EXPECT_FALSE(l3d_unrolled(std::vector<l3d_trim_loop>{{straight(0, 0.5, 8, 0.5)}}, box,
+                              {true, false}, why));
+    EXPECT_EQ(why, "a trim goes around the surface more than once");
+    EXPECT_FALSE(l3d_unrolled(std::vector<l3d_trim_loop>{right, {straight(1, 0, 1, 2)}}, box,
+                              {true, true}, why));
+    EXPECT_EQ(why, "trims go around the surface along u and along v");
+}
+
+/// Parts of a polygon have the parameters of their edge, the same at the line that cuts them.
+TEST(trim_region, keeps_edges_when_it_is_cut) {
+    l3d_trim_region region;
+    l3d_flat_trims(std::vector<l3d_trim_loop>{{{{{0.1, 0.1, 1}, {0.9, 0.1, 1}}, 7, 2, 4},
+                                               {{{0.9, 0.1, 1}, {0.5, 0.9, 1}}, 8, 0, 1},
+                                               {{{0.5, 0.9, 1}, {0.1, 0.1, 1}}}}},
+                   {1, 1}, 1e-3, region);
+    EXPECT_TRUE(region.follows_edges());
+    std::vector<l3d_trim_use> uses;
+    for (const l3d_trim_region& half : region.halves(0, 0.3))
+        for (const l3d_trim_polygon& polygon : half.polygons)
+            for (const l3d_trim_corner& corner : polygon)
+                if (corner.side.edge == 7)
+                    uses.push_back(corner.side);
+    ASSERT_EQ(uses.size(), 2U);
+    EXPECT_EQ(uses[0].from, 2);
+    EXPECT_NEAR(uses[0].to, 2.5, 1e-12);
+    EXPECT_EQ(uses[0].to, uses[1].from);
+    EXPECT_EQ(uses[1].to, 4);
+    EXPECT_FALSE(region.within({{0.4, 0.3}, {0.5, 0.4}}).follows_edges());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 // or a plane cuts.
 #include "effort.h"
 #include "hard_edged.h"
+#include "random_views.h"
 
 #include "base/error.h"
 #include "geom/nurbs_surface.h"
@@ -190,32 +191,8 @@ shape cut_sphere(bool by_plane) {
     return result;
 }
 
-struct camera_rays {
-    l3d_camera camera;
-    l3d_size size;
-    l3d_camera::frame axes;
-    double focal;
-
-    camera_rays(const l3d_camera& of, l3d_size pixels)
-        : camera(of), size(pixels), axes(of.axes()), focal(of.focal_length(pixels)) {}
-
-    /// Its length along the view axis is 1.
-    vector at(double x, double y) const {
-        return axes.forward + axes.right * ((x - size.width / 2.0) / focal) -
-               axes.up * ((y - size.height / 2.0) / focal);
-    }
-};
-
 l3d_camera random_camera(const shape& of, double zoom, std::mt19937& random) {
-    std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> any(-1, 1);
-    l3d_camera camera;
-    const vector away = l3d_normalized(vector{normal(random), normal(random), normal(random)});
-    camera.target = of.middle + vector{any(random), any(random), any(random)} * (0.3 * of.radius);
-    camera.eye = camera.target + away * (4 * of.radius / zoom);
-    camera.up = std::abs(away[1]) < 0.9 ? vector{0.0, 1.0, 0.0} : vector{1.0, 0.0, 0.0};
-    camera.near_z = of.radius / zoom / 100;
-    return camera;
+    return random_view(of.middle, of.radius, zoom, random);
 }
 
 struct judged {

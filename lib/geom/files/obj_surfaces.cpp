@@ -214,9 +214,11 @@ bool obj_surfaces::read_trim(bool is_hole) {
         curves.emplace_back(along, curve->points(), curve->weights());
     }
     trims_.push_back(l3d_trim_loop_of(curves));
-    const std::string why = l3d_trims_complaint(std::span(&trims_.back(), 1));
+    std::string why;
     has_outer_trim_ = has_outer_trim_ || !is_hole;
-    return why.empty() || text_.fail(why);
+    // Whether the surface is closed is known at its end.
+    const l3d_trim_box box{{u_.from, v_.from}, {u_.to, v_.to}};
+    return l3d_unrolled(std::span(&trims_.back(), 1), box, {true, true}, why) || text_.fail(why);
 }
 
 bool obj_surfaces::read_line(const std::vector<vector>& vertices) {
@@ -426,6 +428,14 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
     for (const vector& p : places)
         points.push_back({p[0], p[1], p[2]});
     std::vector<l3d_patch_points> patches = l3d_bezier_patches(u_, v_, points, weights_here);
+    if (!trims_.empty()) {
+        std::string why;
+        auto unrolled = l3d_unrolled(trims_, {{u_.from, v_.from}, {u_.to, v_.to}},
+                                     l3d_closed_ways({u_, v_, places, weights_here}), why);
+        if (!unrolled)
+            return text_.fail(why);
+        trims_ = *std::move(unrolled);
+    }
     if (!put_trims(patches))
         return false;
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),

@@ -186,6 +186,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add("--drawing", settings_.drawing,
                 "contours, creases and borders as lines, hidden ones dashed");
     options.add("--net", settings_.net, "the control nets on top");
+    options.add("--edges", settings_.edges,
+                "black lines where faces of the model meet at an edge or end");
     options.add("--one-sided", settings_.one_sided,
                 "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
                 "patches; backs beside a fold stay");
@@ -550,6 +552,8 @@ l3d_patch_model l3d_afd_options::model() const {
         throw l3d_error(l3d_exit::bad_input, why);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
+    if (const std::string note = model->edges_note(); !note.empty())
+        std::cerr << l3d_detail::printable(model_file_) << ": " << note << '\n';
     if (file.mesh.faces() > 0)
         std::cerr << l3d_detail::printable(model_file_) << ": " << polygons
                   << (file.mesh.faces() == 1 ? " is" : " are")

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// l3d_shared_edge: a curve in space at which trimmed faces of a model end.
+#ifndef L3D_SCENE_SHARED_EDGES_H
+#define L3D_SCENE_SHARED_EDGES_H
+
+#include "geom/files/model_file.h"
+#include "geom/files/patch_file.h"
+#include "scene/space_curve.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+/// An edge of a model as Bezier curves, one after another.
+struct l3d_shared_edge {
+    /// A part of the edge, from one parameter to another.
+    struct span {
+        double from, to;
+        l3d_space_curve::bezier points;
+    };
+    l3d_nurbs_curve curve; ///< as the file has it
+    std::vector<span> spans;
+    /// The ends, which edges have in common that end nearer to each other than they are exact.
+    std::array<l3d_vector<double, 3>, 2> ends{};
+    /// The largest distance found between the edge and its faces, at the same parameters. It is
+    /// measured at places of each trim curve, not proven.
+    double off = 0;
+    double tolerance = 0; ///< the distance that the file allows
+};
+
+/// The longest chord of a shared edge in the picture. A straight edge has as many points as its
+/// length asks for, so that strips beside what is far out of the picture do not reach into it.
+/// Units: pixels.
+inline constexpr double l3d_longest_shared_chord = 16;
+
+/// The edges that trims of these pieces follow. Where a face begins or ends with an edge, the edge
+/// has a span's end. Parameters of trims that are nearly those of such ends become equal to them.
+std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> edges,
+                                              std::span<l3d_patch_points> pieces);
+
+#endif
