@@ -41,7 +41,8 @@ PACKAGES_run    := $(FONT) libosmesa6:libOSMesa.so
 PACKAGES_test   := libgtest-dev:gtest/gtest.h python3:python3 xvfb:Xvfb xdotool:xdotool \
     x11-xkb-utils:setxkbmap x11-utils:xprop xauth:xauth wmctrl:wmctrl openbox:openbox i3-wm:i3 \
     parallel:parallel strace:strace locales:/usr/share/i18n/locales/de_DE libegl1:libEGL.so libgl1-mesa-dri:libEGL_mesa.so libosmesa6:libOSMesa.so \
-    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot $(CHARTS) $(FONT)
+    libboost-dev:boost/multiprecision/cpp_bin_float.hpp gnuplot-nox:gnuplot \
+    libosd-dev:opensubdiv/far/patchTableFactory.h $(CHARTS) $(FONT)
 PACKAGES_install := pkgconf:pkg-config cmake:cmake mandoc:mandoc parallel:parallel
 PACKAGES_python := $(PACKAGES_build) python3-dev:Python.h
 PACKAGES_wheel  := python3-build:pyproject-build python3-setuptools:/usr/lib/python3/dist-packages/setuptools \

@@ -97,7 +97,8 @@ $(UNITS:.cpp=.o): $(OUT)/%.o: $(OUT)/%.cpp $(OUT)/flags $(call precompiled,_test
 	$(call compile,-iquote $(*D) $(no_main_file))
 -include $(wildcard $(UNITS:.cpp=.d))
 
-$(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(call archives,$$(call may_use,$$*)) \
+# Tests of a plug-in look into it, too.
+$(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(objects_plugins/$$*) $$(call archives,$$(call may_use,$$*)) \
         $(OUT)/list/tests/%
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(call may_use,$*)) \

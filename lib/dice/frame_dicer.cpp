@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -297,10 +298,7 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         return;
     }
     space.view.folds = view_.shading.antialias ? folds_of(instance, culling.matrix(p), p.patch) : 0;
-    // An edge has the errors of its own points, which are the same for all patches that share it.
-    std::array<double, l3d_edge_polylines::sides> edge_shares;
-    for (std::size_t e = 0; e < edge_shares.size(); ++e)
-        edge_shares[e] = view_.share_of(instance.reach(reach.edges[e]));
+    build_edges(instance, culling.matrix(p), p.patch, net, space);
     const l3d_surface_bends& bends = instance.model().bends(p.patch);
     if (instance.scale() > 0)
         space.bends = l3d_bend_bounds(bends, instance.scale() * view.depth_scale, view.focal);
@@ -310,10 +308,47 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())
-        dice_patch(net, normals.turned(instance.normal_matrix()), backs, edge_shares, slot(i),
-                   budget, space);
+        dice_patch(net, normals.turned(instance.normal_matrix()), backs, slot(i), budget, space);
     else
-        dice_patch(net, normals, backs, edge_shares, slot(i), budget, space);
+        dice_patch(net, normals, backs, slot(i), budget, space);
+}
+
+/// An edge has the errors of its own points, which are the same for all patches that share it. One
+/// that two smaller patches share consists of their two edges.
+template <class T>
+void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
+                                     const l3d_matrix<double>& to_image, std::size_t patch,
+                                     const l3d_image_patch& net, worker_space& space) const {
+    const l3d_patch_model& model = instance.model();
+    const auto share_of = [&](const l3d_vector<double, 3>& reach) {
+        return view_.share_of(instance.reach(reach));
+    };
+    std::array<double, l3d_edge_polylines::sides> shares;
+    for (std::size_t e = 0; e < shares.size(); ++e)
+        shares[e] = share_of(model.reach(patch).edges[e]);
+    space.edges.build(net, view_, shares);
+    const unsigned halved = model.halved_edges(patch);
+    for (std::size_t e = 0; e < shares.size(); ++e) {
+        if ((halved >> e & 1) == 0)
+            continue;
+        // In the model's space, as the smaller patches have them, whose rows are placed so.
+        const l3d_patch_model::patch& whole = model.patches()[patch];
+        const auto [first, second] = (e < 2 ? whole.row(e == 0 ? 0 : 3) : whole.column(e == 2 ? 0 : 3)).split();
+        l3d_patch_model::patch rows = whole;
+        std::array<l3d_vector<double, 3>, 2> reaches{};
+        for (int k = 0; k < 4; ++k) {
+            rows.at(0, k) = first.points[static_cast<std::size_t>(k)];
+            rows.at(1, k) = second.points[static_cast<std::size_t>(k)];
+            for (int row = 0; row < 2; ++row)
+                for (int i = 0; i < 3; ++i) {
+                    double& reach = reaches[static_cast<std::size_t>(row)][i];
+                    reach = std::max(reach, std::abs(rows.at(row, k)[i]));
+                }
+        }
+        const l3d_image_patch placed = l3d_placed_net(to_image, rows);
+        space.edges.build_halved(e, placed.row(0), placed.row(1), view_,
+                                 {share_of(reaches[0]), share_of(reaches[1])});
+    }
 }
 
 /// Prepares each worker for the largest sizes that any has met, since chance decides which worker
@@ -371,11 +406,9 @@ void l3d_frame_dicer<T>::trim(const l3d_trim_region& region, l3d_piece_pool& out
 }
 
 template <class T>
-void l3d_frame_dicer<T>::dice_patch(
-    const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
-    const std::array<double, l3d_edge_polylines::sides>& edge_shares, l3d_piece_pool& out,
-    l3d_dice_budget& budget, worker_space& space) const {
-    space.edges.build(net, view_, edge_shares);
+void l3d_frame_dicer<T>::dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals,
+                                    unsigned backs, l3d_piece_pool& out, l3d_dice_budget& budget,
+                                    worker_space& space) const {
     const bool diced = way_ == l3d_dice_way::lanes &&
                        space.lanes.dice(net, normals, space.view, space.edges.outer(), out.next(),
                                         space.counts, space.bends);

@@ -126,8 +126,9 @@ private:
     unsigned folds_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
     void trim(const l3d_trim_region& region, l3d_piece_pool& out, worker_space& space) const;
+    void build_edges(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
+                     std::size_t patch, const l3d_image_patch& net, worker_space& space) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
-                    const std::array<double, l3d_edge_polylines::sides>& edge_shares,
                     l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;
 
     /// The polylines of an instance's edges, once a patch of it follows any.

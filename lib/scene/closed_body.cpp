@@ -17,11 +17,6 @@ curve reversed(const curve& c) {
     return {{c.points[3], c.points[2], c.points[1], c.points[0]}};
 }
 
-/// The edges in the order in which one walks round the patch.
-std::array<curve, 4> edges_of(const patch& p) {
-    return {p.row(0), p.column(3), reversed(p.row(3)), reversed(p.column(0))};
-}
-
 std::array<double, 12> numbers_of(const curve& c) {
     std::array<double, 12> numbers;
     for (std::size_t i = 0; i < 4; ++i)
@@ -31,15 +26,25 @@ std::array<double, 12> numbers_of(const curve& c) {
 }
 
 /// Whether each edge is met by exactly one other, which runs the other way.
-bool has_no_boundary(std::span<const patch> patches) {
+bool has_no_boundary(std::span<const patch> patches, std::span<const l3d_halved_side> halved) {
     std::vector<std::array<double, 12>> there, back;
-    for (const patch& p : patches)
-        for (const curve& edge : edges_of(p)) {
-            if (std::all_of(edge.points.begin(), edge.points.end(),
-                            [&](const vector& q) { return q == edge.points[0]; }))
-                continue;
-            there.push_back(numbers_of(edge));
-            back.push_back(numbers_of(reversed(edge)));
+    const auto add = [&](const curve& edge) {
+        there.push_back(numbers_of(edge));
+        back.push_back(numbers_of(reversed(edge)));
+    };
+    auto next = halved.begin(); // in the order of patches and sides
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        for (std::size_t side = 0; side < 4; ++side) {
+            const curve edge = l3d_walked_side(patches[i], side);
+            if (next != halved.end() && next->of.patch == i && next->of.side == side) {
+                const auto [low, high] = edge.split();
+                add(low);
+                add(high);
+                ++next;
+            } else if (!std::all_of(edge.points.begin(), edge.points.end(),
+                                    [&](const vector& q) { return q == edge.points[0]; })) {
+                add(edge);
+            }
         }
     std::sort(there.begin(), there.end());
     std::sort(back.begin(), back.end());
@@ -48,8 +53,9 @@ bool has_no_boundary(std::span<const patch> patches) {
 
 } // namespace
 
-int l3d_orientation_of(std::span<const patch> patches, std::span<const l3d_facing_cones> cones) {
-    if (patches.empty() || !has_no_boundary(patches))
+int l3d_orientation_of(std::span<const patch> patches, std::span<const l3d_facing_cones> cones,
+                       std::span<const l3d_halved_side> halved) {
+    if (patches.empty() || !has_no_boundary(patches, halved))
         return 0;
     auto [least, most] = patches[0].bounds();
     for (const patch& p : patches) {

@@ -118,7 +118,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         return result;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         const l3d_patch_model& model = instances_[i].model();
-        if (!model.is_curved())
+        if (model.is_exact())
             continue;
         const seen_instance seen(instances_[i], view);
         if (seen.most_w <= seen.near)
@@ -137,7 +137,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         const int places = first([&](int level) {
             if (is_well(model.error_at_level(level, normals)))
                 return true;
-            if (model.patches_at_level(level, normals) > most_of_all / 2)
+            if (model.is_curved() && model.patches_at_level(level, normals) > most_of_all / 2)
                 wanted = seen.wish(instances_[i], view, normals);
             return wanted.has_value();
         });

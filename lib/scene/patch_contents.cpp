@@ -5,6 +5,7 @@
 #include "scene/closed_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -73,7 +74,14 @@ void l3d_patch_model::contents::learn(const contents* like,
             most[k] = std::max(most[k], highest[k]);
         }
     }
-    orientation = l3d_orientation_of(patches, facing);
+    halved = l3d_find_halved_sides(patches);
+    for (const l3d_halved_side& side : halved) {
+        constexpr std::array<unsigned, 4> edge_of_side{0, 3, 1, 2};
+        halved_edges.resize(patches.size());
+        unsigned char& edges = halved_edges[side.of.patch];
+        edges = static_cast<unsigned char>(edges | 1U << edge_of_side[side.of.side]);
+    }
+    orientation = l3d_orientation_of(patches, facing, halved);
 }
 
 l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)

@@ -7,6 +7,7 @@
 #include "scene/bends/surface_bends.h"
 #include "scene/curved_pieces.h"
 #include "scene/facing_cones.h"
+#include "scene/halved_sides.h"
 #include "scene/patch_model.h"
 #include "scene/patch_scene.h"
 
@@ -45,6 +46,8 @@ struct l3d_patch_model::contents {
     std::vector<l3d_facing_cones> facing;
     std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
+    std::vector<l3d_halved_side> halved;     ///< sides where patches of half the size go on
+    std::vector<unsigned char> halved_edges; ///< empty, or per patch as l3d_patch_reach::edges
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -195,15 +196,29 @@ double l3d_patch_model::share_of_wish() const {
 }
 
 double l3d_patch_model::surface_error(std::size_t index) const {
-    return source_ ? contents_->errors[index] : 0;
+    return stated_error_ + (source_ ? contents_->errors[index] : 0);
+}
+
+l3d_patch_model l3d_patch_model::standing_for(double surface_error) const {
+    l3d_patch_model result = *this;
+    result.stated_error_ = surface_error;
+    return result;
 }
 
 double l3d_patch_model::surface_error() const {
-    return contents_->surface_error;
+    return contents_->surface_error + stated_error_;
 }
 
 double l3d_patch_model::normal_error() const {
-    return contents_->normal_error;
+    return stated_error_ > 0 ? std::numeric_limits<double>::infinity() : contents_->normal_error;
+}
+
+std::span<const l3d_halved_side> l3d_patch_model::halved_sides() const {
+    return contents_->halved;
+}
+
+unsigned l3d_patch_model::halved_edges(std::size_t index) const {
+    return contents_->halved_edges.empty() ? 0 : contents_->halved_edges[index];
 }
 
 bool l3d_patch_model::has_trims() const {
@@ -421,7 +436,7 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
                                                            {source_->pieces.file_edges().begin(),
                                                             source_->pieces.file_edges().end()}),
                                          nullptr);
-    const l3d_patch_model result = of.with_parts(runs);
+    const l3d_patch_model result = of.with_parts(runs).standing_for(stated_error_);
     return materials.empty() ? result : result.painted(materials);
 }
 
@@ -446,6 +461,8 @@ l3d_patch_model l3d_patch_model::load(const std::string& file) {
 std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
                                                           std::string_view name, std::string& why) {
     auto model = from_patches(file.patches, file.edges, name, why);
+    if (model)
+        model = model->standing_for(file.patch_error);
     if (model && !file.patch_parts.empty())
         model = model->with_parts(file.patch_parts);
     if (model && !file.curves.empty())

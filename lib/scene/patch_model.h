@@ -24,6 +24,7 @@ class l3d_curved_pieces;
 class l3d_normal_net;
 class l3d_nurbs_surface;
 class l3d_space_curve;
+struct l3d_halved_side;
 class l3d_surface_bends;
 struct l3d_cell_wish;
 struct l3d_model_edge;
@@ -165,15 +166,30 @@ public:
     /// Expects: as at_level.
     double normal_target(int level) const;
 
-    /// Bound of the distance between the patches and the pieces, at the same parameters; 0 unless
-    /// the model is curved.
+    /// The same patches, which stand for a surface that they are off by this at most. It becomes
+    /// part of the bounds of pictures. Nothing is known of the normals of that surface.
+    /// Expects: finite, not negative; 0 says that the patches are the surface.
+    l3d_patch_model standing_for(double surface_error) const;
+
+    /// Whether its patches are the surface itself, and stand for nothing else.
+    bool is_exact() const { return !is_curved() && stated_error_ == 0; }
+
+    /// Bound of the distance between the patches and what they stand for, at the same parameters:
+    /// the pieces of a curved model, or the surface of standing_for(). 0 for any other model.
     double surface_error() const;
     /// The same for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
-    /// Bound of the distance between unit normals of the patches and of the pieces, at the same
-    /// parameters; 0 unless the model is curved. It is infinite where a normal vanishes inside of a
-    /// patch.
+    /// Bound of the distance between unit normals of the patches and of what they stand for, at the
+    /// same parameters; 0 for models without surface_error(). It is infinite where a normal
+    /// vanishes inside of a patch, or nothing is known.
     double normal_error() const;
+
+    /// Sides where two patches of half the size go on, with the same points as the side's halves.
+    /// Pictures draw such a side as these two, so that no gap shows. In the order of patches.
+    std::span<const l3d_halved_side> halved_sides() const;
+    /// Bits of a patch's edges that are halved, in the order of l3d_patch_reach::edges.
+    /// Expects: index < patches().size().
+    unsigned halved_edges(std::size_t index) const;
 
     /// Whether any of its pieces is trimmed.
     bool has_trims() const;
@@ -305,6 +321,7 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
+    double stated_error_ = 0; ///< of standing_for()
     std::shared_ptr<const paint> paint_;                         ///< null if all is plain
     std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
     std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none

@@ -2,6 +2,7 @@
 // l3d_patch_neighbours: compares normals of sides that meet.
 #include "scene/patch_neighbours.h"
 #include "geom/normal_net.h"
+#include "scene/halved_sides.h"
 #include "scene/side_pairs.h"
 
 #include <algorithm>
@@ -42,7 +43,10 @@ bool is_smooth(const l3d_patch_model& model, std::size_t patch, std::size_t side
     const double turn = next.turns ? -1 : 1;
     for (int i = 0; i < places; ++i) {
         const double t = static_cast<double>(i) / (places - 1);
-        const vector there = normal_at(model, next.patch, next.side, next.turns ? t : 1 - t);
+        const double along = next.turns ? t : 1 - t;
+        const vector there = normal_at(model, next.patch, next.side,
+                                       next.is == pairs::kind::half ? (next.part + along) / 2
+                                                                    : along);
         if (!same_direction(normal_at(model, patch, side, t), there * turn))
             return false;
     }
@@ -67,12 +71,20 @@ l3d_patch_neighbours::l3d_patch_neighbours(const l3d_patch_model& model) {
     for (std::size_t i = 0; i < patches.size(); ++i)
         for (std::size_t side = 0; side < pairs::sides; ++side) {
             const pairs::beyond& next = beyond.at(i, side);
+            if (next.is == pairs::kind::halved)
+                continue; // its halves tell
             const bool smooth =
-                (next.is == pairs::kind::paired && is_smooth(model, i, side, next)) ||
+                ((next.is == pairs::kind::paired || next.is == pairs::kind::half) &&
+                 is_smooth(model, i, side, next)) ||
                 (next.is == pairs::kind::point && is_smooth_point(model, i, side));
             if (!smooth)
                 outlines_[i] = static_cast<unsigned char>(outlines_[i] | (1U << side));
         }
+    for (const l3d_halved_side& halved : model.halved_sides())
+        for (const l3d_halved_side::place& half : halved.beyond)
+            if (outlines_[half.patch] >> half.side & 1)
+                outlines_[halved.of.patch] =
+                    static_cast<unsigned char>(outlines_[halved.of.patch] | 1U << halved.of.side);
     find_touching(patches);
 }
 

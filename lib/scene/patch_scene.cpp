@@ -184,7 +184,7 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
     const l3d_patch_instance& instance = instances_.emplace_back(model, placement);
     boxes_.add(instance.box());
     patch_count_ += patches_of(instance.model());
-    curved_count_ += model.is_curved() ? 1 : 0;
+    curved_count_ += model.is_exact() ? 0 : 1;
     is_moved_.push_back(false);
     is_rebuilt_ = true;
     knows_materials_ = false;
@@ -203,8 +203,8 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
         instance.place(placement);
     } else {
         patch_count_ += patches_of(model) - patches_of(instance.model());
-        curved_count_ -= instance.model().is_curved() ? 1 : 0;
-        curved_count_ += model.is_curved() ? 1 : 0;
+        curved_count_ -= instance.model().is_exact() ? 0 : 1;
+        curved_count_ += model.is_exact() ? 0 : 1;
         transparent_count_ -= instance.opacity() < 1 ? 1 : 0;
         instance = l3d_patch_instance(model, placement);
         knows_materials_ = false;

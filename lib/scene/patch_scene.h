@@ -312,11 +312,11 @@ public:
     }
 
     /// Chooses the level of each curved model that a picture needs, and returns bounds of the
-    /// errors of these levels. Pipelines do so before each frame. Levels depend on the view and on
+    /// errors of these levels, and of other patches that stand for a surface. Pipelines do so before each frame. Levels depend on the view and on
     /// placements alone, and do not count as a change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);
 
-    /// Whether any instance's model is curved.
+    /// Whether any instance's patches stand for other surfaces.
     bool is_curved() const { return curved_count_ > 0; }
 
     /// Takes all instances away, and keeps their memory.

@@ -2,6 +2,8 @@
 // l3d_side_pairs: sides in the order of their control points.
 #include "scene/side_pairs.h"
 
+#include "scene/halved_sides.h"
+
 #include <algorithm>
 #include <map>
 
@@ -30,12 +32,10 @@ l3d_side_pairs::l3d_side_pairs(const l3d_patch_model& model) {
     beyond_.resize(patches.size());
     std::map<numbers, std::vector<side_of>> by_place;
     for (std::size_t i = 0; i < patches.size(); ++i) {
-        const auto& p = patches[i];
-        const std::array<curve, sides> walked{p.row(0), p.column(3), p.row(3).reversed(),
-                                              p.column(0).reversed()};
         for (std::size_t k = 0; k < sides; ++k) {
-            const auto& points = walked[k].points;
-            const numbers there = numbers_of(walked[k]), back = numbers_of(walked[k].reversed());
+            const curve walked = l3d_walked_side(patches[i], k);
+            const auto& points = walked.points;
+            const numbers there = numbers_of(walked), back = numbers_of(walked.reversed());
             if (std::all_of(points.begin(), points.end(),
                             [&](const auto& q) { return q == points[0]; }))
                 beyond_[i][k].is = kind::point;
@@ -50,6 +50,12 @@ l3d_side_pairs::l3d_side_pairs(const l3d_patch_model& model) {
                                               static_cast<std::uint32_t>(there.patch),
                                               static_cast<std::uint32_t>(there.side)};
         }
+    for (const l3d_halved_side& side : model.halved_sides()) {
+        beyond_[side.of.patch][side.of.side].is = kind::halved;
+        for (std::uint32_t part = 0; part < 2; ++part)
+            beyond_[side.beyond[part].patch][side.beyond[part].side] = {
+                kind::half, side.turns[part], side.of.patch, side.of.side, part};
+    }
 }
 
 std::array<double, 2> l3d_side_pairs::place_on(std::size_t side, double t) {

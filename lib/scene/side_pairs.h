@@ -13,7 +13,7 @@
 /// The continuation of the surface beyond the sides of a model's patches.
 ///
 /// The surface goes on where exactly one other side has the same control points, in either
-/// direction. Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the
+/// direction; or where the halves of a side are two others. Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the
 /// patch.
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
@@ -24,7 +24,9 @@ public:
     enum class kind : unsigned char {
         open,  ///< the surface ends
         point, ///< the side is a point, around which the surface goes on
-        paired ///< another side has the same points
+        paired, ///< another side has the same points
+        halved, ///< the sides of two patches have the points of its halves
+        half    ///< the half of another side has the same points
     };
 
     /// A side's neighbour.
@@ -33,7 +35,10 @@ public:
         /// Whether both sides are walked in the same direction, so that the normals of the two
         /// patches are opposite.
         bool turns = false;
-        std::uint32_t patch = 0, side = 0; ///< the other side of the pair
+        /// The other side of the pair, or that which this one is a half of; nothing if it is halved
+        /// itself.
+        std::uint32_t patch = 0, side = 0;
+        std::uint32_t part = 0; ///< of a half: 0 for the other side's first half, 1 for its second
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);

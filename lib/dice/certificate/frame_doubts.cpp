@@ -103,7 +103,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         const double back = determinant_of(instance.placement()) < 0 ? -1 : 1;
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
-            const bool is_curved = model.is_curved();
+            const bool is_curved = !model.is_exact();
             // In the world's unit.
             const double off =
                 is_curved && model.surface_error() > 0

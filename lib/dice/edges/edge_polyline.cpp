@@ -204,6 +204,38 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
     return true;
 }
 
+void l3d_edge_polyline::join(const l3d_edge_polyline& first, const l3d_edge_polyline& second,
+                             const l3d_dice_view& view) {
+    const bool has_strips = first.strips().blocks > 0 && second.strips().blocks > 0;
+    const std::size_t middle = first.size_ - 1;
+    size_ = middle + second.size_;
+    t_.resize(std::max(t_.size(), size_));
+    x_.resize(t_.size());
+    y_.resize(t_.size());
+    inv_w_.resize(t_.size());
+    h_.resize(has_strips ? 0 : size_);
+    drawable_.resize(h_.size());
+    for (std::size_t i = 0; i < size_; ++i) {
+        const bool is_first = i < middle;
+        const l3d_edge_polyline& from = is_first ? first : second;
+        const std::size_t at = is_first ? i : i - middle;
+        t_[i] = (from.t_[at] + (is_first ? 0 : 1)) / 2;
+        x_[i] = from.x_[at];
+        y_[i] = from.y_[at];
+        inv_w_[i] = from.inv_w_[at];
+        if (has_strips)
+            continue;
+        const l3d_clip_vertex vertex = from.clip_vertex(at, view);
+        h_[i] = {vertex.h[0], vertex.h[1], vertex.h[2]};
+        drawable_[i] = vertex.drawable;
+    }
+    // Parts of a third belong to no piece, so that all are closed point by point.
+    parts_ = 3;
+    strips_[0] = has_strips ? first.strips() : l3d_block_starts();
+    chord_error_ = std::max(first.chord_error_, second.chord_error_);
+    vertex_error_ = std::max(first.vertex_error_, second.vertex_error_);
+}
+
 /// Makes any edge, in as many strips as it takes.
 void l3d_edge_polyline::cut(const l3d_image_curve& edge, const l3d_dice_view& view) {
     t_.clear();

@@ -40,6 +40,11 @@ public:
     /// the time of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
+    /// Becomes the line of an edge that consists of two others, as patches beyond it have them.
+    /// Expects: `first` ends where `second` begins; both were built for this view.
+    void join(const l3d_edge_polyline& first, const l3d_edge_polyline& second,
+              const l3d_dice_view& view);
+
     /// Reserves memory, so that no edge allocates here that would not in `other`.
     void reserve_as(const l3d_edge_polyline& other);
 

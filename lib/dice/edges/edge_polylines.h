@@ -29,6 +29,14 @@ public:
         used_ = sides;
     }
 
+    /// Builds an outer edge anew, of two halves that patches beyond it have, each with its share.
+    void build_halved(std::size_t side, const l3d_image_curve& first, const l3d_image_curve& second,
+                      const l3d_dice_view& view, const std::array<double, 2>& shares) {
+        l3d_edge_polyline::build(std::span(halves_).first<sides>(), {first, second, first, second},
+                                 view, {shares[0], shares[1], shares[0], shares[1]});
+        edges_[side].join(halves_[0], halves_[1], view);
+    }
+
     /// Builds one more edge, and returns its index.
     std::size_t add(const l3d_image_curve& curve, const l3d_dice_view& view) {
         if (used_ == edges_.size())
@@ -44,6 +52,8 @@ public:
             edges_.resize(other.edges_.size());
         for (std::size_t i = 0; i < other.edges_.size(); ++i)
             edges_[i].reserve_as(other.edges_[i]);
+        for (std::size_t i = 0; i < sides; ++i)
+            halves_[i].reserve_as(other.halves_[i]);
     }
 
     std::span<const l3d_edge_polyline, sides> outer() const {
@@ -53,6 +63,7 @@ public:
 
 private:
     std::vector<l3d_edge_polyline> edges_ = std::vector<l3d_edge_polyline>(sides);
+    std::vector<l3d_edge_polyline> halves_ = std::vector<l3d_edge_polyline>(sides);
     std::size_t used_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "geom/files/patch_file.h"
 #include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
+#include "geom/subdivision.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,6 +94,9 @@ struct L3D_PUBLIC l3d_model_file {
     /// Optional, one per curve: the index of its material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
+    l3d_cage_tags tags{};                ///< what is sharp if the mesh is subdivided: `t` of .obj
+    /// Bound of the distance between the patches and the surface that they stand for.
+    double patch_error = 0;
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };

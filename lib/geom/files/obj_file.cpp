@@ -4,6 +4,7 @@
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_surfaces_p.h"
+#include "geom/files/obj_tags_p.h"
 #include "geom/files/model_file.h"
 
 #include <algorithm>
@@ -77,6 +78,8 @@ private:
                 model_.material_files.push_back({name, text_.line()});
             return true;
         }
+        if (word == "t")
+            return l3d_detail::read_obj_tag(text_, mesh(), model_.tags);
         if (word == "w")
             return this->word("a border of the window") &&
                    read_window(text_.token(), model_.window, "a border of the window");
@@ -305,6 +308,10 @@ private:
             is_kept[i] = i >= control.size() || !control[i];
         for (const std::uint32_t corner : mesh().corners)
             is_kept[corner] = true;
+        for (const auto& crease : model_.tags.creases)
+            is_kept[crease.from] = is_kept[crease.to] = true;
+        for (const auto& corner : model_.tags.corners)
+            is_kept[corner.vertex] = true;
         std::vector<std::uint32_t> place(is_kept.size()); // where a vertex goes
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < place.size(); ++i) {
@@ -324,6 +331,12 @@ private:
             mesh().vertex_colors.resize(count);
         for (std::uint32_t& corner : mesh().corners)
             corner = place[corner];
+        for (auto& crease : model_.tags.creases) {
+            crease.from = place[crease.from];
+            crease.to = place[crease.to];
+        }
+        for (auto& corner : model_.tags.corners)
+            corner.vertex = place[corner.vertex];
     }
 
     text_cursor& text_;

@@ -2,6 +2,7 @@
 // l3d_write_obj: polygons, patches as Bezier surfaces, and curves.
 #include "geom/files/model_file.h"
 #include "geom/files/model_reader_p.h"
+#include "geom/files/obj_tags_p.h"
 
 namespace {
 
@@ -186,7 +187,7 @@ std::string l3d_write_obj(const l3d_model_file& model) {
         append_patches(text, model);
     if (!plain_curves)
         append_curves(text, model);
-    return text;
+    return text + l3d_detail::obj_tags(model.tags);
 }
 
 std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces) {

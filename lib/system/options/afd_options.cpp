@@ -117,6 +117,19 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
         "model to draw: a file, or the name of one of l3d's own; the option's name may be left "
         "out",
         "FILE");
+    options.add("--subdivide", subdivides_,
+                "draw the smooth Catmull-Clark surface that the file's polygons are the cage of; "
+                "takes the package l3d-subdivision");
+    options.add("--subdivide-error", subdivide_error_, subdivision_.error,
+                "largest distance from that surface, as a share of the model's size", 1e-7, 1.0);
+    options.add("--subdivide-crease", crease_angle_, subdivision_.crease_angle,
+                "its polygons meet in a sharp crease where they turn by more degrees", 0.0, 180.0);
+    options.add_choice<l3d_cage_boundary>(
+        "--subdivide-boundary", subdivision_.boundary,
+        "corners of its boundaries: sharp, rounded, or as the file's tags say",
+        {{"tagged", l3d_cage_boundary::as_tagged},
+         {"corners", l3d_cage_boundary::corners},
+         {"smooth", l3d_cage_boundary::smooth}});
     options.begin_group("Camera");
     options.add("--eye", eye_,
                 "where the camera is; without it and --target, where the whole model is seen");
@@ -337,10 +350,10 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
 }
 
 l3d_model_file l3d_afd_options::file() const {
-    if (!file_)
-        return l3d_detail::load_named_model(model_file_);
-    l3d_model_file result = *std::move(file_);
+    l3d_model_file result = file_ ? *std::move(file_) : l3d_detail::load_named_model(model_file_);
     file_.reset();
+    if (subdivides_)
+        subdivide(result);
     return result;
 }
 
@@ -351,6 +364,16 @@ bool l3d_afd_options::has_trims() const {
         file_ = l3d_detail::load_named_model(model_file_);
     return std::ranges::any_of(file_->patches,
                                [](const l3d_patch_points& patch) { return !patch.trims.empty(); });
+}
+
+void l3d_afd_options::subdivide(l3d_model_file& file) const {
+    const auto work = l3d_detail::tell_work("subdividing", model_file_);
+    l3d_subdivision how = subdivision_;
+    how.error = subdivide_error_.value_or(how.error);
+    how.crease_angle = crease_angle_.value_or(how.crease_angle);
+    std::string why;
+    if (!l3d_subdivide(file, how, model_file_, why))
+        throw l3d_error(l3d_exit::bad_input, why);
 }
 
 l3d_camera
@@ -460,6 +483,13 @@ void l3d_afd_options::read_fog(const std::string& text) {
 l3d_afd_settings l3d_afd_options::settings() const {
     l3d_afd_settings result = settings_;
     const bool has_points = result.lighting.point_count > 0;
+    const std::string alone = "nothing is seen of it without --subdivide";
+    l3d_refuse({{"--subdivide", subdivides_ && model_file_.empty(),
+                 "it takes a FILE of polygons, and the teapot has patches"},
+                {"--subdivide-error", subdivide_error_ && !subdivides_, alone},
+                {"--subdivide-crease", crease_angle_ && !subdivides_, alone},
+                {"--subdivide-boundary",
+                 subdivision_.boundary != l3d_cage_boundary::as_tagged && !subdivides_, alone}});
     const std::string outshone = "nothing is seen of it beside --headlight on, the only light";
     l3d_refuse({{"--light", headlight_ == headlight::on && gives_light_, outshone},
                 {"--point-light", headlight_ == headlight::on && has_points, outshone}});
@@ -563,7 +593,7 @@ l3d_patch_model l3d_afd_options::model() const {
 
 std::vector<l3d_nurbs_surface> l3d_afd_options::surfaces(const l3d_patch_model& model) const {
     std::vector<l3d_nurbs_surface> surfaces;
-    if (!model_file_.empty())
+    if (!model_file_.empty() && !subdivides_)
         surfaces = l3d_detail::load_named_surfaces(model_file_);
     return surfaces.empty() ? model.surfaces() : surfaces;
 }

@@ -137,6 +137,7 @@ private:
     l3d_camera asked_camera() const;
     double svg_tolerance() const;
     const l3d_model_camera& camera_of_file() const;
+    void subdivide(l3d_model_file& file) const;
 
     const l3d_options& options_;
     std::string model_file_, file_camera_, texture_;
@@ -144,6 +145,9 @@ private:
     mutable std::optional<l3d_model_camera> camera_of_file_;
     l3d_vector<double, 3> shade_direction_{0.0, 1.0, 0.0};
     bool gives_light_ = false;
+    bool subdivides_ = false;
+    l3d_subdivision subdivision_;
+    std::optional<double> subdivide_error_, crease_angle_;
     enum class headlight { unless_lit, on, off };
     headlight headlight_ = headlight::unless_lit;
     l3d_camera camera_ = teapot_view();

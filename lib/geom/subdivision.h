@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// l3d_subdivide: patches for the smooth surface that a mesh of polygons is the cage of.
+#ifndef L3D_GEOM_SUBDIVISION_H
+#define L3D_GEOM_SUBDIVISION_H
+
+#include "base/public.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct l3d_model_file;
+
+/// Sharp edges and vertices of a mesh, for subdivision: `t` of .obj.
+struct L3D_PUBLIC l3d_cage_tags {
+    /// An edge between two vertices, which stays sharp for so many subdivisions; from 10 on it is a
+    /// crease for ever.
+    struct crease {
+        std::uint32_t from, to; ///< indices of vertices
+        float sharpness;        ///< not negative
+
+        friend bool operator==(const crease&, const crease&) = default;
+    };
+    /// A vertex that is sharp in the same way.
+    struct corner {
+        std::uint32_t vertex; ///< its index
+        float sharpness;      ///< as a crease's
+
+        friend bool operator==(const corner&, const corner&) = default;
+    };
+    std::vector<crease> creases;           ///< sharp edges
+    std::vector<corner> corners;           ///< sharp vertices
+    std::vector<std::uint32_t> holes;      ///< indices of faces without a surface
+    std::optional<bool> keeps_corners{};   ///< whether a boundary's corners are sharp
+
+    friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;
+};
+
+/// Corners of boundaries, which belong to one face alone.
+enum class L3D_PUBLIC l3d_cage_boundary {
+    as_tagged, ///< as the file's tags say; sharp if they say nothing
+    corners,   ///< sharp
+    smooth,    ///< rounded
+};
+
+/// How l3d_subdivide makes patches.
+struct L3D_PUBLIC l3d_subdivision {
+    /// The largest distance from the limit surface that is asked for, as a share of the diagonal of
+    /// the cage's box. At 2^-12, a model over 1000 pixels is off by a quarter of a pixel at most.
+    double error = 0x1p-12;
+    /// Edges are creases for ever where faces turn by more degrees than this.
+    double crease_angle = 180;
+    l3d_cage_boundary boundary = l3d_cage_boundary::as_tagged; ///< the corners of boundaries
+};
+
+/// Puts patches of the Catmull-Clark surface in the place of a model's polygons, with their
+/// materials and parts. Most patches are exact. Those at irregular vertices are within the model's
+/// patch_error of the limit surface (docs/NUMERICS.md, section 29). A note says what was reached.
+///
+/// It takes the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
+/// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
+///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but a
+///         vertex. Also if a face has a vertex twice, or the plug-in is missing.
+/// Cost:   some 10 us a patch; at most 2^17 patches, with a larger error where that is too few.
+/// Source: E. Catmull, J. Clark, 1978; patches and creases as OpenSubdiv 3.5 has them.
+L3D_PUBLIC bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how,
+                              std::string_view name, std::string& why);
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// l3d_halved_sides: sides of patches at which two patches of half the size go on.
+#ifndef L3D_SCENE_HALVED_SIDES_H
+#define L3D_SCENE_HALVED_SIDES_H
+
+#include "geom/bezier_patch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// A side whose two halves are sides of other patches, with the same control points bit for bit.
+///
+/// Shape: sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
+struct l3d_halved_side {
+    /// A side of a patch.
+    struct place {
+        std::uint32_t patch = 0, side = 0;
+    };
+    place of{};                   ///< the side
+    std::array<place, 2> beyond{}; ///< the sides beyond, in the order of the halves
+    /// Whether a side beyond is walked in the same direction, so that normals are opposite.
+    std::array<bool, 2> turns{};
+};
+
+/// A side of a patch as one walks round it. Expects: side < 4.
+inline l3d_bezier_curve<double, 3> l3d_walked_side(const l3d_bezier_patch<double, 3>& patch,
+                                                   std::size_t side) {
+    switch (side) {
+    case 0:
+        return patch.row(0);
+    case 1:
+        return patch.column(3);
+    case 2:
+        return patch.row(3).reversed();
+    default:
+        return patch.column(0).reversed();
+    }
+}
+
+/// Finds all halved sides, in the order of their patches. Only sides that no other side equals are
+/// such, and so are those beyond.
+/// Cost: some 1 us a patch.
+std::vector<l3d_halved_side>
+l3d_find_halved_sides(std::span<const l3d_bezier_patch<double, 3>> patches);
+
+#endif
