@@ -333,7 +333,8 @@ void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
             continue;
         // In the model's space, as the smaller patches have them, whose rows are placed so.
         const l3d_patch_model::patch& whole = model.patches()[patch];
-        const auto [first, second] = (e < 2 ? whole.row(e == 0 ? 0 : 3) : whole.column(e == 2 ? 0 : 3)).split();
+        const auto [first, second] =
+            (e < 2 ? whole.row(e == 0 ? 0 : 3) : whole.column(e == 2 ? 0 : 3)).split();
         l3d_patch_model::patch rows = whole;
         std::array<l3d_vector<double, 3>, 2> reaches{};
         for (int k = 0; k < 4; ++k) {

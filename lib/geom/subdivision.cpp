@@ -160,21 +160,18 @@ struct cage_creases {
 /// Receives patches.
 struct receiver {
     l3d_model_file& model;
-    std::vector<std::uint32_t> faces; ///< of the patches
+    std::vector<std::uint32_t> faces; ///< the face of each patch
     std::string complaint{};
 
     static void take(void* to, std::uint32_t face, const double* points) {
         receiver& self = *static_cast<receiver*>(to);
-        l3d_patch_points& patch =
-            self.model.patches.emplace_back(l3d_patch_points{.degree_u = 3, .degree_v = 3,
-                                                             .points = {}});
+        l3d_patch_points& patch = self.model.patches.emplace_back(
+            l3d_patch_points{.degree_u = 3, .degree_v = 3, .points = {}});
         for (int k = 0; k < 16; ++k, points += 3)
             patch.points.push_back({points[0], points[1], points[2]});
         self.faces.push_back(face);
     }
-    static void fail(void* to, const char* why) {
-        static_cast<receiver*>(to)->complaint = why;
-    }
+    static void fail(void* to, const char* why) { static_cast<receiver*>(to)->complaint = why; }
 };
 
 /// Patches get the looks and parts of their faces. A face's colour becomes part of a look.
@@ -204,8 +201,8 @@ void hand_on(const std::vector<std::uint32_t>& faces, std::size_t first, l3d_mod
     const l3d_parts parts(mesh.parts, mesh.faces());
     for (std::size_t i = 0; i < faces.size() && !mesh.parts.empty(); ++i)
         if (i == 0 || parts.name_of(faces[i]) != parts.name_of(faces[i - 1]))
-            model.patch_parts.push_back({std::string(parts.name_of(faces[i])),
-                                         static_cast<std::uint32_t>(first + i)});
+            model.patch_parts.push_back(
+                {std::string(parts.name_of(faces[i])), static_cast<std::uint32_t>(first + i)});
 }
 
 /// The diagonal of the box of all vertices that faces have.

@@ -30,10 +30,10 @@ struct L3D_PUBLIC l3d_cage_tags {
 
         friend bool operator==(const corner&, const corner&) = default;
     };
-    std::vector<crease> creases;           ///< sharp edges
-    std::vector<corner> corners;           ///< sharp vertices
-    std::vector<std::uint32_t> holes;      ///< indices of faces without a surface
-    std::optional<bool> keeps_corners{};   ///< whether a boundary's corners are sharp
+    std::vector<crease> creases;         ///< sharp edges
+    std::vector<corner> corners;         ///< sharp vertices
+    std::vector<std::uint32_t> holes;    ///< indices of faces without a surface
+    std::optional<bool> keeps_corners{}; ///< whether a boundary's corners are sharp
 
     friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;
 };
@@ -48,8 +48,8 @@ enum class L3D_PUBLIC l3d_cage_boundary {
 /// How l3d_subdivide makes patches.
 struct L3D_PUBLIC l3d_subdivision {
     /// The largest distance from the limit surface that is asked for, as a share of the diagonal of
-    /// the cage's box. At 2^-12, a model over 1000 pixels is off by a quarter of a pixel at most.
-    double error = 0x1p-12;
+    /// the cage's box. At 2^-13, a model over 1000 pixels is off by an eighth of a pixel at most.
+    double error = 0x1p-13;
     /// Edges are creases for ever where faces turn by more degrees than this.
     double crease_angle = 180;
     l3d_cage_boundary boundary = l3d_cage_boundary::as_tagged; ///< the corners of boundaries
@@ -61,8 +61,8 @@ struct L3D_PUBLIC l3d_subdivision {
 ///
 /// It takes the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
 /// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
-///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but a
-///         vertex. Also if a face has a vertex twice, or the plug-in is missing.
+///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but
+///         a vertex. Also if a face has a vertex twice, or the plug-in is missing.
 /// Cost:   some 10 us a patch; at most 2^17 patches, with a larger error where that is too few.
 /// Source: E. Catmull, J. Clark, 1978; patches and creases as OpenSubdiv 3.5 has them.
 L3D_PUBLIC bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how,

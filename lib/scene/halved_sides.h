@@ -19,7 +19,7 @@ struct l3d_halved_side {
     struct place {
         std::uint32_t patch = 0, side = 0;
     };
-    place of{};                   ///< the side
+    place of{};                    ///< the side
     std::array<place, 2> beyond{}; ///< the sides beyond, in the order of the halves
     /// Whether a side beyond is walked in the same direction, so that normals are opposite.
     std::array<bool, 2> turns{};

@@ -137,7 +137,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         const int places = first([&](int level) {
             if (is_well(model.error_at_level(level, normals)))
                 return true;
-            if (model.is_curved() && model.patches_at_level(level, normals) > most_of_all / 2)
+            if (model.patches_at_level(level, normals) > most_of_all / 2)
                 wanted = seen.wish(instances_[i], view, normals);
             return wanted.has_value();
         });

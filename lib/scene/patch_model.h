@@ -321,7 +321,7 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    double stated_error_ = 0; ///< of standing_for()
+    double stated_error_ = 0;                                    ///< given to standing_for()
     std::shared_ptr<const paint> paint_;                         ///< null if all is plain
     std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
     std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none

@@ -44,9 +44,9 @@ bool is_smooth(const l3d_patch_model& model, std::size_t patch, std::size_t side
     for (int i = 0; i < places; ++i) {
         const double t = static_cast<double>(i) / (places - 1);
         const double along = next.turns ? t : 1 - t;
-        const vector there = normal_at(model, next.patch, next.side,
-                                       next.is == pairs::kind::half ? (next.part + along) / 2
-                                                                    : along);
+        const vector there =
+            normal_at(model, next.patch, next.side,
+                      next.is == pairs::kind::half ? (next.part + along) / 2 : along);
         if (!same_direction(normal_at(model, patch, side, t), there * turn))
             return false;
     }
@@ -73,10 +73,9 @@ l3d_patch_neighbours::l3d_patch_neighbours(const l3d_patch_model& model) {
             const pairs::beyond& next = beyond.at(i, side);
             if (next.is == pairs::kind::halved)
                 continue; // its halves tell
-            const bool smooth =
-                ((next.is == pairs::kind::paired || next.is == pairs::kind::half) &&
-                 is_smooth(model, i, side, next)) ||
-                (next.is == pairs::kind::point && is_smooth_point(model, i, side));
+            const bool smooth = ((next.is == pairs::kind::paired || next.is == pairs::kind::half) &&
+                                 is_smooth(model, i, side, next)) ||
+                                (next.is == pairs::kind::point && is_smooth_point(model, i, side));
             if (!smooth)
                 outlines_[i] = static_cast<unsigned char>(outlines_[i] | (1U << side));
         }

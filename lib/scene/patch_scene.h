@@ -312,8 +312,9 @@ public:
     }
 
     /// Chooses the level of each curved model that a picture needs, and returns bounds of the
-    /// errors of these levels, and of other patches that stand for a surface. Pipelines do so before each frame. Levels depend on the view and on
-    /// placements alone, and do not count as a change of the scene.
+    /// errors of these levels, and of other patches that stand for a surface. Pipelines do so
+    /// before each frame. Levels depend on the view and on placements alone, and do not count as a
+    /// change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);
 
     /// Whether any instance's patches stand for other surfaces.

@@ -13,17 +13,16 @@
 /// The continuation of the surface beyond the sides of a model's patches.
 ///
 /// The surface goes on where exactly one other side has the same control points, in either
-/// direction; or where the halves of a side are two others. Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the
-/// patch.
-/// Cost: some microseconds a patch.
+/// direction; or where the halves of a side are two others. Sides are v = 0, u = 1, v = 1, u = 0,
+/// in the order in which one walks round the patch. Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
     static constexpr std::size_t sides = 4; ///< sides of a patch
 
     /// The kind of neighbour beyond a side.
     enum class kind : unsigned char {
-        open,  ///< the surface ends
-        point, ///< the side is a point, around which the surface goes on
+        open,   ///< the surface ends
+        point,  ///< the side is a point, around which the surface goes on
         paired, ///< another side has the same points
         halved, ///< the sides of two patches have the points of its halves
         half    ///< the half of another side has the same points
@@ -38,7 +37,7 @@ public:
         /// The other side of the pair, or that which this one is a half of; nothing if it is halved
         /// itself.
         std::uint32_t patch = 0, side = 0;
-        std::uint32_t part = 0; ///< of a half: 0 for the other side's first half, 1 for its second
+        std::uint32_t part = 0; ///< a half has 0 for the other side's first half, 1 for its second
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);

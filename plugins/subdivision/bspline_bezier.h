@@ -37,7 +37,9 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
 /// So neighbours find the same bits for the side that they share.
 /// Source: knot insertion; each Bezier point is a product of (1 4 1) / 6 and (2 1) / 3.
 inline net bezier_of(const net& p) {
-    const auto at = [&](int row, int column) { return p[static_cast<std::size_t>(4 * row + column)]; };
+    const auto at = [&](int row, int column) {
+        return p[static_cast<std::size_t>(4 * row + column)];
+    };
     const auto across = [](double a, double b, double c) { return ((a + c) + 4 * b) / 6; };
     const auto near = [](double a, double b) { return (2 * a + b) / 3; };
     net result{};
@@ -62,8 +64,9 @@ inline net bezier_of(const net& p) {
             };
             put(0, 1, near(in_column(column), in_column(column + right)));
             put(1, 0, near(in_row(row), in_row(row + down)));
-            put(1, 1, near(near(at(row, column), at(row, column + right)),
-                           near(at(row + down, column), at(row + down, column + right))));
+            put(1, 1,
+                near(near(at(row, column), at(row, column + right)),
+                     near(at(row + down, column), at(row + down, column + right))));
         }
     return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cap_shapes: the ring alone is subdivided ten times more, and the cap compared with what that gives.
+// cap_shapes: the ring alone is subdivided ten times more, and the cap compared with what that
+// gives.
 #include "cap_shapes.h"
 
 #include "refined_mesh.h"

@@ -64,10 +64,10 @@ class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
         for (int level = 0; level < mesh.refiner().GetNumLevels(); ++level) {
-            edges_.emplace_back(static_cast<std::size_t>(
-                mesh.refiner().GetLevel(level).GetNumEdges()));
-            vertices_.emplace_back(static_cast<std::size_t>(
-                mesh.refiner().GetLevel(level).GetNumVertices()));
+            edges_.emplace_back(
+                static_cast<std::size_t>(mesh.refiner().GetLevel(level).GetNumEdges()));
+            vertices_.emplace_back(
+                static_cast<std::size_t>(mesh.refiner().GetLevel(level).GetNumVertices()));
         }
     }
 
@@ -118,9 +118,8 @@ private:
             return *known(level, which);
         while (which >= 0) {
             known(level, which) = own;
-            which = has_finer(level)
-                        ? mesh_.refiner().GetLevel(level++).GetVertexChildVertex(which)
-                        : -1;
+            which = has_finer(level) ? mesh_.refiner().GetLevel(level++).GetVertexChildVertex(which)
+                                     : -1;
         }
         return own;
     }

@@ -82,8 +82,7 @@ void refined_mesh::add_leaves(leaf of, const far::PatchMap& map) {
         return;
     }
     of.handle = *found;
-    of.is_regular =
-        patches_->GetPatchDescriptor(*found).GetType() == far::PatchDescriptor::REGULAR;
+    of.is_regular = patches_->GetPatchDescriptor(*found).GetType() == far::PatchDescriptor::REGULAR;
     of.boundary = param.GetBoundary();
     leaves_.push_back(of);
 }

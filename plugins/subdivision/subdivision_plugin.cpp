@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plug-in libl3d_subdivision.so: Catmull-Clark surfaces as bicubic patches, by OpenSubdiv's Far.
+// The plug-in libl3d_subdivision.so: Catmull-Clark surfaces as bicubic patches, by OpenSubdiv's
+// Far.
 #include "limit_patches.h"
 
 #include "geom/files/subdivision_plugin_p.h"
@@ -73,8 +74,8 @@ int subdivide(const l3d_detail::subdivision_cage* cage, const l3d_detail::subdiv
 } // namespace
 
 extern "C" {
-__attribute__((visibility("default"))) extern const l3d_detail::subdivision_plugin
-    l3d_subdivision_plugin;
+__attribute__((
+    visibility("default"))) extern const l3d_detail::subdivision_plugin l3d_subdivision_plugin;
 const l3d_detail::subdivision_plugin l3d_subdivision_plugin{
     {l3d_detail::subdivision_plugin_version, sizeof(l3d_detail::subdivision_plugin)}, subdivide};
 }

@@ -28,7 +28,8 @@ l3d_polygon_mesh::vector around(int step, int steps, double radius, double y) {
 
 l3d_model_file tetrahedron() {
     l3d_model_file model;
-    model.mesh.vertices = {{1.0, 1.0, 1.0}, {-1.0, -1.0, 1.0}, {-1.0, 1.0, -1.0}, {1.0, -1.0, -1.0}};
+    model.mesh.vertices = {
+        {1.0, 1.0, 1.0}, {-1.0, -1.0, 1.0}, {-1.0, 1.0, -1.0}, {1.0, -1.0, -1.0}};
     for (const indices& face : {indices{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
         add(model, face);
     return model;
@@ -38,8 +39,10 @@ l3d_model_file prism(std::uint32_t corners) {
     l3d_model_file model;
     std::vector<std::uint32_t> top, bottom;
     for (std::uint32_t i = 0; i < corners; ++i) {
-        model.mesh.vertices.push_back(around(static_cast<int>(i), static_cast<int>(corners), 1, -0.7));
-        model.mesh.vertices.push_back(around(static_cast<int>(i), static_cast<int>(corners), 1, 0.7));
+        model.mesh.vertices.push_back(
+            around(static_cast<int>(i), static_cast<int>(corners), 1, -0.7));
+        model.mesh.vertices.push_back(
+            around(static_cast<int>(i), static_cast<int>(corners), 1, 0.7));
         top.push_back(2 * i + 1);
         bottom.insert(bottom.begin(), 2 * i);
     }
@@ -75,8 +78,12 @@ l3d_model_file cube() {
         for (const std::array<double, 2>& p :
              {std::array{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
             model.mesh.vertices.push_back({p[0], p[1], z});
-    for (const indices& face : {indices{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5},
-                                {2, 3, 7, 6}, {3, 0, 4, 7}})
+    for (const indices& face : {indices{3, 2, 1, 0},
+                                {4, 5, 6, 7},
+                                {0, 1, 5, 4},
+                                {1, 2, 6, 5},
+                                {2, 3, 7, 6},
+                                {3, 0, 4, 7}})
         add(model, face);
     return model;
 }

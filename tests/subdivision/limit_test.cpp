@@ -104,7 +104,8 @@ public:
     /// The surface at (u, v) of a quad, if it is one of the exact patches there.
     bool evaluate(int quad, double u, double v, place& at) const {
         const auto* const found = map_->FindPatch(quad, u, v);
-        if (!found || patches_->GetPatchDescriptor(*found).GetType() != far::PatchDescriptor::REGULAR)
+        if (!found ||
+            patches_->GetPatchDescriptor(*found).GetType() != far::PatchDescriptor::REGULAR)
             return false;
         double weights[16];
         patches_->EvaluateBasis(*found, u, v, weights);
@@ -140,7 +141,8 @@ limit_patches patches_of(const l3d_model_file& model, double wanted) {
     return {topology_of(model), places, options_of(model), wanted, 1 << 17};
 }
 
-/// The largest distance at random places: half of them anywhere, half in patches that are not exact.
+/// The largest distance at random places: half of them anywhere, half in patches that are not
+/// exact.
 double farthest(const l3d_model_file& model, const limit_patches& of, int places,
                 std::mt19937& random) {
     const far_surface limit(model);
@@ -184,7 +186,8 @@ TEST(limit_patches, are_within_their_bound_of_the_limit_surface_at_100000_places
             const double most = farthest(cage.model, made, places / 2 + 1, random);
             EXPECT_LE(most, made.error) << cage.name;
             // A bound ten times as large as what is seen would be of little use.
-            EXPECT_TRUE(made.caps == 0 || is_deepest || most > made.error / 10) << cage.name << ": " << most;
+            EXPECT_TRUE(made.caps == 0 || is_deepest || most > made.error / 10)
+                << cage.name << ": " << most;
         }
 }
 

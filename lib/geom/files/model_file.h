@@ -94,7 +94,7 @@ struct L3D_PUBLIC l3d_model_file {
     /// Optional, one per curve: the index of its material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
-    l3d_cage_tags tags{};                ///< what is sharp if the mesh is subdivided: `t` of .obj
+    l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
     /// Bound of the distance between the patches and the surface that they stand for.
     double patch_error = 0;
 

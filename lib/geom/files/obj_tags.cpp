@@ -122,15 +122,14 @@ bool read_obj_tag(text_cursor& text, const l3d_polygon_mesh& mesh, l3d_cage_tags
     }
     if (!read_numbers(text, mesh, tag) || !take(text, tag, tags))
         return false;
-    return !text.next_in_line() ||
-           text.fail(quoted(text.token()) + " at the end of a tag");
+    return !text.next_in_line() || text.fail(quoted(text.token()) + " at the end of a tag");
 }
 
 std::string obj_tags(const l3d_cage_tags& tags) {
     std::string text;
     for (const l3d_cage_tags::crease& crease : tags.creases) {
-        text += "t crease 2/1/0 " + std::to_string(crease.from) + ' ' + std::to_string(crease.to) +
-                ' ';
+        text +=
+            "t crease 2/1/0 " + std::to_string(crease.from) + ' ' + std::to_string(crease.to) + ' ';
         append(text, static_cast<double>(crease.sharpness), '\n');
     }
     for (const l3d_cage_tags::corner& corner : tags.corners) {
@@ -140,8 +139,8 @@ std::string obj_tags(const l3d_cage_tags& tags) {
     for (const std::uint32_t hole : tags.holes)
         text += "t hole 1/0/0 " + std::to_string(hole) + '\n';
     if (tags.keeps_corners)
-        text += std::string("t interpolateboundary 1/0/0 ") + (*tags.keeps_corners ? '1' : '2') +
-                '\n';
+        text +=
+            std::string("t interpolateboundary 1/0/0 ") + (*tags.keeps_corners ? '1' : '2') + '\n';
     return text;
 }
 

@@ -41,11 +41,11 @@ struct subdivision_sink {
     void (*fail)(void* to, const char* why);
 };
 
-/// What was reached.
+/// The error that was reached, and how.
 struct subdivision_outcome {
-    double error;                ///< bound of the patches' distance from the limit surface
-    std::uint32_t levels;        ///< subdivisions around the irregular vertices
-    std::uint32_t caps;          ///< patches that are not exact
+    double error;         ///< bound of the patches' distance from the limit surface
+    std::uint32_t levels; ///< subdivisions around the irregular vertices
+    std::uint32_t caps;   ///< patches that are not exact
 };
 
 /// The plug-in's symbol, l3d_subdivision_plugin.

@@ -82,6 +82,9 @@ public:
     /// Errors:  as file().
     bool has_trims() const;
 
+    /// Whether --subdivide was given.
+    bool subdivides() const { return subdivides_; }
+
     /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 

@@ -36,7 +36,8 @@ l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_opt
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
         "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
-        "draw them; auto is afd for trimmed surfaces, --drawing and --svg, else zbuffer",
+        "draw them; auto is afd for trimmed surfaces, --subdivide, --drawing and --svg, else "
+        "zbuffer",
         {{"auto", l3d_pipeline_kind::suitable},
          {"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},
@@ -70,10 +71,10 @@ std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settin
 
 l3d_pipeline_kind l3d_polygon_options::pipeline() const {
     if (!chosen_)
-        chosen_ = shared_.wants_drawing()                    ? l3d_pipeline_kind::afd
-                  : pipeline_ != l3d_pipeline_kind::suitable ? pipeline_
-                  : shared_.has_trims()                      ? l3d_pipeline_kind::afd
-                                                             : l3d_pipeline_kind::zbuffer;
+        chosen_ = shared_.wants_drawing()                       ? l3d_pipeline_kind::afd
+                  : pipeline_ != l3d_pipeline_kind::suitable    ? pipeline_
+                  : shared_.subdivides() || shared_.has_trims() ? l3d_pipeline_kind::afd
+                                                                : l3d_pipeline_kind::zbuffer;
     return *chosen_;
 }
 

@@ -18,7 +18,7 @@ enum class L3D_PUBLIC l3d_pipeline_kind {
     zsort,   ///< triangles from far to near, cut where no order is right
     zbuffer, ///< triangles with a depth buffer
     mesa,    ///< triangles by OpenGL in memory
-    suitable ///< afd for trimmed surfaces, which only it draws, and zbuffer for all else
+    suitable ///< afd for trimmed and subdivided surfaces, and zbuffer for all else
 };
 
 /// Adds options for pipeline, projection and style. l3d_afd_options has those that patches and
