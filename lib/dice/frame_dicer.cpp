@@ -364,7 +364,7 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
 
 /// The blocks of a patch that back-face culling leaves out, since only their back is turned to the
 /// eye. With one-sided surfaces, these are such blocks of any patch. Else they belong to a closed
-/// body wholly in front of the near plane, whose front hides them.
+/// body wholly in front of the near plane, which no section opens: its front hides them.
 template <class T>
 unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -373,8 +373,8 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
         return 0;
     const double share = view_.share_of(instance.reach());
     const double error_w = share * view_.error_w, near = view_.near_of(share);
-    const bool is_outside =
-        model.orientation() != 0 && l3d_least_w_of(model, to_image) - error_w > near;
+    const bool is_outside = model.orientation() != 0 && !view_.section.is_on() &&
+                            l3d_least_w_of(model, to_image) - error_w > near;
     if (!is_outside && !view_.one_sided)
         return 0;
     // A body's back, seen from outside, is its inside, whichever way its normals point.

@@ -13,11 +13,11 @@
 
 namespace {
 
-/// A triangle cut by six planes has at most nine corners. Rounding can make a needle turn back and
+/// A triangle cut by seven planes has at most ten corners. Rounding can make a needle turn back and
 /// forth across a plane: it covers nothing, and its excess corners are dropped.
 struct polygon {
-    std::array<l3d_clip_vertex, 9> corners;
-    std::array<bool, 9> is_cut{}; ///< the side from a corner to the next was made by a depth plane
+    std::array<l3d_clip_vertex, 10> corners;
+    std::array<bool, 10> is_cut{}; ///< the side from a corner to the next is a new border
     std::size_t count = 0;
 
     void add(const l3d_clip_vertex& v, bool cut) {
@@ -32,8 +32,8 @@ struct polygon {
 struct plane {
     l3d_image_point normal;
     double offset = 0;
+    bool makes_border = false; ///< it may cut inside of the picture
 
-    bool is_of_depth() const { return normal[0] == 0 && normal[1] == 0; }
     double distance(const l3d_image_point& h) const { return l3d_dot(normal, h) - offset; }
 };
 
@@ -73,16 +73,17 @@ polygon cut_by(const polygon& in, const plane& cut, const l3d_dice_view& view) {
         if (a_inside)
             out.add(a, in.is_cut[i]);
         if (a_inside != b_inside)
-            out.add(crossing(a, b, cut, view), a_inside ? cut.is_of_depth() : in.is_cut[i]);
+            out.add(crossing(a, b, cut, view), a_inside ? cut.makes_border : in.is_cut[i]);
     }
     return out;
 }
 
 /// The planes that bound the part that can be drawn.
-std::array<plane, 6> planes_of(const l3d_dice_view& view) {
+std::array<plane, 7> planes_of(const l3d_dice_view& view) {
     const double g = l3d_guard_band;
-    return {{{{0, 0, 1}, view.near},
-             {{0, 0, -1}, -view.far},
+    return {{{{0, 0, 1}, view.near, true},
+             {{0, 0, -1}, -view.far, true},
+             {view.section.normal, -view.section.d, true},
              {{1, 0, g}, 0},
              {{-1, 0, g}, 0},
              {{0, 1, g}, 0},
@@ -98,7 +99,7 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.drawable = true;
 }
 
-/// Notes the sides of a fan of triangles, the first of which is given, that a depth plane made.
+/// Notes the sides of a fan of triangles, the first of which is given, that are new borders.
 void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
     for (std::size_t i = 0; i < shape.count; ++i) {
         if (!shape.is_cut[i])
@@ -123,7 +124,7 @@ void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
 bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view) {
     const double reach = l3d_guard_band * h[2];
     return h[2] > view.near && h[2] < view.far && h[0] >= -reach && h[0] <= reach &&
-           h[1] >= -reach && h[1] <= reach;
+           h[1] >= -reach && h[1] <= reach && view.section.distance(h) >= 0;
 }
 
 l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_view& view) {
@@ -138,10 +139,11 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
                        const l3d_dice_view& view, l3d_diced_piece& out) {
     if (a.drawable && b.drawable && c.drawable)
         return out.add_triangle(a.dice, b.dice, c.dice);
-    // Triangles in the near or the far plane are not drawn. Slits in such a plane would have long
-    // chords, as edges there are left out.
+    // Triangles in the near or the far plane, or in that of a section, are not drawn. Slits in such
+    // a plane would have long chords, as edges there are left out.
     const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
-    if (farthest <= view.near || nearest >= view.far)
+    if (farthest <= view.near || nearest >= view.far ||
+        view.section.cuts_off(std::array{a.h, b.h, c.h}))
         return;
     polygon shape;
     for (const auto* corner : {&a, &b, &c})

@@ -15,7 +15,8 @@ struct l3d_clip_vertex {
     bool away = false; ///< the normal points away from the eye, for lighting
 };
 
-/// Whether a homogeneous point is between the near and the far plane and inside the guard band.
+/// Whether a homogeneous point is between the near and the far plane, inside the guard band, and
+/// not cut off by a section.
 bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
 
 /// Makes a vertex of a homogeneous point. Corners and points of edges become pixels by this
@@ -26,8 +27,8 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_vi
 ///
 /// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of p
 /// and q alone, whatever their order. So triangles that share an edge still fit together.
-/// With anti-aliasing, the part's border notes the sides that lie in the near or the far plane, if
-/// the part has no grid.
+/// With anti-aliasing, the part's border notes the sides that lie in the near or the far plane or
+/// in that of a section, if the part has no grid.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);

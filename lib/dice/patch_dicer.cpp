@@ -144,7 +144,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&
-        l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
+        (of.view.section.cuts_off(p.net.points) ||
+         l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far)))
         return drawer_.close_hidden(p, of.out.next());
     if (of.lanes != nullptr && take_in_lanes(p, of))
         return;

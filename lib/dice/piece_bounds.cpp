@@ -64,7 +64,8 @@ l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_net& piece, const l3d_dice
     bool small = false;
     if (depth.least > view.near) {
         const l3d_image_box& hull = net_.box();
-        whole_ = hull.reach() < l3d_guard_band && depth.most < view.far;
+        whole_ = hull.reach() < l3d_guard_band && depth.most < view.far &&
+                 view.section.leaves(net_.points);
         if (whole_) {
             accuracy.reach = view.drawn_box(hull).reach();
             small = l3d_is_small(hull);

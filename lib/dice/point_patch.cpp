@@ -37,7 +37,7 @@ std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_net& net,
         far_apart(net.at(0, 3), net.at(3, 0), view.tolerance))
         return std::nullopt;
     const l3d_depth_range& depth = net.w();
-    if (depth.least <= view.near || depth.most >= view.far ||
+    if (depth.least <= view.near || depth.most >= view.far || !view.section.leaves(net.points) ||
         depth.most - depth.least > view.depth_of_point(depth.least))
         return std::nullopt;
     const l3d_image_box& box = net.box();

@@ -8,7 +8,8 @@ namespace {
 
 void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& block,
               const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
-    if (l3d_outside(block.points, view.margin(), view.near, view.far))
+    if (view.section.cuts_off(block.points) ||
+        l3d_outside(block.points, view.margin(), view.near, view.far))
         return;
     const double least = l3d_depth_range_of(block.points).least;
     const bool in_front = least > view.near;

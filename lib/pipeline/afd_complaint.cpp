@@ -27,6 +27,20 @@ std::string fog_complaint(const l3d_afd_settings& settings) {
     return "";
 }
 
+std::string section_complaint(const l3d_afd_settings& settings) {
+    if (!settings.section)
+        return "";
+    const l3d_plane<double>& plane = *settings.section;
+    constexpr double rounding = 1e-9;
+    if (!(std::abs(l3d_length(plane.normal) - 1) < rounding && std::isfinite(plane.d)))
+        return "section: the plane has no unit normal, or no place";
+    if (!settings.method.is_default())
+        return "section: " + settings.method.name() + " draws whole surfaces alone";
+    if (settings.outlines || settings.error_map)
+        return "section: outlines and bounds of pixels are those of whole surfaces";
+    return "";
+}
+
 } // namespace
 
 std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
@@ -54,6 +68,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return "shade: error shows a bound of the error, and " + settings.method.name() +
                " has none";
     if (const std::string why = fog_complaint(settings); !why.empty())
+        return why;
+    if (const std::string why = section_complaint(settings); !why.empty())
         return why;
     if (camera.is_parallel() && !settings.method.draws_parallel())
         return "parallel projection: " + settings.method.name() + " draws perspective alone";

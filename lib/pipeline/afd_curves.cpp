@@ -31,8 +31,8 @@ void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
                                                           report_.dice.edges_px,
                                                  .law = law,
                                                  .smooth = settings_.antialias};
-        for (const l3d_detail::depth_chord& chord :
-             l3d_detail::flat_space_curve(curve, camera_, size, settings_.tolerance, law))
+        for (const l3d_detail::depth_chord& chord : l3d_detail::flat_space_curve(
+                 curve, camera_, size, settings_.tolerance, law, settings_.section))
             stages_->lines.add(line, chord[0], chord[1]);
         stages_->lines.paint(target, curve.color(), shading);
     };

@@ -47,7 +47,8 @@ l3d_frame_lights l3d_pipeline_afd::lights() const {
 }
 
 std::optional<l3d_pick> l3d_pipeline_afd::pick(double x, double y) const {
-    return l3d_pick_at(scene_, {camera_, screen_->pixels().size(), settings_.one_sided}, x, y);
+    return l3d_pick_at(
+        scene_, {camera_, screen_->pixels().size(), settings_.one_sided, settings_.section}, x, y);
 }
 
 std::string l3d_pipeline_afd::why_empty() const {

@@ -20,8 +20,8 @@ namespace l3d_detail {
 /// with smaller letters.
 class panel_places {
 public:
-    panel_places(l3d_size picture, const l3d_panel_style& style)
-        : style_(style), picture_(l3d_whole(picture)), free_{picture_} {}
+    panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)
+        : style_(style), picture_(picture), free_{picture_} {}
 
     /// Keeps a place for a panel. Returns whether there is one for letters of the style's size.
     bool take(const l3d_panel& panel, l3d_corner corner);

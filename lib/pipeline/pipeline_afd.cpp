@@ -189,6 +189,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     if (settings_.antialias) // surfaces between pixel centres still show in parts of pixels
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
+    if (settings_.section)
+        stages_->view.section = stages_->transform.section(*settings_.section);
     stages_->view.most_samples = settings_.most_samples;
     const l3d_frame_lights of_frame = lights();
     l3d_shading shading = l3d_camera_shading(camera_, target.size(), settings_.shade,

@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_PIPELINE_AFD_H
 
 #include "base/public.h"
+#include "geom/plane.h"
 #include "pipeline/frame_report.h"
 #include "pipeline/surface_method.h"
 #include "pipeline/pipeline.h"
@@ -127,6 +128,12 @@ struct L3D_PUBLIC l3d_afd_settings {
 
     /// Whether the error of each pixel is bounded, for error_map().
     bool error_map = false;
+
+    /// The plane of the world that cuts the scene open: surfaces and lines are drawn in front of it
+    /// alone. The cut is exact in the drawn surface: a point in the picture is as near to the exact
+    /// surface as any other. Cut bodies are open, and show their inside. Only the library's own
+    /// method draws it, and without `outlines` and `error_map`.
+    std::optional<l3d_plane<double>> section{};
 
     /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
     /// on.

@@ -61,7 +61,7 @@ void l3d_pipeline_afd_editor::switch_handles() {
 void l3d_pipeline_afd_editor::edit_scene() {
     if (scene().instances().size() != 1 || scene().transparent_count() > 0)
         return controls().say("no control points to drag: the scene is not one opaque model");
-    show_all_parts();
+    parts().show_all();
     const l3d_patch_model model = scene().instances()[0].model();
     edit(model, model.surfaces());
 }

@@ -7,6 +7,7 @@
 #include "base/printable_p.h"
 #include "dice/error_color.h"
 #include "scene/camera.h"
+#include "scene/measured_place.h"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace {
@@ -54,7 +56,11 @@ l3d_viewed l3d_pipeline_afd_viewer::viewed() {
         const auto found = pick(x, y);
         if (!found)
             return std::nullopt;
-        return l3d_pointed_place{found->point, found->point_error, found->line()};
+        const l3d_measured_place place = l3d_measured(scene(), *found);
+        const std::string radii = place.radii();
+        return l3d_pointed_place{place.point, place.point_error,
+                                 found->line() + (radii.empty() ? "" : "; " + radii), place.normal,
+                                 place.normal_error};
     };
     return {.framed = framed, .place_at = place_at};
 }
@@ -215,101 +221,78 @@ void l3d_pipeline_afd_viewer::add_inspection(l3d_panel& panel) {
     panel.add_scale(l3d_inspection_colors(settings().shade, shown), first, last);
 }
 
-namespace {
-
-const char* const without_parts = "the model has no named parts";
-
-/// A model without the parts of these names.
-l3d_patch_model without(const l3d_patch_model& model, const std::vector<std::string>& names) {
-    std::vector<std::size_t> parts;
-    for (const std::string& name : names)
-        if (const auto found = model.parts().find(name))
-            parts.push_back(*found);
-    return parts.empty() ? model : model.without(parts);
-}
-
-} // namespace
-
-/// Notes the parts of all models; models placed since the last call are whole.
-void l3d_part_switch::note_parts() {
+l3d_part_list& l3d_part_switch::list() {
     const auto instances = scene_.instances();
     instances_.resize(instances.size());
-    names_.clear();
+    std::vector<std::string> names;
+    std::unordered_set<std::string> known;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const l3d_patch_model& now = instances[i].model();
         const l3d_patch_model& placed = instances_[i].shown;
         if (now.source_identity() != placed.source_identity() ||
             now.paint_identity() != placed.paint_identity())
-            instances_[i] = {now, now};
+            instances_[i] = {now, now}; // it was placed since the last call, and is whole
         for (const std::string& name : instances_[i].whole.parts().names())
-            if (std::ranges::find(names_, name) == names_.end())
-                names_.push_back(name);
+            if (known.insert(name).second)
+                names.push_back(name);
     }
+    list_.set_names(names);
+    return list_;
 }
 
-bool l3d_part_switch::is_hidden(const std::string& name) const {
-    return std::ranges::find(hidden_, name) != hidden_.end();
-}
-
-std::string l3d_part_switch::choose_next() {
-    note_parts();
-    if (names_.empty())
-        return without_parts;
-    const auto at = std::ranges::find(names_, chosen_);
-    const bool is_last = at == names_.end() || at + 1 == names_.end();
-    const auto next = is_last ? names_.begin() : at + 1;
-    chosen_ = *next;
-    return "part " + std::to_string(next - names_.begin() + 1) + " of " +
-           std::to_string(names_.size()) + ": " + l3d_detail::printable(chosen_) +
-           (is_hidden(chosen_) ? ", hidden" : "");
-}
-
-std::string l3d_part_switch::switch_chosen() {
-    note_parts();
-    if (std::ranges::find(names_, chosen_) == names_.end())
-        choose_next();
-    if (names_.empty())
-        return without_parts;
-    const std::string name = l3d_detail::printable(chosen_);
-    if (is_hidden(chosen_)) {
-        std::erase(hidden_, chosen_);
-        place_shown();
-        return name + " is shown";
+/// A model in the colours of the list, without its hidden parts.
+l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
+    l3d_patch_model result = whole;
+    std::vector<std::size_t> hidden;
+    for (const l3d_listed_part& part : list_.parts()) {
+        if (!part.is_hidden && !part.color)
+            continue;
+        const std::optional<std::size_t> found = whole.parts().find(part.name);
+        if (found && part.is_hidden)
+            hidden.push_back(*found);
+        else if (found)
+            result = result.part_painted(*found, {.color = *part.color});
     }
-    hidden_.push_back(chosen_);
-    if (shows_nothing()) {
-        hidden_.pop_back();
-        return name + " stays: without it nothing is left";
-    }
-    place_shown();
-    return name + " is hidden";
-}
-
-void l3d_part_switch::show_all() {
-    note_parts();
-    hidden_.clear();
-    place_shown();
-}
-
-bool l3d_part_switch::shows_nothing() const {
-    return std::ranges::all_of(instances_, [&](const taken& each) {
-        return without(each.whole, hidden_).patches().empty();
-    });
+    return hidden.empty() ? result : result.without(hidden);
 }
 
 /// Another model takes an instance's material and opacity away, which are kept here.
-void l3d_part_switch::place_shown() {
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
+bool l3d_part_switch::apply() {
+    list();
+    std::vector<l3d_patch_model> models;
+    for (const taken& each : instances_)
+        models.push_back(as_listed(each.whole));
+    const auto is_empty = [](const l3d_patch_model& model) { return model.patches().empty(); };
+    if (!models.empty() && std::ranges::all_of(models, is_empty)) {
+        list_.undo();
+        return false;
+    }
+    for (std::size_t i = 0; i < models.size(); ++i) {
         taken& each = instances_[i];
         const l3d_patch_instance& before = scene_.instances()[i];
-        const l3d_patch_model now = without(each.whole, hidden_);
-        if (now.pieces() == before.model().pieces())
+        if (models[i].source_identity() == each.shown.source_identity() &&
+            models[i].paint_identity() == each.shown.paint_identity())
             continue;
         const std::optional<l3d_material> material = before.material();
         const double opacity = before.opacity();
-        scene_.place(i, now, before.placement());
+        scene_.place(i, models[i], before.placement());
         scene_.paint(i, material);
         scene_.set_opacity(i, opacity);
-        each.shown = now;
+        each.shown = models[i];
     }
+    return true;
+}
+
+std::string l3d_part_switch::refusal() const {
+    return l3d_detail::printable(chosen()) + " stays: without it nothing is left";
+}
+
+std::string l3d_part_switch::switch_chosen() {
+    const std::string said = list().switch_chosen();
+    return apply() ? said : refusal();
+}
+
+void l3d_part_switch::show_all() {
+    list().show_all();
+    apply();
 }

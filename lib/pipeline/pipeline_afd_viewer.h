@@ -4,6 +4,7 @@
 #define L3D_PIPELINE_PIPELINE_AFD_VIEWER_H
 
 #include "base/public.h"
+#include "pipeline/part_list.h"
 #include "pipeline/pipeline_afd.h"
 #include "pipeline/viewer_controls.h"
 #include "scene/patch_model.h"
@@ -13,8 +14,8 @@
 #include <string>
 #include <vector>
 
-/// Shows and hides the named parts of a scene's models, one of which is chosen. Parts of the same
-/// name count as one, in whichever instance.
+/// Shows, hides and colours the named parts of a scene's models, as an l3d_part_list says. Parts of
+/// the same name count as one, in whichever instance.
 ///
 /// Only shown parts stand in the scene: a hidden part's patches are taken out of their instances.
 /// If a program gives an instance another model, all of that model is shown.
@@ -24,20 +25,31 @@ public:
     /// Switches the parts of this scene, which may get its models later.
     explicit l3d_part_switch(l3d_patch_scene& scene) : scene_(scene) {}
 
+    /// The parts of all models and their states, up to date. After a change, call apply().
+    l3d_part_list& list();
+
+    /// Makes the scene as the list says. At least one part stays shown: if nothing would be left,
+    /// the list's last change is taken back.
+    /// Returns: false for a change that was taken back.
+    /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
+    bool apply();
+
     /// Chooses the next part: the first one at the first call, and again after the last one.
     /// Returns: a line that names the part.
-    std::string choose_next();
+    std::string choose_next() { return list().choose_next(); }
 
-    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first. At least
-    /// one part stays shown.
+    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first.
     /// Returns: a line that tells the part's new state.
-    /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
+    /// Cost:    as apply().
     std::string switch_chosen();
 
     /// The name of the chosen part; "" if none is.
-    const std::string& chosen() const { return chosen_; }
+    std::string chosen() const { return list_.chosen() ? list_.chosen()->name : ""; }
 
-    /// Shows all parts that this object has hidden.
+    /// The line for people after a change that apply() took back.
+    std::string refusal() const;
+
+    /// Shows all parts.
     void show_all();
 
 private:
@@ -46,15 +58,10 @@ private:
         l3d_patch_model whole, shown;
     };
 
-    void note_parts();
-    bool is_hidden(const std::string& name) const;
-    void place_shown();
-    bool shows_nothing() const;
+    l3d_patch_model as_listed(const l3d_patch_model& whole) const;
 
     l3d_patch_scene& scene_;
-    std::vector<std::string> names_;  ///< names of all parts, in the order of the instances
-    std::vector<std::string> hidden_; ///< names of the hidden parts
-    std::string chosen_;              ///< name of the chosen part; "" at first
+    l3d_part_list list_;
     std::vector<taken> instances_;
 };
 
@@ -87,8 +94,8 @@ protected:
     /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
     virtual l3d_standing_panel standing_panel() { return {}; }
 
-    /// Shows the parts that keys have hidden.
-    void show_all_parts() { parts_.show_all(); }
+    /// The parts that keys choose, hide and show.
+    l3d_part_switch& parts() { return parts_; }
 
 private:
     void draw_panels() override;

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <set>
 
 namespace {
@@ -76,7 +78,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
              {{l3d_key_page_up, approach(1 / zoom_factor)},
               {l3d_key_page_down, approach(zoom_factor)}}},
             {"double click", "turn about this place"},
-            {"Ctrl+click", "what is there; a second one: the distance"}};
+            {"Ctrl+click", "what is there; a second one: distance, angle"}};
 }
 
 /// Rows of the model's sides, by the keys that Blender has for them.
@@ -200,6 +202,24 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
     return event.control;
 }
 
+namespace {
+
+/// The angle of two normals. With an error of length e each, it is off by 2 asin(e / 2) for each,
+/// and by rounding.
+std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
+    const double sine = l3d_length(l3d_cross(a.normal, b.normal));
+    const double cosine = l3d_dot(a.normal, b.normal);
+    const double errors = a.normal_error + b.normal_error;
+    if ((sine == 0 && cosine == 0) || !(errors < 1))
+        return "";
+    constexpr double degree = std::numbers::pi / 180, rounding = 16 * 0x1p-53;
+    return formatted("; normals %.9g degrees apart, good to %.1g",
+                     std::atan2(sine, cosine) / degree,
+                     (2 * std::asin(errors / 2) + rounding) / degree);
+}
+
+} // namespace
+
 /// Measures: every other click ends a distance.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
@@ -215,8 +235,10 @@ void l3d_viewer_controls::measure(double x, double y) {
         say(found->text);
     } else {
         marks_.push_back(found->place);
-        say(formatted("distance %.9g, good to %.1g", l3d_length(found->place - measured_->place),
-                      found->error + measured_->error));
+        say(formatted("distance %.9g units, good to %.1g",
+                      l3d_length(found->place - measured_->place),
+                      found->error + measured_->error) +
+            angle_text(*measured_, *found));
         measured_.reset();
     }
 }
@@ -298,7 +320,9 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
-    l3d_detail::panel_places places(screen_.pixels().size(), panel_style());
+    l3d_pixel_box room = l3d_whole(screen_.pixels().size());
+    room.left = std::min(left_margin_, room.right - 1);
+    l3d_detail::panel_places places(room, panel_style());
     const std::array first{l3d_standing_panel{message_panel(), l3d_corner::bottom_left}, standing,
                            l3d_standing_panel{legend, l3d_corner::bottom_right},
                            l3d_standing_panel{status_panel(lines), l3d_corner::top_left}};

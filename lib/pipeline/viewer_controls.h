@@ -28,6 +28,9 @@ struct L3D_PUBLIC l3d_pointed_place {
     l3d_camera::vector place{0.0, 0.0, 0.0}; ///< in the world
     double error = 0; ///< the largest distance from the exact place, in world units
     std::string text; ///< a line about the surface there
+    /// The unit normal of the surface, turned to the eye; zero if there is none.
+    l3d_camera::vector normal{0.0, 0.0, 0.0};
+    double normal_error = 0; ///< the length of the normal's difference from the exact one
 };
 
 /// The questions that the controls ask a viewer about its picture. An empty function leaves out the
@@ -230,6 +233,9 @@ public:
     /// Expects: its keys are in no other row.
     void add(l3d_viewer_row row);
 
+    /// Keeps panels out of a column at the left of the picture, of this many pixels.
+    void set_left_margin(int pixels) { left_margin_ = pixels; }
+
     /// Adapts the view when the picture has got another size.
     void resized() { steering_.resized(); }
 
@@ -337,6 +343,7 @@ private:
     bool paused_ = false;
     bool status_shown_ = false;
     std::size_t help_page_ = 0; ///< the page shown, from 1; 0 for none
+    int left_margin_ = 0;       ///< pixels that panels leave free
     std::string message_;
     std::string empty_line_;
     l3d_picture_pace pace_;

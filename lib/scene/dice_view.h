@@ -13,10 +13,31 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 struct l3d_shared_polyline;
 struct l3d_trim_region;
+
+/// The plane that cuts a scene open, in homogeneous image space: points h with a positive distance
+/// n.h + d are drawn. Without a plane, all numbers are 0.
+struct l3d_image_section {
+    l3d_image_point normal{0.0, 0.0, 0.0};
+    double d = 0;
+
+    bool is_on() const { return normal != l3d_image_point{0.0, 0.0, 0.0}; }
+    double distance(const l3d_image_point& h) const { return l3d_dot(normal, h) + d; }
+    /// Whether everything between these points is cut off.
+    bool cuts_off(std::span<const l3d_image_point> net) const {
+        return is_on() && std::ranges::all_of(net, [&](const auto& h) { return distance(h) <= 0; });
+    }
+    /// Whether the plane leaves everything between these points.
+    bool leaves(std::span<const l3d_image_point> net) const {
+        return !is_on() || std::ranges::all_of(net, [&](const auto& h) { return distance(h) > 0; });
+    }
+
+    friend bool operator==(const l3d_image_section&, const l3d_image_section&) = default;
+};
 
 /// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
 /// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
@@ -89,6 +110,7 @@ struct l3d_dice_view {
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget; 0: l3d_usual_samples
     bool one_sided = false;        ///< the back of dS/du x dS/dv is not shown
+    l3d_image_section section;     ///< cuts the scene open
 
     /// Blocks in which the diced patch may fold over as seen from the eye: bit 4 * row + column,
     /// columns along u.

@@ -2,6 +2,8 @@
 // flat_space_curve: cuts Bezier curves until their control points are near chords.
 #include "scene/flat_space_curve_p.h"
 
+#include "geom/transform.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,9 +23,9 @@ using bezier = std::vector<point>;
 class flattener {
 public:
     flattener(const l3d_camera& camera, l3d_size size, double width, double tolerance,
-              const depth_law& law)
-        : near_(camera.near_z), far_(camera.far_z), law_(law), centre_x_(size.width / 2.0),
-          centre_y_(size.height / 2.0),
+              const depth_law& law, const point& section)
+        : section_(section), near_(camera.near_z), far_(camera.far_z), law_(law),
+          centre_x_(size.width / 2.0), centre_y_(size.height / 2.0),
           margin_(width / 2 + 1), // beyond the reach of smooth edges, width / 2 + 1 / 2
           tolerance_(tolerance) {}
 
@@ -50,9 +52,10 @@ public:
     std::vector<depth_chord> take() { return std::move(chords_); }
 
 private:
-    static constexpr int planes = 6;
+    static constexpr int planes = 7;
 
-    /// Not negative inside of the near and far plane and of the picture with its margin; linear.
+    /// Not negative inside of the near and far plane, of the picture with its margin, and in front
+    /// of the section; linear.
     double inside(int plane, const point& p) const {
         if (plane < 2 && law_.step != 0)
             return 1;
@@ -67,8 +70,10 @@ private:
             return (centre_x_ + margin_) * p[2] - p[0];
         case 4:
             return (centre_y_ + margin_) * p[2] + p[1];
-        default:
+        case 5:
             return (centre_y_ + margin_) * p[2] - p[1];
+        default:
+            return l3d_dot(section_, p);
         }
     }
 
@@ -112,22 +117,45 @@ private:
                 {projected(from + (to - from) * first), projected(from + (to - from) * last)});
     }
 
+    point section_;
     double near_, far_;
     depth_law law_;
     double centre_x_, centre_y_, margin_, tolerance_;
     std::vector<depth_chord> chords_;
 };
 
+/// The section's distance times the weight as a sum of a control point's four numbers, to which
+/// four rows take the places of the world: x, y and w of the image, and the depth.
+point seen_section(const l3d_plane<double>& section, const l3d_matrix<double>& image,
+                   const point& depth) {
+    l3d_matrix<double> rows = image;
+    for (int i = 0; i < 4; ++i) {
+        rows(2, i) = image(3, i);
+        rows(3, i) = depth[i];
+    }
+    const auto to_world = l3d_inverted(rows);
+    if (!to_world) // the camera is so far that no depths differ
+        return {0.0, 0.0, 0.0, 0.0};
+    return l3d_transposed(*to_world) *
+           point{section.normal[0], section.normal[1], section.normal[2], section.d};
+}
+
 } // namespace
 
-std::vector<depth_chord> l3d_detail::flat_space_curve(const l3d_space_curve& curve,
-                                                      const l3d_camera& camera, l3d_size size,
-                                                      double tolerance, const depth_law& law) {
+std::vector<depth_chord>
+l3d_detail::flat_space_curve(const l3d_space_curve& curve, const l3d_camera& camera, l3d_size size,
+                             double tolerance, const depth_law& law,
+                             const std::optional<l3d_plane<double>>& section) {
     const l3d_matrix<double> to_image = camera.image_matrix(size) * curve.placement();
     // The depth, linear in the places of a parallel projection, times what they are divided by.
     const l3d_vector<double, 3> forward = camera.axes().forward;
     const double at_origin = law.base - law.step * l3d_dot(forward, camera.eye);
-    flattener result(camera, size, curve.width(), tolerance, law);
+    const point at_depth = law.step == 0 ? point{0.0, 0.0, 0.0, 1.0}
+                                         : point{law.step * forward[0], law.step * forward[1],
+                                                 law.step * forward[2], at_origin};
+    const point cut = section ? seen_section(*section, camera.image_matrix(size), at_depth)
+                              : point{0.0, 0.0, 0.0, 0.0};
+    flattener result(camera, size, curve.width(), tolerance, law, cut);
     for (const l3d_space_curve::bezier& span : curve.spans()) {
         bezier seen;
         for (const l3d_vector<double, 4>& p : span) {

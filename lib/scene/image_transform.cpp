@@ -114,6 +114,21 @@ void l3d_image_transform::set_depths(l3d_shading& shading) const {
     shading.depth_base = l3d_dice_view::middle_depth - shading.depth_step * to_target_;
 }
 
+/// With h = A p + t, the distance n.p + d is (A^-T n).h + (d - (A^-T n).t). The columns of A^-T are
+/// cross products of rows of A over its determinant.
+l3d_image_section l3d_image_transform::section(const l3d_plane<double>& plane) const {
+    using vector = l3d_vector<double, 3>;
+    const auto row = [&](int i) { return vector{matrix_(i, 0), matrix_(i, 1), matrix_(i, 2)}; };
+    const vector x = row(0), y = row(1), w = row(3);
+    const double determinant = l3d_dot(x, l3d_cross(y, w));
+    l3d_image_section result;
+    result.normal = {l3d_dot(plane.normal, l3d_cross(y, w)) / determinant,
+                     l3d_dot(plane.normal, l3d_cross(w, x)) / determinant,
+                     l3d_dot(plane.normal, l3d_cross(x, y)) / determinant};
+    result.d = plane.d - l3d_dot(result.normal, {matrix_(0, 3), matrix_(1, 3), matrix_(3, 3)});
+    return result;
+}
+
 l3d_dice_view l3d_image_transform::view(double tolerance) const {
     l3d_dice_view view;
     view.size = size_;

@@ -4,6 +4,7 @@
 #define L3D_SCENE_IMAGE_TRANSFORM_H
 
 #include "geom/matrix.h"
+#include "geom/plane.h"
 #include "geom/step_bound.h"
 #include "scene/camera.h"
 #include "scene/dice_view.h"
@@ -27,6 +28,9 @@ public:
     /// is the camera's, or farther where rounding leaves too little of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
+
+    /// A plane of the world among the transformed points: they have the same distances from it.
+    l3d_image_section section(const l3d_plane<double>& plane) const;
 
     /// How much nearer the camera's eye is than the eye that w is counted from: 0, except in a
     /// parallel projection.

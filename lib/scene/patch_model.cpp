@@ -126,19 +126,19 @@ l3d_parameter_range l3d_patch_model::range_in_piece(std::size_t index) const {
     return source_ ? contents_->ranges[index] : l3d_parameter_range();
 }
 
+l3d_nurbs_surface l3d_patch_model::surface(std::size_t piece) const {
+    if (source_)
+        return l3d_nurbs_surface::of_patch(source_->pieces.pieces()[piece]);
+    l3d_patch_points points{.degree_u = 3, .degree_v = 3, .points = {}};
+    for (const vector& point : patches()[piece].points)
+        points.points.push_back({point[0], point[1], point[2]});
+    return l3d_nurbs_surface::of_patch(points);
+}
+
 std::vector<l3d_nurbs_surface> l3d_patch_model::surfaces() const {
     std::vector<l3d_nurbs_surface> result;
-    if (source_) {
-        for (const l3d_patch_points& piece : source_->pieces.pieces())
-            result.push_back(l3d_nurbs_surface::of_patch(piece));
-        return result;
-    }
-    for (const patch& p : patches()) {
-        l3d_patch_points piece{.degree_u = 3, .degree_v = 3, .points = {}};
-        for (const vector& point : p.points)
-            piece.points.push_back({point[0], point[1], point[2]});
-        result.push_back(l3d_nurbs_surface::of_patch(piece));
-    }
+    for (std::size_t i = 0; i < pieces(); ++i)
+        result.push_back(surface(i));
     return result;
 }
 

@@ -128,6 +128,8 @@ public:
     /// Expects: as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
+    /// A piece as a NURBS surface, each parameter from 0 to 1. Expects: piece < pieces().
+    l3d_nurbs_surface surface(std::size_t piece) const;
     /// Each piece as a NURBS surface of its own.
     std::vector<l3d_nurbs_surface> surfaces() const;
     /// A model of the pieces of these surfaces, with the materials, parts and lines of this model.

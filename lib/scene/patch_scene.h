@@ -7,6 +7,7 @@
 #include "base/public.h"
 #include "geom/material.h"
 #include "geom/matrix.h"
+#include "geom/plane.h"
 #include "geom/vector.h"
 #include "raster/textures/texture.h"
 #include "scene/camera.h"
@@ -441,10 +442,12 @@ struct L3D_PUBLIC l3d_pick_view {
     l3d_camera camera;      ///< its near and far planes limit the depth of hits
     l3d_size size;          ///< size of the picture, in pixels
     bool one_sided = false; ///< backs are not seen; see l3d_afd_settings
+    /// Surfaces behind this plane of the world are not seen.
+    std::optional<l3d_plane<double>> section{};
 };
 
 /// Finds the surface that is seen at (x, y) of a picture. Nothing if the ray meets no patch between
-/// the near and the far plane.
+/// the near and the far plane, in front of the section.
 ///
 /// Units:   pixels from the picture's left upper corner; a pixel's middle is at 1/2. Any place may
 ///          be asked for, also one outside the picture.

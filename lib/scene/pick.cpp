@@ -149,8 +149,17 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
         return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
     };
     const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
-    const double near = is_parallel ? -infinite : view.camera.near_z;
-    const double far = is_parallel ? infinite : view.camera.far_z;
+    double near = is_parallel ? -infinite : view.camera.near_z;
+    double far = is_parallel ? infinite : view.camera.far_z;
+    if (view.section) {
+        const double side = view.section->side_of_point(l3d_point<double>(ray.at(0)));
+        const double growth = l3d_dot(view.section->normal, ray.direction());
+        if (growth == 0 && side < 0)
+            return std::nullopt;
+        if (growth != 0)
+            (growth > 0 ? near : far) =
+                growth > 0 ? std::max(near, -side / growth) : std::min(far, -side / growth);
+    }
     const auto is_there = [&](const l3d_ray_hit& hit) {
         const auto& [instance, patch] = places[hit.patch];
         const l3d_trim_region* const region = scene.instances()[instance].model().trim(patch);

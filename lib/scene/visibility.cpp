@@ -28,7 +28,11 @@ bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view) {
 
 bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts) {
     std::int64_t* const count = l3d_reason_to_leave_out(
-        net.w(), view, [&] { return l3d_outside(net.points, view.margin(), view.near, view.far); },
+        net.w(), view,
+        [&] {
+            return view.section.cuts_off(net.points) ||
+                   l3d_outside(net.points, view.margin(), view.near, view.far);
+        },
         [&] {
             return net.w().least > view.near && !is_wider_than_a_pixel(net) &&
                    l3d_holds_no_centre(net.box(), view);

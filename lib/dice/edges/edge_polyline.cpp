@@ -259,7 +259,8 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     const l3d_depth_range depth = l3d_depth_range_of(strip.points);
     const bool in_front = depth.least > view.near;
     l3d_image_box box = view.margin();
-    bool visible = !l3d_outside(strip.points, box, view.near, view.far);
+    bool visible = !view.section.cuts_off(strip.points) &&
+                   !l3d_outside(strip.points, box, view.near, view.far);
     bool small = false;
     if (visible && in_front) {
         const l3d_image_box whole = l3d_image_box_of(strip.points);

@@ -170,6 +170,11 @@ struct edge_view {
 /// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
 bool safely_drawable(const l3d_image_point& h, double near, const l3d_dice_view& view) {
     constexpr double slack = 0x1p-30;
+    const l3d_image_section& cut = view.section;
+    const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
+                         std::abs(cut.normal[2] * h[2]) + std::abs(cut.d);
+    if (cut.is_on() && cut.distance(h) <= slack * terms)
+        return false;
     const double reach = l3d_guard_band * (1 - slack) * h[2];
     return h[2] > near * (1 + slack) && h[2] < view.far * (1 - slack) && std::abs(h[0]) <= reach &&
            std::abs(h[1]) <= reach;

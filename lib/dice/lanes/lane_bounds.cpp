@@ -47,6 +47,15 @@ constexpr float depth_rounding = 40 * 0x1p-24F;
 /// and in w, and two of the quotient.
 constexpr float projected_rounding = 20 * 0x1p-24F;
 
+bool section_leaves(const double* net, const l3d_image_section& cut) {
+    if (!cut.is_on())
+        return true;
+    bool all = true;
+    for (std::size_t i = 0; i < 3 * points; i += 3)
+        all = all && cut.distance({net[i], net[i + 1], net[i + 2]}) > 0;
+    return all;
+}
+
 /// Measures box and depths of the whole net, and whether it is ordinary. The comparisons fail for
 /// NaN.
 HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
@@ -79,7 +88,8 @@ HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds&
             sum += number;
     out.ordinary = sum - sum == 0 && out.least_w > view.near && out.most_w < view.far &&
                    -out.hull.left < l3d_guard_band && -out.hull.top < l3d_guard_band &&
-                   out.hull.right < l3d_guard_band && out.hull.bottom < l3d_guard_band;
+                   out.hull.right < l3d_guard_band && out.hull.bottom < l3d_guard_band &&
+                   section_leaves(net, view.section);
 }
 
 /// Moves the net to the middle of its visible part.

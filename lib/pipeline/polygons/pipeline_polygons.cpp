@@ -49,11 +49,17 @@ l3d_pipeline_polygons::l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_mode
     report_.real = l3d_real_name();
     report_.simd = l3d_simd_target();
     report_.threads = workers_.count();
-    report_.faces = static_cast<std::int64_t>(model_.mesh().faces());
-    report_.triangles = static_cast<std::int64_t>(model_.triangles().size());
+    take_model(model_);
 }
 
 l3d_pipeline_polygons::~l3d_pipeline_polygons() = default;
+
+void l3d_pipeline_polygons::take_model(const l3d_polygon_model& model) {
+    model_ = model;
+    report_.faces = static_cast<std::int64_t>(model_.mesh().faces());
+    report_.triangles = static_cast<std::int64_t>(model_.triangles().size());
+    stale_ = true;
+}
 
 void l3d_pipeline_polygons::resize_event(l3d_size) {
     imp_->set_target(screen_->pixels());

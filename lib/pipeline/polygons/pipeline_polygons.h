@@ -111,6 +111,8 @@ public:
     l3d_camera& camera() { return camera_; }
     /// How the model is to be drawn; a reference to change it.
     l3d_polygon_settings& settings() { return settings_; }
+    /// Draws another model from the next frame on. Expects: no frame is being drawn.
+    void take_model(const l3d_polygon_model& model);
     /// Asks for the next frame to be drawn: camera or settings may differ.
     void redraw() { stale_ = true; }
 

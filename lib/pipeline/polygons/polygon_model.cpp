@@ -349,6 +349,36 @@ l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts)
     return shown(faces);
 }
 
+/// Cuts triangles, since faces of more corners may be concave.
+l3d_polygon_model l3d_polygon_model::cut(const l3d_plane<double>& plane) const {
+    l3d_polygon_mesh shown;
+    shown.vertices = mesh().vertices;
+    shown.vertex_normals = mesh().vertex_normals;
+    shown.vertex_colors = mesh().vertex_colors;
+    shown.looks.assign(materials().begin(), materials().end());
+    for (l3d_material& look : shown.looks)
+        look.picture = l3d_material::no_picture;
+    shown.materials.resize(shown.looks.size());
+    for (const l3d_model_triangle& triangle : triangles()) {
+        const std::string name(parts().name_of(triangle.face));
+        if (shown.parts.empty() || shown.parts.back().name != name)
+            shown.parts.push_back({name, static_cast<std::uint32_t>(shown.faces())});
+        shown.add_face(triangle.corners);
+        if (!materials().empty())
+            shown.face_materials.push_back(material_of(triangle.face));
+    }
+    l3d_polygon_mesh kept = l3d_cut_mesh(shown, plane);
+    kept.materials = shown.materials;
+    kept.looks = shown.looks;
+    l3d_polygon_model result(std::move(kept));
+    const auto made = std::make_shared<contents>(*result.contents_);
+    made->least = least();
+    made->most = most();
+    made->radius = radius();
+    result.contents_ = made;
+    return result;
+}
+
 std::size_t l3d_polygon_model::bytes() const {
     return mesh().bytes() + triangles().size() * sizeof(l3d_model_triangle) +
            facing_blocks().size() * sizeof(l3d_facing_block) +

@@ -5,6 +5,7 @@
 #define L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 
 #include "base/public.h"
+#include "geom/plane.h"
 #include "geom/polygon_mesh.h"
 #include "raster/textures/texture.h"
 #include "scene/patch_model.h"
@@ -127,6 +128,12 @@ public:
 
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
+
+    /// The shown faces in front of a plane, cut where they pass through it: a body is open there.
+    /// Pictures are left out, and normals are made anew, with the usual crease angle, unless the
+    /// mesh has its own. The model keeps its box, and turns about the same centre.
+    /// Cost: as the constructor.
+    l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
     /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
     /// vertex has a colour.

@@ -89,7 +89,8 @@ l3d_viewed l3d_pipeline_polygons::viewed() {
         const auto found = pick(x, y);
         if (!found)
             return std::nullopt;
-        return l3d_pointed_place{found->point, found->point_error, found->line()};
+        return l3d_pointed_place{found->point, found->point_error, found->line(), found->normal,
+                                 found->normal_error};
     };
     return {.framed = [this](const l3d_camera& camera) { return framed(camera); },
             .place_at = place_at};

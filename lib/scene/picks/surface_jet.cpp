@@ -117,18 +117,25 @@ jet_vector cross(const jet_vector& a, const jet_vector& b) {
 l3d_surface_jet::l3d_surface_jet(const l3d_bezier_patch<double, 3>& patch, double u, double v,
                                  double u_error, double v_error, double rounding) {
     const around here(patch, u, v, u_error, v_error, rounding);
-    point = here.derivative(0, 0);
-    const vector su = here.derivative(1, 0), sv = here.derivative(0, 1);
-    const vector n = cross(su, sv);
+    *this = l3d_surface_jet({.point = here.derivative(0, 0),
+                             .by_u = here.derivative(1, 0),
+                             .by_v = here.derivative(0, 1),
+                             .by_uu = here.derivative(2, 0),
+                             .by_uv = here.derivative(1, 1),
+                             .by_vv = here.derivative(0, 2)});
+}
+
+l3d_surface_jet::l3d_surface_jet(const derivatives& of) : point(of.point) {
+    const vector n = cross(of.by_u, of.by_v);
     const l3d_interval length = square(n).root();
     if (!(length.low > 0))
         return;
     normal = vector{n[0] / length, n[1] / length, n[2] / length};
-    const l3d_interval e = dot(here.derivative(2, 0), *normal);
-    const l3d_interval f = dot(here.derivative(1, 1), *normal);
-    const l3d_interval g = dot(here.derivative(0, 2), *normal);
+    const l3d_interval e = dot(of.by_uu, *normal), f = dot(of.by_uv, *normal);
+    const l3d_interval g = dot(of.by_vv, *normal);
     const l3d_interval area = length.squared(); // E G - F^2
     const l3d_interval two{2, 2};
     gaussian = (e * g - f.squared()) / area;
-    mean = (e * square(sv) - two * f * dot(su, sv) + g * square(su)) / (two * area);
+    mean = (e * square(of.by_v) - two * f * dot(of.by_u, of.by_v) + g * square(of.by_u)) /
+           (two * area);
 }

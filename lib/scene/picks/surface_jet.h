@@ -21,6 +21,13 @@ struct l3d_surface_jet {
     std::optional<vector> normal; ///< unit, along dS/du x dS/dv; nothing where it may vanish
     l3d_interval gaussian, mean;  ///< meaningful if there is a normal
 
+    /// A point and the derivatives there, each with its error.
+    struct derivatives {
+        vector point, by_u, by_v, by_uu, by_uv, by_vv;
+    };
+
+    explicit l3d_surface_jet(const derivatives& of);
+
     /// `rounding` bounds the errors of the control points' coordinates.
     l3d_surface_jet(const l3d_bezier_patch<double, 3>& patch, double u, double v, double u_error,
                     double v_error, double rounding);

@@ -376,6 +376,14 @@ void l3d_afd_options::subdivide(l3d_model_file& file) const {
         throw l3d_error(l3d_exit::bad_input, why);
 }
 
+bool l3d_afd_options::is_of_patches() const {
+    if (model_file_.empty())
+        return true;
+    if (!file_)
+        file_ = l3d_detail::load_named_model(model_file_);
+    return !file_->patches.empty() && file_->mesh.faces() == 0;
+}
+
 l3d_camera
 l3d_afd_options::camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const {
     const l3d_camera asked = camera();

@@ -85,6 +85,11 @@ public:
     /// Whether --subdivide was given.
     bool subdivides() const { return subdivides_; }
 
+    /// Whether the model is patches alone, and so is best drawn as such. Its file is read, and kept
+    /// for file().
+    /// Errors:  as file().
+    bool is_of_patches() const;
+
     /// The name of the model's file, as given; empty for the teapot.
     const std::string& model_file() const { return model_file_; }
 

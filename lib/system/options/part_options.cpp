@@ -118,13 +118,22 @@ template <class Model> Model l3d_part_options::applied_to(const Model& model) co
 /// The scene of a model. A part's last opacity counts, in place of those of its materials. A hidden
 /// part has none.
 l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
-    const l3d_patch_model whole = applied(model);
-    std::map<std::size_t, double> by_part;
-    for (const opacity& o : opacities_) {
+    for (const opacity& o : opacities_)
         found(model.parts(), "--opacity", o.part);
+    return of_shown(applied(model));
+}
+
+l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_model& model) const {
+    for (const opacity& o : opacities_)
+        found(model.parts(), "--opacity", o.part);
+    return of_shown(model);
+}
+
+l3d_patch_scene l3d_part_options::of_shown(const l3d_patch_model& whole) const {
+    std::map<std::size_t, double> by_part;
+    for (const opacity& o : opacities_)
         if (const auto part = whole.parts().find(o.part))
             by_part[*part] = o.value;
-    }
     l3d_patch_scene result;
     if (by_part.empty()) {
         result.add_by_opacity(whole);
@@ -149,7 +158,29 @@ l3d_patch_model l3d_part_options::applied(const l3d_patch_model& model) const {
 }
 
 l3d_polygon_model l3d_part_options::applied(const l3d_polygon_model& model) const {
+    refuse_for_polygons();
+    return applied_to(model);
+}
+
+void l3d_part_options::refuse_for_polygons() const {
     if (!opacities_.empty())
         refuse("--opacity: polygons are opaque; only --pipeline afd, which draws patches, has it");
-    return applied_to(model);
+}
+
+void l3d_part_options::put_into(l3d_part_list& list, const l3d_parts& parts) const {
+    const auto shown = all_found(parts, "--show-only", shown_);
+    const auto hidden = all_found(parts, "--hide", hidden_);
+    for (const colored& color : colors_)
+        found(parts, "--color", color.part);
+    const auto has = [](const std::vector<std::size_t>& indices, std::size_t part) {
+        return std::ranges::find(indices, part) != indices.end();
+    };
+    for (std::size_t i = 0; i < parts.names().size(); ++i) {
+        l3d_listed_part part{.name = parts.names()[i]};
+        part.is_hidden = has(hidden, i) || (!shown.empty() && !has(shown, i));
+        for (const colored& color : colors_)
+            if (color.part == part.name)
+                part.color = color.color;
+        list.set(part);
+    }
 }

@@ -6,6 +6,7 @@
 #include "base/color.h"
 #include "base/public.h"
 #include "geom/parts.h"
+#include "pipeline/part_list.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "scene/patch_model.h"
 #include "scene/patch_scene.h"
@@ -39,6 +40,15 @@ public:
     /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_model& model) const;
 
+    /// The same as --opacity asks, whatever other options say: for a viewer with a list of parts.
+    /// Errors:  l3d_error(usage) as scene().
+    l3d_patch_scene scene_by_opacity(const l3d_patch_model& model) const;
+    /// Has a list of parts hide and colour what --color, --hide and --show-only name.
+    /// Errors:  as applied().
+    void put_into(l3d_part_list& list, const l3d_parts& parts) const;
+    /// Refuses --opacity, which a model of polygons has not. Errors: l3d_error(usage).
+    void refuse_for_polygons() const;
+
     /// The model as --color, --hide and --show-only ask.
     /// Errors:  l3d_error(usage) that names the option, for a name that is no part; it lists the
     ///          parts.
@@ -59,6 +69,7 @@ private:
     };
 
     template <class Model> Model applied_to(const Model& model) const;
+    l3d_patch_scene of_shown(const l3d_patch_model& whole) const;
     void add_color(const std::string& text);
     void add_opacity(const std::string& text);
 

@@ -30,14 +30,18 @@ constexpr std::array<std::pair<const char*, l3d_rotation_order>, 6> rotation_ord
 
 } // namespace
 
-l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared)
-    : shared_(shared) {
+l3d_polygon_options::l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared,
+                                         bool prefers_patches)
+    : shared_(shared), prefers_patches_(prefers_patches) {
     options.begin_group("Polygons");
+    const std::string suitable =
+        prefers_patches_ ? "auto is afd for patches alone"
+                         : "auto is afd for trimmed surfaces, --subdivide, --drawing and --svg";
     options.add_choice<l3d_pipeline_kind>(
         "--pipeline", pipeline_,
         "afd draws patches; zsort sorts and cuts polygons, zbuffer has a depth buffer, mesa has GL "
-        "draw them; auto is afd for trimmed surfaces, --subdivide, --drawing and --svg, else "
-        "zbuffer",
+        "draw them; " +
+            suitable + ", else zbuffer",
         {{"auto", l3d_pipeline_kind::suitable},
          {"afd", l3d_pipeline_kind::afd},
          {"zsort", l3d_pipeline_kind::zsort},
@@ -70,11 +74,18 @@ std::string l3d_polygon_options::view_options(const l3d_polygon_settings& settin
 }
 
 l3d_pipeline_kind l3d_polygon_options::pipeline() const {
-    if (!chosen_)
-        chosen_ = shared_.wants_drawing()                       ? l3d_pipeline_kind::afd
-                  : pipeline_ != l3d_pipeline_kind::suitable    ? pipeline_
-                  : shared_.subdivides() || shared_.has_trims() ? l3d_pipeline_kind::afd
-                                                                : l3d_pipeline_kind::zbuffer;
+    if (chosen_)
+        return *chosen_;
+    const auto is_best_as_patches = [&] {
+        return shared_.subdivides() || shared_.has_trims() ||
+               (prefers_patches_ && shared_.is_of_patches());
+    };
+    if (shared_.wants_drawing())
+        chosen_ = l3d_pipeline_kind::afd;
+    else if (pipeline_ != l3d_pipeline_kind::suitable)
+        chosen_ = pipeline_;
+    else
+        chosen_ = is_best_as_patches() ? l3d_pipeline_kind::afd : l3d_pipeline_kind::zbuffer;
     return *chosen_;
 }
 

@@ -18,7 +18,7 @@ enum class L3D_PUBLIC l3d_pipeline_kind {
     zsort,   ///< triangles from far to near, cut where no order is right
     zbuffer, ///< triangles with a depth buffer
     mesa,    ///< triangles by OpenGL in memory
-    suitable ///< afd for trimmed and subdivided surfaces, and zbuffer for all else
+    suitable ///< the one that suits the model
 };
 
 /// Adds options for pipeline, projection and style. l3d_afd_options has those that patches and
@@ -27,8 +27,11 @@ enum class L3D_PUBLIC l3d_pipeline_kind {
 /// Lives:   both options are borrowed until parse() is done.
 class L3D_PUBLIC l3d_polygon_options {
 public:
-    /// Declares the options. Lives: borrows both until parse() is done.
-    l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared);
+    /// Declares the options. Without --pipeline, trimmed and subdivided surfaces are drawn as
+    /// patches. With `prefers_patches`, so is any model of patches alone.
+    /// Lives: borrows both until parse() is done.
+    l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared,
+                        bool prefers_patches = false);
     l3d_polygon_options(const l3d_polygon_options&) = delete;
     l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
 
@@ -57,6 +60,7 @@ public:
 
 private:
     const l3d_afd_options& shared_;
+    bool prefers_patches_ = false;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::suitable;
     mutable std::optional<l3d_pipeline_kind> chosen_; ///< once pipeline() was asked
     bool hidden_lines_ = false, to_origin_ = false;

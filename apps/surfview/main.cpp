@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// surfview: any file of surfaces or polygons, with its parts, sections and measures.
+#include "part_viewer.h"
+
+#include <l3d/afd_options.h>
+#include <l3d/part_options.h>
+#include <l3d/pipeline_zbuffer.h>
+#include <l3d/pipeline_zsort.h>
+#include <l3d/polygon_options.h>
+#include <l3d/program.h>
+#include <l3d/rasterizer_factory.h>
+#include <l3d/viewer.h>
+
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace {
+
+// Step 2 of 5: the application is a pipeline, chosen by what the file holds.
+class surfview {
+public:
+    surfview()
+        : afd_(program_.options()), polygons_(program_.options(), afd_, true),
+          parts_(program_.options()) {
+        l3d_options& options = program_.options();
+        options.begin_group("Section");
+        options.add(
+            "--section", normal_,
+            "cut the model open: draw what lies in this direction from the plane across it");
+        options.add("--section-at", place_,
+                    "a place of that plane; without it, the middle of the model");
+        options.add_example("part.step --section -1,0,0 --hide cover",
+                            "a part without its cover, and without its half of larger x");
+    }
+
+    int run(int argc, char** argv) {
+        program_.after_command_line([this] {
+            l3d_refuse(
+                {{"--section-at", place_ && !normal_, "--section says across which direction"},
+                 {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"}});
+            if (parts_.lists())
+                list();
+            else
+                shows_ = prepared();
+            return !parts_.lists();
+        });
+        return program_.run(argc, argv, [this] { return shows_(); }); // step 1: choose factories
+    }
+
+private:
+    using vector = l3d_vector<double, 3>;
+
+    void list() const {
+        if (polygons_.pipeline() == l3d_pipeline_kind::afd)
+            l3d_part_options::list(afd_.model().parts(), "patches");
+        else
+            l3d_part_options::list(polygons_.model().parts(), "faces");
+    }
+
+    /// Prepares the other steps. Wrong options and models are reported here, before any message or
+    /// question about a back-end.
+    std::function<l3d_exit()> prepared() {
+        const l3d_camera camera = afd_.camera();
+        const l3d_pipeline_kind pipeline = polygons_.pipeline();
+        if (pipeline == l3d_pipeline_kind::afd) {
+            polygons_.refuse_for_patches();
+            const l3d_afd_settings settings = afd_.settings();
+            l3d_refuse({{"--section", normal_ && settings.error_map,
+                         "--error-output has bounds of whole surfaces alone"}});
+            const l3d_patch_model model = afd_.model();
+            check_names(model.parts());
+            l3d_patch_scene scene = parts_.scene_by_opacity(model);
+            afd_.lay_picture(scene);
+            const section_plane section =
+                section_through((model.pieces_least() + model.pieces_most()) * 0.5);
+            return [=, this] {
+                return show<patches_in_parts>(model.parts(), section, scene, camera, settings);
+            };
+        }
+        parts_.refuse_for_polygons();
+        const l3d_polygon_settings settings = polygons_.settings();
+        const l3d_polygon_model model = polygons_.model();
+        check_names(model.parts());
+        const section_plane section = section_through(model.centre());
+        return [=, this] {
+            const auto show_by = [&]<class Pipeline>(const auto&... more) {
+                return show<polygons_in_parts<Pipeline>>(model.parts(), section, model, camera,
+                                                         settings, more...);
+            };
+            switch (pipeline) {
+            case l3d_pipeline_kind::zsort:
+                if (program_.draws_by_gl())
+                    throw l3d_error(l3d_exit::usage,
+                                    "--pipeline zsort: processors paint polygons in order, and "
+                                    "--backend mesa asks for GL, which --pipeline zbuffer has");
+                return show_by.template operator()<l3d_pipeline_zsort>();
+            case l3d_pipeline_kind::mesa:
+                return show_by.template operator()<l3d_pipeline_zbuffer>(gl(), "mesa");
+            default: // by the back-end's rasterizers
+                return show_by.template operator()<l3d_pipeline_zbuffer>();
+            }
+        };
+    }
+
+    /// The rasterizers of the back-end, if it draws by GL; else the first ones found.
+    const l3d_rasterizer_factory_mesa& gl() {
+        const auto* const by_gl = dynamic_cast<const l3d_rasterizer_factory_mesa*>(
+            program_.factories().chosen().rasterizer_factory.get());
+        return by_gl ? *by_gl : any_gl_;
+    }
+
+    /// Refuses parts that the options name and the model has not.
+    void check_names(const l3d_parts& parts) const {
+        l3d_part_list list;
+        list.set_names(parts.names());
+        parts_.put_into(list, parts);
+    }
+
+    /// `arguments` are those of Shown's constructor after the canvas.
+    template <class Shown, class... Arguments>
+    l3d_exit show(const l3d_parts& parts, const section_plane& section,
+                  const Arguments&... arguments) {
+        const auto dispatcher = program_.create_dispatcher(); // step 3
+        l3d_viewer<part_viewer<Shown>> pipeline(
+            program_, afd_, program_.create_canvas(afd_.model_title()), arguments...);
+        pipeline.begin([&](l3d_part_list& list) { parts_.put_into(list, parts); }, section);
+        pipeline.controls().set_view_teller([&] { return told_view(pipeline); });
+        dispatcher->plug(pipeline, pipeline.screen()); // step 4
+        const l3d_exit result = dispatcher->start();   // step 5
+        pipeline.finish();
+        return result;
+    }
+
+    /// The view with its parts and section as options, also on stderr, to be copied from there.
+    template <class Pipeline> static std::string told_view(Pipeline& pipeline) {
+        std::string text = l3d_afd_options::view_options(pipeline.camera());
+        if constexpr (requires { pipeline.settings().rotation; })
+            text += l3d_polygon_options::view_options(pipeline.settings());
+        const auto shade = static_cast<std::size_t>(pipeline.settings().shade);
+        if (pipeline.settings().shade != l3d_afd_settings().shade)
+            text += std::string(" --shade ") + l3d_shade_names[shade].first;
+        text += pipeline.part_options();
+        std::cerr << text << '\n';
+        return text;
+    }
+
+    section_plane section_through(const vector& middle) const {
+        if (!normal_)
+            return std::nullopt;
+        return l3d_plane<double>::through(l3d_point<double>(place_.value_or(middle)), *normal_);
+    }
+
+    l3d_program program_{"surfview",
+                         "Shows files of surfaces or polygons: their parts, sections and measures. "
+                         "In the window, h lists the keys.",
+                         {1024, 768}};
+    l3d_rasterizer_factory_mesa any_gl_;
+    l3d_afd_options afd_;
+    l3d_polygon_options polygons_;
+    l3d_part_options parts_;
+    std::optional<vector> normal_, place_;
+    std::function<l3d_exit()> shows_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return surfview().run(argc, argv);
+}

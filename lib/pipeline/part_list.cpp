@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// l3d_part_list: states of parts, and the lines that have room.
+#include "pipeline/part_list.h"
+
+#include "base/counted_p.h"
+#include "base/printable_p.h"
+#include "raster/paths/path.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace {
+
+using l3d_detail::printable;
+
+/// Colours that differ in hue and in lightness, so that they are told apart beside each other.
+constexpr std::array<l3d_color, 8> palette{0x00e69f00, 0x0056b4e9, 0x00009e73, 0x00f0e442,
+                                           0x000072b2, 0x00d55e00, 0x00cc79a7, 0x00999999};
+
+/// A name cut to a width: the first letters, and three dots.
+std::string shortened(const std::string& name, int width, const l3d_panel_style& style) {
+    const std::string whole = printable(name);
+    if (style.font.width(whole, style.size) <= width)
+        return whole;
+    std::string result;
+    for (std::size_t end = 0; end < whole.size();) {
+        end += std::max<std::size_t>(
+            1, l3d_detail::printable_size(std::string_view(whole).substr(end)));
+        std::string longer = whole.substr(0, end) + "...";
+        if (style.font.width(longer, style.size) > width)
+            break;
+        result = std::move(longer);
+    }
+    return result;
+}
+
+void fill(l3d_rasterizer_2d& rasterizer, const l3d_pixel_box& box, l3d_color color, double alpha) {
+    l3d_path path;
+    path.add_box(box);
+    rasterizer.draw_path(path, {.color = color, .alpha = alpha});
+}
+
+} // namespace
+
+void l3d_part_list::set_names(std::span<const std::string> names) {
+    const bool is_same = std::ranges::equal(names, parts_, {}, {}, &l3d_listed_part::name);
+    if (is_same)
+        return;
+    std::unordered_map<std::string, l3d_listed_part> known;
+    for (const l3d_listed_part& part : parts_)
+        known.emplace(part.name, part);
+    const std::string was_chosen = chosen_ ? parts_[*chosen_].name : "";
+    parts_.clear();
+    for (const std::string& name : names) {
+        const auto at = known.find(name);
+        parts_.push_back(at == known.end() ? l3d_listed_part{.name = name} : at->second);
+    }
+    before_ = parts_;
+    choose(was_chosen);
+}
+
+const l3d_listed_part* l3d_part_list::find(const std::string& name) const {
+    const auto at = std::ranges::find(parts_, name, &l3d_listed_part::name);
+    return at == parts_.end() ? nullptr : &*at;
+}
+
+std::string l3d_part_list::state_of(std::size_t part) const {
+    return "part " + std::to_string(part + 1) + " of " + std::to_string(parts_.size()) + ": " +
+           printable(parts_[part].name) + (parts_[part].is_hidden ? ", hidden" : "");
+}
+
+std::string l3d_part_list::choose_next(int step) {
+    if (parts_.empty())
+        return no_parts();
+    const auto count = static_cast<std::ptrdiff_t>(parts_.size());
+    const std::ptrdiff_t from = chosen_ ? static_cast<std::ptrdiff_t>(*chosen_) : step > 0 ? -1 : 0;
+    chosen_ = static_cast<std::size_t>(((from + step) % count + count) % count);
+    follows_chosen_ = true;
+    return state_of(*chosen_);
+}
+
+void l3d_part_list::choose(const std::string& name) {
+    const l3d_listed_part* const part = find(name);
+    chosen_.reset();
+    if (part)
+        chosen_ = static_cast<std::size_t>(part - parts_.data());
+    follows_chosen_ = true;
+}
+
+/// Makes sure that a part is chosen. Returns false if there is none.
+bool l3d_part_list::choose_any() {
+    if (!chosen_ && !parts_.empty())
+        choose_next();
+    before_ = parts_;
+    return chosen_.has_value();
+}
+
+std::string l3d_part_list::switch_chosen() {
+    if (!choose_any())
+        return no_parts();
+    l3d_listed_part& part = parts_[*chosen_];
+    part.is_hidden = !part.is_hidden;
+    return printable(part.name) + (part.is_hidden ? " is hidden" : " is shown");
+}
+
+std::string l3d_part_list::isolate_chosen() {
+    if (!choose_any())
+        return no_parts();
+    const auto shown = std::ranges::count(parts_, false, &l3d_listed_part::is_hidden);
+    const bool is_alone = shown == 1 && parts_.size() > 1 && !parts_[*chosen_].is_hidden;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        parts_[i].is_hidden = !is_alone && i != *chosen_;
+    return is_alone ? "all parts are shown"
+                    : "only " + printable(parts_[*chosen_].name) + " is shown";
+}
+
+std::string l3d_part_list::color_chosen() {
+    if (!choose_any())
+        return no_parts();
+    l3d_listed_part& part = parts_[*chosen_];
+    const auto at = part.color ? std::ranges::find(palette, *part.color) : palette.end();
+    const auto next = !part.color ? palette.begin() : at == palette.end() ? at : at + 1;
+    part.color = next == palette.end() ? std::nullopt : std::optional(*next);
+    return printable(part.name) + (part.color ? " has another colour" : " has its own colour");
+}
+
+void l3d_part_list::show_all() {
+    before_ = parts_;
+    for (l3d_listed_part& part : parts_)
+        part.is_hidden = false;
+}
+
+void l3d_part_list::set(const l3d_listed_part& part) {
+    *std::ranges::find(parts_, part.name, &l3d_listed_part::name) = part;
+}
+
+l3d_pixel_box l3d_part_list::box(l3d_size picture, const l3d_panel_style& style) const {
+    if (!is_shown())
+        return {};
+    // A wide picture keeps two thirds for the model; sixteen letters tell most names apart.
+    const int least = 16 * style.size;
+    return {0, 0, std::min(std::max(picture.width / 3, least), picture.width / 2), picture.height};
+}
+
+/// The number of lines that have room, below the title.
+std::size_t l3d_part_list::lines() const {
+    const int room = box_.bottom - box_.top - 2 * padding_ - line_;
+    return static_cast<std::size_t>(std::max(room / line_, 0));
+}
+
+/// Scrolls until the chosen part has a line.
+void l3d_part_list::reveal_chosen() {
+    const std::size_t count = std::max<std::size_t>(lines(), 1);
+    if (follows_chosen_ && chosen_) {
+        first_ = std::min(first_, *chosen_);
+        first_ = std::max(first_, *chosen_ + 1 > count ? *chosen_ + 1 - count : 0);
+    }
+    follows_chosen_ = false;
+    first_ = std::min(first_, parts_.size() > count ? parts_.size() - count : 0);
+}
+
+void l3d_part_list::draw(l3d_rasterizer_2d& rasterizer, l3d_size picture,
+                         const l3d_panel_style& style) {
+    box_ = box(picture, style);
+    if (box_.empty())
+        return;
+    constexpr double whole_coverage = 255;
+    fill(rasterizer, box_, style.ground, style.ground_coverage / whole_coverage);
+    line_ = style.font.line(style.size);
+    padding_ = style.size / 2;
+    reveal_chosen();
+    const int left = box_.left + padding_, width = box_.right - padding_ - left;
+    const std::size_t end = std::min(parts_.size(), first_ + lines());
+    int y = box_.top + padding_;
+    const std::string title = l3d_detail::counted(parts_.size(), "parts") +
+                              (end - first_ < parts_.size() ? ", " + std::to_string(first_ + 1) +
+                                                                  " to " + std::to_string(end)
+                                                            : "");
+    style.font.draw(rasterizer, left, y, shortened(title, width, style), style.key, style.size);
+    for (std::size_t i = first_; i < end; ++i) {
+        y += line_;
+        const l3d_listed_part& part = parts_[i];
+        const bool is_chosen = chosen_ == i;
+        if (is_chosen)
+            fill(rasterizer, {box_.left, y, box_.right, y + line_}, style.key, 0.25);
+        const int side = style.size * 3 / 4, top = y + (line_ - side) / 2;
+        const l3d_pixel_box square{left, top, left + side, top + side};
+        fill(rasterizer, square, style.text, part.is_hidden ? 0.5 : 1);
+        fill(rasterizer, {square.left + 1, square.top + 1, square.right - 1, square.bottom - 1},
+             part.is_hidden ? style.ground : part.color.value_or(style.text), 1);
+        style.font.draw(rasterizer, left + line_, y, shortened(part.name, width - line_, style),
+                        is_chosen ? style.key : style.text, style.size);
+    }
+}
+
+/// The part whose line is at this row of the picture.
+std::optional<std::size_t> l3d_part_list::part_at(int y) const {
+    const int below = y - box_.top - padding_ - line_;
+    if (below < 0)
+        return std::nullopt;
+    const auto line = static_cast<std::size_t>(below / line_);
+    if (line >= lines() || first_ + line >= parts_.size())
+        return std::nullopt;
+    return first_ + line;
+}
+
+bool l3d_part_list::pointer(const l3d_event& event, std::string& said) {
+    const bool is_inside = is_shown() && event.x >= box_.left && event.x < box_.right &&
+                           event.y >= box_.top && event.y < box_.bottom;
+    if (!is_inside)
+        return false;
+    if (event.type == l3d_event_type::wheel) {
+        constexpr std::size_t lines_a_notch = 3;
+        for (int notch = std::abs(event.notches); notch > 0; --notch)
+            first_ = event.notches < 0        ? first_ + lines_a_notch
+                     : first_ > lines_a_notch ? first_ - lines_a_notch
+                                              : 0;
+        return true;
+    }
+    if (event.type != l3d_event_type::button_press)
+        return false; // a drag that began beside the list goes on
+    const std::optional<std::size_t> part = part_at(event.y);
+    if (!part)
+        return true;
+    chosen_ = part;
+    const bool on_square = event.x < box_.left + padding_ + line_;
+    if (event.button == 3)
+        said = color_chosen();
+    else if (event.button == 1 && on_square)
+        said = switch_chosen();
+    else if (event.button == 1 && event.clicks == 2)
+        said = isolate_chosen();
+    else
+        said = state_of(*part);
+    return true;
+}

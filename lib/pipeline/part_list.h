@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// l3d_part_list: the parts of a model as a list in the picture, to choose, hide and colour them.
+#ifndef L3D_PIPELINE_PART_LIST_H
+#define L3D_PIPELINE_PART_LIST_H
+
+#include "base/color.h"
+#include "base/public.h"
+#include "raster/rasterizer_2d.h"
+#include "raster/text/panel.h"
+#include "tool_2d/event.h"
+#include "tool_2d/pixels.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// A part of a model, as a user wants it.
+struct L3D_PUBLIC l3d_listed_part {
+    std::string name;                 ///< as the model calls it
+    bool is_hidden = false;           ///< whether it is not to be drawn
+    std::optional<l3d_color> color{}; ///< its colour, if it is not the model's own
+
+    friend bool operator==(const l3d_listed_part&, const l3d_listed_part&) = default;
+};
+
+/// The parts of a model, one of which may be chosen, as a list at the left of the picture.
+///
+/// It knows no model: its owner shows each part as the list says. Each change returns a line for
+/// people, such as "lid is hidden". A line of the list has a square, filled with the part's colour
+/// or empty if the part is hidden, and the name; a name without room ends in three dots. A click on
+/// a name chooses the part, a double click shows it alone, a click on its square hides or shows it,
+/// and one with the right button gives it the next colour. The wheel scrolls.
+///
+/// Lives: a value.
+/// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all.
+class L3D_PUBLIC l3d_part_list {
+public:
+    /// Takes the names of a model's parts. Parts that the list had before stay as they are.
+    void set_names(std::span<const std::string> names);
+
+    /// All parts in the model's order.
+    std::span<const l3d_listed_part> parts() const { return parts_; }
+    /// The part of this name; null if there is none.
+    const l3d_listed_part* find(const std::string& name) const;
+    /// The chosen part; null if none is.
+    const l3d_listed_part* chosen() const { return chosen_ ? &parts_[*chosen_] : nullptr; }
+
+    /// Chooses the part that is `step` lines further down, from the last on to the first. Without a
+    /// chosen part, the first or the last one is chosen.
+    std::string choose_next(int step = 1);
+    /// Chooses the part of this name, such as one that was picked; "" chooses none.
+    void choose(const std::string& name);
+    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first.
+    std::string switch_chosen();
+    /// Hides all other parts; a second call shows all. If none is chosen, it chooses the first.
+    std::string isolate_chosen();
+    /// Gives the chosen part the next colour of a palette, and after its last one the model's own.
+    std::string color_chosen();
+    /// Shows all parts.
+    void show_all();
+    /// Hides or shows a part, or gives it a colour. Expects: a name of parts().
+    void set(const l3d_listed_part& part);
+    /// Takes the last change back, as the owner does if nothing would be left.
+    void undo() { parts_ = before_; }
+
+    /// Whether the list is in the picture.
+    bool is_shown() const { return is_shown_ && !parts_.empty(); }
+    /// Shows the list in the picture, or takes it away.
+    void show(bool is_shown) { is_shown_ = is_shown; }
+
+    /// The box that the list takes in a picture: at most a third of its width, and half of it if
+    /// that is narrow. It is empty if the list is not shown.
+    l3d_pixel_box box(l3d_size picture, const l3d_panel_style& style) const;
+
+    /// Draws the list into its box.
+    void draw(l3d_rasterizer_2d& rasterizer, l3d_size picture, const l3d_panel_style& style);
+
+    /// Answers a button or the wheel over the list. Returns false, with nothing done, if the event
+    /// is elsewhere. `said` gets the line of a change.
+    /// Expects: draw() has drawn the present picture.
+    bool pointer(const l3d_event& event, std::string& said);
+
+private:
+    bool choose_any();
+    std::string no_parts() const { return "the model has no named parts"; }
+    std::string state_of(std::size_t part) const;
+    void reveal_chosen();
+    std::size_t lines() const;
+    std::optional<std::size_t> part_at(int y) const;
+
+    std::vector<l3d_listed_part> parts_, before_;
+    std::optional<std::size_t> chosen_;
+    bool is_shown_ = false, follows_chosen_ = false;
+    std::size_t first_ = 0; ///< the part in the uppermost line
+    // Of the last picture:
+    l3d_pixel_box box_;
+    int line_ = 1, padding_ = 0; ///< height of a line, and the way from the box to its text
+};
+
+#endif
