@@ -10,7 +10,7 @@ STATIC      := $(OUT)/lib$(NAME).a
 SHARED      := $(OUT)/lib$(NAME).so.$(VERSION)
 SONAME      := lib$(NAME).so.$(ABI)
 # The book's programs have names that others have, too: objcopy is binutils', hello GNU's.
-PLAIN       := teapot_afd modelview drawdot
+PLAIN       := teapot_afd modelview surfview drawdot
 installed    = $(strip $(patsubst %,l3d-%,$(filter-out $(PLAIN),$(1))) $(filter $(PLAIN),$(1)))
 # Installed programs share one copy of the library, found from their own place. Those that look
 # inside have theirs: the shared library exports nothing private.

@@ -36,8 +36,6 @@ std::string section_complaint(const l3d_afd_settings& settings) {
         return "section: the plane has no unit normal, or no place";
     if (!settings.method.is_default())
         return "section: " + settings.method.name() + " draws whole surfaces alone";
-    if (settings.outlines || settings.error_map)
-        return "section: outlines and bounds of pixels are those of whole surfaces";
     return "";
 }
 

@@ -342,7 +342,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
                                  .untouched = untouched_ && of.target == now.target,
                                  .counts_pixels = settings_.count_pixels,
                                  .part = of.part,
-                                 .outlines = settings_.outlines && !of.scene.has_trims(),
+                                 .outlines = settings_.outlines && !of.scene.has_trims() &&
+                                             !settings_.section,
                                  .filter = settings_.texture_filter,
                                  .curved_px = stages_->curved.places_px};
     stages_->method->draw(frame, times);
@@ -377,7 +378,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
                            !settings_.drawing && !settings_.background.is_none() &&
                            of_frame.lighting.point_count == 0 && !scene_.has_pictures() &&
-                           !scene_.has_trims();
+                           !scene_.has_trims() && !settings_.section;
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

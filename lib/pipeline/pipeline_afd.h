@@ -132,7 +132,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The plane of the world that cuts the scene open: surfaces and lines are drawn in front of it
     /// alone. The cut is exact in the drawn surface: a point in the picture is as near to the exact
     /// surface as any other. Cut bodies are open, and show their inside. Only the library's own
-    /// method draws it, and without `outlines` and `error_map`.
+    /// method draws it. A frame with a section has no outlines() and no error_map().
     std::optional<l3d_plane<double>> section{};
 
     /// The number of drawing threads, as for l3d_workers. It is constant from the first frame

@@ -133,6 +133,40 @@ TEST(polygon_model, of_a_file_is_that_of_its_polygons_and_patches) {
     EXPECT_THROW(l3d_polygon_model::load(path), l3d_error);
 }
 
+/// Concave faces, hidden parts and colours, too.
+TEST(polygon_model, is_cut_by_a_plane) {
+    l3d_polygon_mesh mesh = face_of({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
+    const std::uint32_t more = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{2, 0, 0}, {4, 0, 0}, {4, 1, 0}});
+    mesh.add_face(std::array<std::uint32_t, 3>{more, more + 1, more + 2});
+    mesh.parts = {{"sheet", 0}, {"chip", 1}};
+    mesh.face_colors = {0x00ff0000, 0x0000ff00};
+    const l3d_polygon_model whole(mesh);
+    const auto plane =
+        l3d_plane<double>::through(l3d_point<double>(vector{5, 0, 0}), vector{-1.0, 0.0, 0.0});
+    const auto area_of = [](const l3d_polygon_model& model) {
+        double area = 0;
+        for (const l3d_model_triangle& t : model.triangles())
+            area += area2(model, t) / 2;
+        return area;
+    };
+    const l3d_polygon_model kept = whole.cut(plane), rest = whole.cut(plane.flipped());
+    EXPECT_NEAR(area_of(kept) + area_of(rest), area_of(whole), 1e-12);
+    EXPECT_GT(area_of(rest), 0.1);
+    for (const l3d_model_triangle& t : kept.triangles())
+        for (const std::uint32_t corner : t.corners)
+            EXPECT_LE(kept.mesh().vertices[corner][0], 5 + 1e-12);
+    EXPECT_EQ(kept.centre(), whole.centre());
+    ASSERT_TRUE(kept.parts().find("chip"));
+    const auto last = kept.triangles().back().face;
+    EXPECT_EQ(kept.parts().name_of(last), "chip");
+    EXPECT_EQ(kept.materials()[kept.material_of(last)].color, 0x0000ff00U);
+    const std::size_t sheet = *whole.parts().find("sheet");
+    EXPECT_EQ(whole.without(std::span(&sheet, 1)).cut(plane).triangles().size(), 1u);
+    EXPECT_TRUE(whole.only(std::span(&sheet, 1)).cut(plane).triangles().size() > 1);
+    EXPECT_TRUE(whole.cut({plane.normal, -100}).triangles().empty());
+}
+
 TEST(polygon_model, shows_hides_and_paints_named_parts) {
     const l3d_polygon_model all(l3d_tessellated(l3d_patch_model::teapot(), 4).mesh);
     ASSERT_EQ(all.parts().names().size(), 4u);

@@ -231,7 +231,7 @@ TEST(view_steering, ctrl_clicks_tell_places_and_measure_between_two) {
     const double distance =
         l3d_length(it.place(200.5, 150.5)->place - it.place(150.5, 110.5)->place);
     char words[80];
-    std::snprintf(words, sizeof words, "distance %.9g, good to 0.002", distance);
+    std::snprintf(words, sizeof words, "distance %.9g units, good to 0.002", distance);
     EXPECT_EQ(it.controls.message(), words);
     EXPECT_FALSE(it.send({.type = type::pointer_motion, .button = 1, .x = 90, .y = 9}));
     EXPECT_EQ(it.camera, camera) << "a click with Ctrl begins no drag";

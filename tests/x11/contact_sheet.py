@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Pictures made of many, drawn by the programs themselves, into the folder that is named:
 programs.png has all programs in the order of tests/golden/programs.txt, polygons.png three models as
-lines and surfaces, eight_bits.png the teapot on displays of 8 bits."""
+lines and surfaces, eight_bits.png the teapot on displays of 8 bits, surfview.png its window."""
 
+import contextlib
 import os
 import struct
 import sys
@@ -12,6 +13,7 @@ import zlib
 import harness
 from harness import Shown, environment, expect_equal, folder, memory_picture, run, wait_for, x_server
 from programs_test import FRAMES, table
+from view_test import Window
 from visual_test import CLASSES, FARTHEST, is_close
 
 PAPER = 0x404040
@@ -60,6 +62,16 @@ def eight_bits():
     return [window_of_8_bits(name) for name in CLASSES]
 
 
+def surfview():
+    """A window with its list of parts and a section, and what was measured there."""
+    with contextlib.ExitStack() as stack:
+        it = Window(stack, "surfview", "--section", "-1,0,-1", "--section-at", "0.9,0,0.9", "--shade", "mean",
+                    size=(640, 400))
+        it.does("a place", *it.at(300, 180), "keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        it.does("a distance", *it.at(400, 240), "keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        return [it.picture()]
+
+
 def sheet(tiles, columns, gap):
     width, height = len(tiles[0][0]), len(tiles[0])
     lines = -(-len(tiles) // columns)
@@ -88,5 +100,5 @@ def write_png(path, picture):
 
 if __name__ == "__main__":
     for name, tiles, columns, gap in (("programs", programs(), 4, 6), ("polygons", polygons(), 4, 0),
-                                      ("eight_bits", eight_bits(), 3, 6)):
+                                      ("eight_bits", eight_bits(), 3, 6), ("surfview", surfview(), 1, 0)):
         write_png(os.path.join(sys.argv[1], name + ".png"), sheet(tiles, columns, gap))

@@ -324,7 +324,7 @@ def memory_picture(program, *arguments):
 
 
 def read_png(path):
-    """Rows of colours 0xRRGGBB of an 8-bit RGB file that is not interlaced."""
+    """Rows of colours 0xRRGGBB of an 8-bit RGB or RGBA file that is not interlaced; alpha is left out."""
     with open(path, "rb") as file:
         data = file.read()
     expect_equal(data[:8], b"\x89PNG\r\n\x1a\n", path)
@@ -334,25 +334,26 @@ def read_png(path):
         body = data[at + 8 : at + 8 + length]
         if kind == b"IHDR":
             width, height, depth, colours, _, _, interlaced = struct.unpack(">IIBBBBB", body)
-            expect_equal((depth, colours, interlaced), (8, 2, 0), path)
+            expect_equal((depth, colours in (2, 6), interlaced), (8, True, 0), path)
+            step = 3 if colours == 2 else 4
         elif kind == b"IDAT":
             packed += body
         at += length + 12
     return [
-        [int.from_bytes(row[3 * x : 3 * x + 3], "big") for x in range(width)]
-        for row in unfiltered(zlib.decompress(packed), width, height)
+        [int.from_bytes(row[step * x : step * x + 3], "big") for x in range(width)]
+        for row in unfiltered(zlib.decompress(packed), width, height, step)
     ]
 
 
-def unfiltered(data, width, height):
-    """The rows of bytes that PNG's five filters were applied to."""
-    before = bytearray(3 * width)
+def unfiltered(data, width, height, step):
+    """The rows of bytes that PNG's five filters were applied to, with `step` bytes a pixel."""
+    before = bytearray(step * width)
     for y in range(height):
-        start = y * (3 * width + 1)
-        kind, row = data[start], bytearray(data[start + 1 : start + 1 + 3 * width])
-        for i in range(3 * width):
-            left, up = row[i - 3] if i >= 3 else 0, before[i]
-            corner = before[i - 3] if i >= 3 else 0
+        start = y * (step * width + 1)
+        kind, row = data[start], bytearray(data[start + 1 : start + 1 + step * width])
+        for i in range(step * width):
+            left, up = row[i - step] if i >= step else 0, before[i]
+            corner = before[i - step] if i >= step else 0
             guess = left + up - corner
             nearest = min((left, up, corner), key=lambda value: abs(guess - value))
             row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[kind]) & 255

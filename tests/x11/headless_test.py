@@ -255,23 +255,44 @@ def keys_of(name):
 
 
 def file_managers_get_thumbnails():
-    """As they ask for them: an absolute path, a size, and no display."""
-    for program, model in (("modelview", "torus.off"), ("teapot_afd", "teapot.bpt")):
-        entry = keys_of("l3d-%s.thumbnailer" % program)
-        opens = keys_of("l3d-%s.desktop" % program)
-        expect_equal((entry["TryExec"], entry["MimeType"]), (opens["TryExec"], opens["MimeType"]))
+    """As they ask for them: an absolute path, a size, a name without an ending, and no display."""
+    entry = keys_of("l3d-thumbnail.thumbnailer")
+    opens = keys_of("l3d-surfview.desktop")
+    expect_equal((entry["TryExec"], entry["MimeType"]), ("l3d-thumbnail", opens["MimeType"]))
+    with open(os.path.join("packaging", "desktop", "l3d.xml")) as file:
+        types = file.read()
+    for kind in filter(None, entry["MimeType"].split(";")):
+        expect('"%s"' % kind in types, kind)
+    for model in ("torus.off", "teapot.bpt"):
         with folder() as path:
             source = os.path.join(path, "a model;" + model)
             shutil.copy(model_file(model), source)
-            codes = {"%s": "128", "%o": os.path.join(path, "small.png"), "%i": source}
-            words = entry["Exec"].split()
-            for code, value in codes.items():
-                words = [word.replace(code, value) for word in words]
-            words[0] = os.path.join(harness.BIN, words[0])
-            expect_equal(run(words, {}, cwd=path), (0, b"", ""))
+            codes = {"%s": "128", "%o": os.path.join(path, "small"), "%i": source}
+            words = [codes.get(word, word) for word in entry["Exec"].split()]
+            words[0] = os.path.join(harness.BIN, "thumbnail")
+            # a display that does not answer is never asked
+            expect_equal(run(words, {"DISPLAY": ":4711"}, cwd=path), (0, b"", ""))
             rows = harness.read_png(codes["%o"])
             expect_equal((len(rows[0]), len(rows)), (128, 128))
             expect(harness.has_picture(rows), "one colour only")
+
+
+def a_broken_file_leaves_no_thumbnail():
+    program = os.path.join(harness.BIN, "thumbnail")
+    with open(model_file("teapot.bpt"), "rb") as file:
+        teapot = file.read()
+    with folder() as path:
+        for contents, status in ((teapot[:len(teapot) // 2], 5), (b"", 5), (bytes(range(256)), 5)):
+            with open(os.path.join(path, "broken"), "wb") as file:
+                file.write(contents)
+            code, out, said = run([program, "-s", "64", "broken", "small.png"], {}, cwd=path)
+            expect_equal((code, out), (status, b""), said)
+            expect(said.startswith("thumbnail: broken") and said.count("\n") == 1, said)
+            expect_equal(os.listdir(path), ["broken"])
+        for words, reason in ((("broken",), "a model and a picture"), (("-s", "0", "a", "b"), "--side: '0'")):
+            code, out, said = run([program, *words], {}, cwd=path)
+            expect_equal((code, out), (2, b""), said)
+            expect(reason in said and said.count("\n") == 1, said)
 
 
 @contextlib.contextmanager
@@ -341,7 +362,7 @@ if __name__ == "__main__":
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
                   one_file_is_not_written_twice, a_frame_is_not_overwritten,
                   what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes,
-                  file_managers_get_thumbnails,
+                  file_managers_get_thumbnails, a_broken_file_leaves_no_thumbnail,
                   fewer_threads_draw_the_same, little_memory_ends_in_a_picture_or_a_line):
         checks.run("headless." + check.__name__, check)
     checks.finish()

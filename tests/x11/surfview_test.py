@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""surfview: the list of parts, sections and measures, by keys and by mouse; views that are told and seen again."""
+
+import contextlib
+import os
+import shlex
+
+import harness
+from harness import Checks, Program, environment, expect, expect_equal, folder, run, started, wait_for, xdotool
+from viewer_keys_test import rest
+from view_test import Window
+
+SIZE = (480, 360)
+LIST = 192  # the letters of a window of this size are 12 pixels high, and 16 of them are its least width
+PLATE = """v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 1\nv 2 0 1\nv 2 2 1\nv 0 2 1
+o floor\nf 4 3 2 1\no roof\nf 5 6 7 8\no walls\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
+
+
+class Viewer(Window):
+    """A window whose letters are the same on every machine."""
+
+    def model(self):
+        return [row[LIST:] for row in self.picture()]
+
+    def names(self):
+        return [row[:LIST] for row in self.picture()]
+
+    def changes(self, what, where, *arguments):
+        """Sends a key or a gesture, and returns what follows in `where`, which differs."""
+        rest(self)
+        before = where()
+        xdotool(self.display, *arguments)
+        wait_for(lambda: where() != before, "a change by " + what)
+        return where()
+
+
+def models(path):
+    with open(os.path.join(path, "house.obj"), "w", encoding="ascii") as file:
+        file.write(PLATE)
+    return {"teapot": (), "house": (os.path.join(path, "house.obj"),)}
+
+
+def obeys_its_keys(name):
+    with folder() as path, contextlib.ExitStack() as stack:
+        it = Viewer(stack, "surfview", *models(path)[name], size=SIZE)
+        rest(it)
+        expect(harness.has_picture(it.names()), "no list of parts")
+        for key in ("e", "E", "d", "d", "e", "C", "u", "u"):
+            it.changes(key, it.names, "key", key)
+        for key in ("F", "f", "slash", "comma", "period", "semicolon", "slash", "slash", "slash", "c"):
+            it.changes(key, it.model, "key", key)
+        it.changes("Tab", it.names, "key", "Tab")
+        it.changes("Tab", it.names, "key", "Tab")
+        it.end()
+
+
+def obeys_the_mouse(name):
+    with folder() as path, contextlib.ExitStack() as stack:
+        it = Viewer(stack, "surfview", *models(path)[name], size=SIZE)
+        # Half a letter, the title, and half of a line: of a part that is not where a click goes later.
+        line = 6 + 14 + 7 + {"teapot": 14, "house": 0}[name]
+        it.changes("a click on a square", it.model, *it.at(10, line), "click", 1)
+        it.changes("a second one", it.model, *it.at(10, line), "click", 1)
+        it.changes("a double click on a name", it.model, *it.at(60, line), "click", "--repeat", 2, "--delay", 30, 1)
+        it.changes("a right click", it.names, *it.at(60, line), "click", 3)
+        it.changes("u", it.model, "key", "u")
+        it.changes("a click on the model", it.names, *it.at(330, 190), "click", 1)
+        it.changes("a drag", it.model, *it.at(330, 190), "mousedown", 1, *it.at(360, 170), "mouseup", 1)
+        it.changes("a place", it.model, *it.at(330, 190), "keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        it.changes("a distance", it.model, *it.at(300, 200), "keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        it.end()
+
+
+def tells_a_view_that_is_seen_again():
+    """What g prints draws the same picture into memory: parts, colours, the section and the shade."""
+    with folder() as path, contextlib.ExitStack() as stack:
+        for name, model in models(path).items():
+            it = Viewer(stack, "surfview", *model, size=SIZE)
+            for keys in ("e", "C", "e", "d", "slash", "comma", "Left", "Up", "c", "Tab"):
+                rest(it)
+                xdotool(it.display, "key", keys)
+            rest(it)
+            shown = it.picture()
+            xdotool(it.display, "key", "g")
+            rest(it)
+            xdotool(it.display, "key", "Escape")
+            status, out, said = harness.ended(it.process)
+            expect_equal((status, out, said.count("\n")), (0, b"", 1), said)
+            options = shlex.split(said)
+            for option in ("--eye", "--hide", "--color", "--section", "--section-at", "--shade"):
+                expect(option in options, option, said)
+            program = Program("surfview", SIZE)
+            command = program.command("--backend", "memory", *model, *options, "--output", "again.png")
+            expect_equal(run(command, environment(), cwd=path), (0, b"", ""), name)
+            expect(harness.read_png(os.path.join(path, "again.png")) == shown, "another picture of " + name)
+
+
+def a_thousand_parts_stay_usable():
+    """Each key is answered at once; the wheel scrolls, and the list stays beside the model."""
+    with folder() as path, contextlib.ExitStack() as stack:
+        file_name = os.path.join(path, "many.obj")
+        with open(file_name, "w", encoding="ascii") as file:
+            for i in range(1000):
+                x, y = i % 32, i // 32
+                file.write("v %d %d 0\nv %g %d 0\nv %d %g 0\n" % (x, y, x + 0.8, y, x, y + 0.8))
+                file.write("o a part with a name that is much too long for its line, number %d\nf -3 -2 -1\n" % i)
+        it = Viewer(stack, "surfview", file_name, size=SIZE)
+        it.changes("the wheel", it.names, *it.at(60, 100), "click", 5)
+        it.changes("a click", it.names, *it.at(60, 100), "click", 1)
+        it.changes("u", it.model, "key", "u")
+        it.changes("E", it.names, "key", "E")
+        it.end()
+
+
+def refuses_what_is_no_section():
+    program = Program("surfview", (60, 40))
+    with folder() as path:
+        house = models(path)["house"][0]
+        for words, said in (
+            (("--section", "0,0,0"), "--section: no direction"),
+            (("--section-at", "0,0,0"), "--section-at: --section says across which direction"),
+            (("--section", "1,0,0", "--error-output", "e.pfm"), "--section: --error-output has bounds of whole "
+                                                               "surfaces alone"),
+            ((house, "--hide", "cellar"), "--hide: 'cellar' names no part; there are floor, roof, walls"),
+            ((house, "--opacity", "roof=0.5"), "--opacity: polygons are opaque; only --pipeline afd, which draws "
+                                               "patches, has it"),
+        ):
+            command = program.command("--backend", "memory", *words, "--output", "o.png")
+            status, out, messages = run(command, environment(), cwd=path)
+            expect_equal((status, out, messages), (2, b"", "surfview: %s\n" % said))
+            expect(not os.path.exists(os.path.join(path, "o.png")), words)
+
+
+def main():
+    checks = Checks()
+    for name in ("teapot", "house"):
+        checks.run("surfview.%s.obeys_its_keys" % name, obeys_its_keys, name)
+        checks.run("surfview.%s.obeys_the_mouse" % name, obeys_the_mouse, name)
+    for check in (tells_a_view_that_is_seen_again, a_thousand_parts_stay_usable, refuses_what_is_no_section):
+        checks.run("surfview." + check.__name__, check)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
