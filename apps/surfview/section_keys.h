@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-/// A plane across x, y, z or a direction that the user gives. What lies in front of it is drawn.
+/// A plane across x, y, z or a direction that the user gives. Only its front is drawn.
 class section_keys {
 public:
     using vector = l3d_vector<double, 3>;

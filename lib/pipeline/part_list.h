@@ -94,7 +94,7 @@ private:
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
     std::size_t first_ = 0; ///< the part in the uppermost line
-    // Of the last picture:
+    // The last picture's:
     l3d_pixel_box box_;
     int line_ = 1, padding_ = 0; ///< height of a line, and the way from the box to its text
 };
