@@ -32,6 +32,7 @@ STOPS = {
     "rotspikes": "space",
     "runway": "space",
     "spikes": "space",
+    "surfview": None,
     "teapot_afd": None,
     "vidflat": "space",
     "xform": "space",
