@@ -4,13 +4,10 @@
 #include "studio.h"
 
 #include "geom/bicubic_approximation.h"
-#include "geom/rational_oracle.h"
 #include "scene/curved_pieces.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace stability {
@@ -33,36 +30,6 @@ constexpr std::array<curved_kind, 8> kinds{{{"gentle", 0.3, 2, false, false},
                                             {"needle with weights", 1, 1e3, false, true},
                                             {"nearly flat", 1e-3, 1.1, false, false}}};
 
-/// A part of a piece that is halved m times along u and n times along v. Parts are in the order of
-/// l3d_curved_pieces: the direction with more cuts to come goes first.
-seen_part part_of(std::size_t piece, std::size_t index, int m, int n) {
-    seen_part part{.surface = piece};
-    while (m + n > 0) {
-        const bool along_u = m >= n;
-        --(along_u ? m : n);
-        double &from = along_u ? part.u : part.v, &size = along_u ? part.du : part.dv;
-        size /= 2;
-        from += static_cast<double>(index >> (m + n) & 1) * size;
-    }
-    return part;
-}
-
-/// How far corners of patches are from those of the parts.
-long double corners_off(std::span<const l3d_patch_model::patch> patches,
-                        const l3d_patch_points& piece, int m, int n) {
-    constexpr std::size_t looked_at = 64;
-    long double off = 0;
-    for (std::size_t i = 0; i < patches.size(); i += 1 + patches.size() / looked_at)
-        for (int corner = 0; corner < 4; ++corner) {
-            const int a = corner % 2, b = corner / 2;
-            const seen_part part = part_of(0, i, m, n);
-            const oracle::rational_jet exact(piece, part.u + a * part.du, part.v + b * part.dv);
-            const auto& drawn = patches[i].at(3 * b, 3 * a);
-            off += oracle::distance(exact.place, {drawn[0], drawn[1], drawn[2]});
-        }
-    return off;
-}
-
 /// A part of a patch, which has weights that are less far apart.
 l3d_patch_points part_of(const l3d_patch_points& patch, std::size_t halvings, numbers& random) {
     l3d_rational_piece piece(patch);
@@ -82,12 +49,13 @@ l3d_patch_points part_of(const l3d_patch_points& patch, std::size_t halvings, nu
 /// A patch, or a part of it that has few cells. Whole patches with wild weights have 10^5, and take
 /// seconds. So do parts at a cusp, unless they are left for a part beside it.
 l3d_patch_points plain_part_of(l3d_patch_points patch, std::size_t halvings, numbers& random) {
-    constexpr std::size_t most_cells = 512;
+    constexpr double most_cells = 512;
     constexpr int most_cuts = 8;
     patch = part_of(patch, halvings, random);
     const auto cells = [&] {
         const l3d_curved_pieces pieces({patch});
-        return pieces.cut(pieces.cuts_at(0, 0, {})).patches.size();
+        l3d_found_cells found;
+        return pieces.cuts_for({.places = pieces.place_target(0)}, {}, found).cells;
     };
     for (int i = 0; i < most_cuts && cells() > most_cells; ++i)
         patch = part_of(patch, 1, random);
@@ -151,27 +119,11 @@ test_case curved_case(std::uint64_t seed) {
     return result;
 }
 
-std::vector<seen_part> parts_of(const l3d_patch_model& model,
-                                std::span<const l3d_patch_points> pieces) {
+std::vector<seen_part> parts_of(const l3d_patch_model& model) {
     std::vector<seen_part> result;
-    const auto patches = model.patches();
-    for (std::size_t first = 0, end = 0; first < patches.size(); first = end) {
-        const std::size_t piece = model.piece_of(first);
-        while (end < patches.size() && model.piece_of(end) == piece)
-            ++end;
-        const int halvings = std::countr_zero(end - first);
-        long double least = std::numeric_limits<long double>::infinity();
-        int in_u = 0;
-        for (int m = 0; m <= halvings; ++m) {
-            const long double off =
-                corners_off(patches.subspan(first, end - first), pieces[piece], m, halvings - m);
-            if (off < least) {
-                least = off;
-                in_u = m;
-            }
-        }
-        for (std::size_t i = 0; i < end - first; ++i)
-            result.push_back(part_of(piece, i, in_u, halvings - in_u));
+    for (std::size_t i = 0; i < model.patches().size(); ++i) {
+        const l3d_parameter_range at = model.range_in_piece(i);
+        result.push_back({model.piece_of(i), at.u0, at.v0, at.u1 - at.u0, at.v1 - at.v0});
     }
     return result;
 }

@@ -26,10 +26,8 @@ struct seen_part {
     double u = 0, v = 0, du = 1, dv = 1;
 };
 
-/// The parts that a model's patches stand for. A model does not say how often a piece was cut in
-/// which direction: the patches' corners tell. Expects: a model of these pieces, at any level.
-std::vector<seen_part> parts_of(const l3d_patch_model& model,
-                                std::span<const l3d_patch_points> pieces);
+/// The parts of pieces that a model's patches stand for, at any level.
+std::vector<seen_part> parts_of(const l3d_patch_model& model);
 
 } // namespace stability
 

@@ -153,7 +153,7 @@ judge::judge(const test_case& c, const effort& how)
     for (const l3d_patch_points& p : c.curved)
         surfaces_.emplace_back(p, camera);
     if (!c.curved.empty())
-        parts_ = parts_of(accepted_->model, c.curved);
+        parts_ = parts_of(accepted_->model);
     for (std::size_t i = 0; i < c.patches.size(); ++i)
         parts_.push_back({.surface = i});
 }
