@@ -125,7 +125,12 @@ private:
         const auto dispatcher = program_.create_dispatcher(); // step 3
         l3d_viewer<part_viewer<Shown>> pipeline(
             program_, afd_, program_.create_canvas(afd_.model_title()), arguments...);
-        pipeline.begin([&](l3d_part_list& list) { parts_.put_into(list, parts); }, section);
+        // Pictures that are counted or written are the same in windows and in files.
+        const l3d_frame_settings frames = program_.options().frame_settings();
+        const bool with_list =
+            pipeline.screen().is_window() && frames.frames == 0 && frames.output.empty();
+        pipeline.begin([&](l3d_part_list& list) { parts_.put_into(list, parts); }, section,
+                       with_list);
         pipeline.controls().set_view_teller([&] { return told_view(pipeline); });
         dispatcher->plug(pipeline, pipeline.screen()); // step 4
         const l3d_exit result = dispatcher->start();   // step 5

@@ -21,13 +21,14 @@ public:
         add_rows();
     }
 
-    /// Shows the model as a list of parts and a section ask; in a window with its list, if there is
-    /// a choice. `asked` gets the list to change.
-    template <class Asked> void begin(const Asked& asked, const section_plane& section) {
+    /// Shows the model as a list of parts and a section ask. `asked` gets the list to change. The
+    /// list is shown if that is wanted and there is a choice.
+    template <class Asked>
+    void begin(const Asked& asked, const section_plane& section, bool with_list) {
         asked(this->list());
         section_ = section_keys(section);
         apply("");
-        this->list().show(this->screen().is_window() && this->list().parts().size() > 1);
+        this->list().show(with_list && this->list().parts().size() > 1);
     }
 
     /// The options that hide, colour and cut as it is done now, each after a blank.

@@ -151,11 +151,11 @@ struct l3d_dice_view {
         return depth_scale / static_cast<double>(depth);
     }
 
-    /// The error of a depth as a float, along the line of sight. Making, scaling, interpolating and
-    /// rounding it take some 2^-24 of it each.
+    /// The error of a depth as a float, along the line of sight. Making, scaling, both slopes of a
+    /// polygon and the steps along them take some 2^-24 of it each.
     /// Units: pixels at the place's own depth.
     double depth_rounding() const {
-        constexpr double roundings = 4 * 0x1p-24;
+        constexpr double roundings = 6 * 0x1p-24;
         return focal * roundings *
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }

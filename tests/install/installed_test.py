@@ -48,7 +48,9 @@ def environment():
 
 
 def run(command, folder, status=0):
-    done = subprocess.run(command, cwd=folder, env=environment(), shell=isinstance(command, str),
+    # A static library does not know where its plug-ins lie once the installation has moved.
+    plugins = {"L3D_PLUGIN_PATH": str(MOVED / "lib" / "l3d")} if str(folder).endswith("-static") else {}
+    done = subprocess.run(command, cwd=folder, env=environment() | plugins, shell=isinstance(command, str),
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
     if status is not None:
         expect_equal(done.returncode, status, "%s: %s" % (command, done.stderr))

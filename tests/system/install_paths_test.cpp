@@ -38,9 +38,9 @@ TEST(places, a_plain_name_means_a_file_here_or_else_ours) {
 
 TEST(places, models_have_names_and_an_error_says_where_they_were_looked_for) {
     EXPECT_EQ(l3d_detail::model_names(),
-              (std::vector<std::string>{"ball", "bird", "cone", "cylinder", "disc", "mask", "plate",
-                                        "spaceship", "sphere", "teapot", "teapot_bottom", "thing",
-                                        "torus"}));
+              (std::vector<std::string>{"ball", "bird", "cone", "cube", "cylinder", "disc", "head",
+                                        "mask", "plate", "spaceship", "sphere", "teapot",
+                                        "teapot_bottom", "thing", "torus"}));
     EXPECT_GT(l3d_detail::load_named_model("torus.off").mesh.faces(), 0u);
     EXPECT_EQ(l3d_detail::load_named_model("torus").patches.size(), 16u); // the exact one
     try {
@@ -48,11 +48,11 @@ TEST(places, models_have_names_and_an_error_says_where_they_were_looked_for) {
         ADD_FAILURE();
     } catch (const l3d_error& error) {
         EXPECT_EQ(error.code(), l3d_exit::bad_input);
-        EXPECT_EQ(error.what(),
-                  "tours.off: no such file is here, nor a model of that name in " +
-                      l3d_data_folder() +
-                      ", which has ball bird cone cylinder disc mask plate spaceship sphere "
-                      "teapot teapot_bottom thing torus; did you mean 'torus'?");
+        EXPECT_EQ(
+            error.what(),
+            "tours.off: no such file is here, nor a model of that name in " + l3d_data_folder() +
+                ", which has ball bird cone cube cylinder disc head mask plate spaceship sphere "
+                "teapot teapot_bottom thing torus; did you mean 'torus'?");
     }
     EXPECT_THROW(l3d_detail::load_named_model("no/such/torus"), l3d_error);
 }

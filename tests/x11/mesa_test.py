@@ -222,7 +222,7 @@ def tells_who_draws():
 
 SIZE = 320, 240
 WAYS = "mesa:egl", "mesa:osmesa"
-VIEWERS = "gallery", "modelview", "nurbs", "teapot_afd"
+VIEWERS = "gallery", "modelview", "nurbs", "surfview", "teapot_afd"
 
 
 def every_program():
