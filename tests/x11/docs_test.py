@@ -46,7 +46,7 @@ def outputs(command):
 
 def run(command, folder):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "L3D_BACKEND")}
-    line = command.replace(SHOWN_BIN, str(BIN))
+    line = command.replace(SHOWN_BIN, str(BIN)).replace(" data/", " %s/data/" % ROOT)
     done = subprocess.run(line, shell=True, cwd=folder, env=environment, timeout=120,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode != 0:
