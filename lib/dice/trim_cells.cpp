@@ -6,7 +6,7 @@
 #include "dice/facing_fix.h"
 #include "dice/grid_light.h"
 #include "dice/snap.h"
-#include "raster/surfaces/quad_cut_p.h"
+#include "dice/trim_surfaces_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,148 +17,10 @@
 
 namespace {
 
+using l3d_detail::corners;
+using l3d_detail::quad_surface;
+using l3d_detail::slit_surface;
 using parameters = l3d_patch_parameters;
-
-/// A point of a surface between `Corners` vertices, and the share that it has of each.
-template <std::size_t Corners> struct blended {
-    std::array<double, Corners> shares{};
-    l3d_micro_vertex vertex;
-    parameters uv;
-};
-
-/// Vertices that are interpolated before projection.
-template <std::size_t Corners> struct corners {
-    std::array<l3d_micro_vertex, Corners> at;
-    std::array<double, Corners> w{};
-    const l3d_dice_view* view = nullptr;
-
-    corners(const std::array<l3d_micro_vertex, Corners>& of, const l3d_dice_view& in)
-        : at(of), view(&in) {
-        for (std::size_t i = 0; i < Corners; ++i)
-            w[i] = in.w_at(at[i].inv_w);
-    }
-
-    /// A vertex that has all of the shares is itself, bit for bit.
-    l3d_micro_vertex place(const std::array<double, Corners>& shares) const {
-        double sum = 0, x = 0, y = 0;
-        for (std::size_t i = 0; i < Corners; ++i) {
-            if (shares[i] == 1)
-                return at[i];
-            const double part = shares[i] * w[i];
-            sum += part;
-            x += part * at[i].x;
-            y += part * at[i].y;
-        }
-        return {
-            l3d_detail::rounded(x / sum), l3d_detail::rounded(y / sum), view->depth_at(sum), {}};
-    }
-
-    void set_normal(const std::array<double, Corners>& shares, l3d_micro_vertex& to) const {
-        for (std::size_t k = 0; k < 3; ++k) {
-            double sum = 0;
-            for (std::size_t i = 0; i < Corners; ++i)
-                sum += shares[i] * double{at[i].normal[k]};
-            to.normal[k] = static_cast<float>(sum);
-        }
-        l3d_make_unit(to.normal);
-    }
-};
-
-/// A quad of a grid. Shares are those of p00, p10, p11 and p01.
-struct quad_surface : corners<4> {
-    using point = blended<4>;
-
-    l3d_trim_box box;
-
-    quad_surface(const std::array<l3d_micro_vertex, 4>& of, const l3d_dice_view& in,
-                 const l3d_trim_box& between)
-        : corners<4>(of, in), box(between) {}
-
-    point point_at(const l3d_trim_place& p) const {
-        const double s = (p[0] - box.least[0]) / (box.most[0] - box.least[0]);
-        const double t = (p[1] - box.least[1]) / (box.most[1] - box.least[1]);
-        point result{.shares = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t},
-                     .vertex = {},
-                     .uv = {p[0], p[1]}};
-        result.vertex = place(result.shares);
-        return result;
-    }
-
-    /// Levels are those of levels_shader.
-    double level(const std::array<double, 4>& p) const {
-        const double s = p[1] + p[2], t = p[2] + p[3];
-        const l3d_detail::quad_bends bends(at);
-        double result = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            result += p[i] * double{at[i].normal[0]};
-        return result + 4 * s * (1 - s) * ((1 - t) * double{bends.ab} + t * double{bends.dc}) +
-               4 * t * (1 - t) * ((1 - s) * double{bends.ad} + s * double{bends.bc});
-    }
-
-    /// Products s t differ by a quarter at most from planes over a part of the quad, and so do
-    /// places by a quarter of what the corners' fourth is off. About the middle of a part, a level
-    /// is a parabola but for cubic terms, whose factors are 4 differences of bends. Nothing is
-    /// farther from the middle than 2/3, and parabolas through six points are at most 5/3 of what
-    /// they go through: 4 (2/3)^3 (1 + 5/3) < 3.2.
-    l3d_trim_error error(bool has_levels) const {
-        l3d_trim_error result;
-        const double w_off = w[0] - w[1] + w[2] - w[3];
-        const double least = std::min({w[0], w[1], w[2], w[3]});
-        const auto off = [&](auto coordinate) {
-            return w[0] * coordinate(at[0]) - w[1] * coordinate(at[1]) + w[2] * coordinate(at[2]) -
-                   w[3] * coordinate(at[3]);
-        };
-        const double x_off = off([](const l3d_micro_vertex& v) { return double(v.x); });
-        const double y_off = off([](const l3d_micro_vertex& v) { return double(v.y); });
-        for (const l3d_micro_vertex& v : at)
-            result.places_px =
-                std::max(result.places_px, std::hypot(x_off - v.x * w_off, y_off - v.y * w_off) /
-                                               (4 * least * l3d_subpixel_one));
-        result.places_px += l3d_snap_error<double>(l3d_guard_band) + view->depth_rounding();
-        if (has_levels) {
-            const l3d_detail::quad_bends bends(at);
-            result.levels = 3.2 * (std::abs(double{bends.ab} - double{bends.dc}) +
-                                   std::abs(double{bends.ad} - double{bends.bc}));
-            return result;
-        }
-        double twist = 0, shortest = 1;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double d = double{at[0].normal[k]} - double{at[1].normal[k]} +
-                             double{at[2].normal[k]} - double{at[3].normal[k]};
-            twist += d * d;
-        }
-        // Means of unit vectors are at least as long as the cosine of half of the widest angle
-        // between them, and the square of that is at least 1 - d^2 / 4 for a distance d.
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                double square = 0;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const double d = double{at[i].normal[k]} - double{at[j].normal[k]};
-                    square += d * d;
-                }
-                shortest = std::min(shortest, 1 - square / 2);
-            }
-        result.normals = shortest > 0 ? 2 * ((1 - shortest) + std::sqrt(twist) / 4) / shortest
-                                      : std::numeric_limits<double>::infinity();
-        return result;
-    }
-};
-
-/// A triangle of a slit.
-struct slit_surface : corners<3> {
-    using point = blended<3>;
-
-    using corners<3>::corners;
-
-    double level(const std::array<double, 3>& p) const {
-        double result =
-            4 * (p[0] * p[1] * double{at[0].normal[1]} + p[0] * p[2] * double{at[0].normal[2]} +
-                 p[1] * p[2] * double{at[1].normal[2]});
-        for (std::size_t i = 0; i < 3; ++i)
-            result += p[i] * double{at[i].normal[0]};
-        return result;
-    }
-};
 
 template <std::size_t Corners>
 std::array<double, Corners> middle(const std::array<double, Corners>& a,

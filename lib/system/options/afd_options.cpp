@@ -42,35 +42,6 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-/// Reads the numbers that a list begins with. Returns the text behind the comma that follows them,
-/// which may be a colour. Without that comma, the text is empty.
-/// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
-template <std::size_t N>
-std::optional<std::string_view> read_before_color(std::string_view text,
-                                                  std::array<double, N>& numbers) {
-    std::size_t end = text.find(',');
-    for (std::size_t i = 1; i < N && end != text.npos; ++i)
-        end = text.find(',', end + 1);
-    if (!l3d_read_numbers(text.substr(0, end), ',', numbers) || end + 1 == text.size())
-        return {};
-    return end == text.npos ? "" : text.substr(end + 1);
-}
-
-/// Reads a light's colour. Its channels are parts of full light.
-/// Errors:  l3d_error(usage) that names the option and its value.
-l3d_light_color light_color(const char* option, std::string_view text) {
-    constexpr double white = 255;
-    const auto levels = l3d_detail::read_color(text);
-    if (!levels)
-        throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + l3d_detail::printable(text) +
-                                             "' is not " + l3d_detail::color_forms +
-                                             l3d_detail::meant_color(text));
-    l3d_light_color result{};
-    std::ranges::transform(*levels, result.begin(),
-                           [](double level) { return static_cast<float>(level / white); });
-    return result;
-}
-
 /// A camera at the same distance, some 25 degrees above and beside its target, where three sides of
 /// a box are seen. The teapot's usual view is from lower.
 l3d_camera seen_from_above(l3d_camera camera) {
@@ -222,7 +193,8 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
         {{"auto", headlight::unless_lit}, {"on", headlight::on}, {"off", headlight::off}});
     options.add_each("--ambient", "light that comes from everywhere", l3d_detail::color_kind,
                      "25.5,25.5,25.5", [this](const std::string& text) {
-                         settings_.lighting.ambient = light_color("--ambient", text);
+                         settings_.lighting.ambient =
+                             l3d_detail::read_light_color("--ambient", text);
                      });
     options.add_choice<bool>("--antialias", settings_.antialias,
                              "whether pixels at edges show the mean of all that is seen in them",
@@ -420,72 +392,6 @@ void l3d_afd_options::check_pick(l3d_size size) const {
                                              l3d_number_text(y) + "' is outside of the picture, " +
                                              std::to_string(size.width) + 'x' +
                                              std::to_string(size.height));
-}
-
-/// Adds a light; the first one replaces the usual light.
-void l3d_afd_options::add_light(const std::string& text) {
-    std::array<double, 3> direction{};
-    const auto rest = read_before_color(text, direction);
-    if (!rest)
-        throw l3d_error(l3d_exit::usage, "--light: '" + l3d_detail::printable(text) +
-                                             "' is neither X,Y,Z nor X,Y,Z,COLOR");
-    l3d_camera::vector towards{direction[0], direction[1], direction[2]};
-    const double most =
-        std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
-    if (most == 0)
-        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
-    if (!(most > 1e-100 && most < 1e100)) // else squares would be infinite, or zero
-        towards = towards / most;
-    const l3d_light_color color = light_color("--light", rest->empty() ? "white" : *rest);
-    l3d_lighting& lighting = settings_.lighting;
-    if (!gives_light_) {
-        settings_.light = towards;
-        lighting.color = color;
-    } else if (lighting.count == l3d_lighting::most_further) {
-        throw l3d_error(l3d_exit::usage, "--light: '" + text + "' is one more than " +
-                                             std::to_string(l3d_lighting::most_further + 1));
-    } else {
-        lighting.add(towards, color);
-    }
-    gives_light_ = true;
-}
-
-/// Adds a point light. Without --light, point lights are the only ones.
-void l3d_afd_options::add_point_light(const std::string& text) {
-    std::array<double, 4> numbers{};
-    const auto rest = read_before_color(text, numbers);
-    const auto most = static_cast<double>(std::numeric_limits<float>::max());
-    if (!rest || !(numbers[3] >= 0) ||
-        !std::ranges::all_of(numbers, [most](double number) { return std::abs(number) <= most; }))
-        throw l3d_error(l3d_exit::usage, "--point-light: '" + l3d_detail::printable(text) +
-                                             "' is neither X,Y,Z,REACH nor X,Y,Z,REACH,COLOR");
-    l3d_lighting& lighting = settings_.lighting;
-    if (lighting.point_count == l3d_lighting::most_points)
-        throw l3d_error(l3d_exit::usage, "--point-light: '" + text + "' is one more than " +
-                                             std::to_string(l3d_lighting::most_points));
-    lighting.add_point({.position = {numbers[0], numbers[1], numbers[2]},
-                        .reach = static_cast<float>(numbers[3]),
-                        .color = light_color("--point-light", rest->empty() ? "white" : *rest)});
-}
-
-void l3d_afd_options::read_fog(const std::string& text) {
-    std::array<double, 2> distances{};
-    l3d_fog fog;
-    const auto rest = read_before_color(text, distances);
-    fog.from = static_cast<float>(distances[0]);
-    fog.to = static_cast<float>(distances[1]);
-    if (!rest || !(distances[0] >= 0 && fog.is_on() && distances[1] <= largest))
-        throw l3d_error(l3d_exit::usage,
-                        "--fog: '" + l3d_detail::printable(text) +
-                            "' is not NEAR,FAR or NEAR,FAR,COLOR with distances from 0 on, the "
-                            "nearer first");
-    if (!rest->empty())
-        fog.color = l3d_detail::read_paint(*rest);
-    if (!rest->empty() && !fog.color)
-        throw l3d_error(l3d_exit::usage, "--fog: '" + l3d_detail::printable(*rest) + "' is not " +
-                                             l3d_detail::color_forms +
-                                             l3d_detail::meant_color(*rest));
-    settings_.fog = fog;
 }
 
 l3d_afd_settings l3d_afd_options::settings() const {

@@ -3,6 +3,8 @@
 #include "system/options/color_text_p.h"
 
 #include "base/did_you_mean_p.h"
+#include "base/error.h"
+#include "base/printable_p.h"
 #include "system/options/number_text.h"
 
 #include <algorithm>
@@ -86,6 +88,18 @@ std::string color_names() {
     for (const named_color& color : named_colors)
         names.append(names.empty() ? "" : " ").append(color.name);
     return names;
+}
+
+l3d_light_color read_light_color(const char* option, std::string_view text) {
+    constexpr double white = 255;
+    const auto levels = read_color(text);
+    if (!levels)
+        throw l3d_error(l3d_exit::usage, std::string(option) + ": '" + printable(text) +
+                                             "' is not " + color_forms + meant_color(text));
+    l3d_light_color result{};
+    std::ranges::transform(*levels, result.begin(),
+                           [](double level) { return static_cast<float>(level / white); });
+    return result;
 }
 
 } // namespace l3d_detail

@@ -3,6 +3,8 @@
 #ifndef L3D_SYSTEM_OPTIONS_COLOR_TEXT_P_H
 #define L3D_SYSTEM_OPTIONS_COLOR_TEXT_P_H
 
+#include "raster/lighting.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -20,6 +22,10 @@ inline constexpr const char* color_forms =
 /// Units:   levels of 255, which may have fractions.
 /// Errors:  nothing for any other text.
 std::optional<std::array<double, 3>> read_color(std::string_view text);
+
+/// Reads a light's colour. Its channels are parts of full light.
+/// Errors:  l3d_error(usage) that names the option and its value.
+l3d_light_color read_light_color(const char* option, std::string_view text);
 
 /// Reads a colour as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
