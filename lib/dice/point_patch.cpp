@@ -50,8 +50,15 @@ std::optional<l3d_point_place> l3d_point_place_of(const l3d_image_net& net,
     const auto row = only_centre(box.top, box.bottom, view.window().top);
     if (!column || !row)
         return std::nullopt;
+    // Snapping moves places towards a centre that may be outside of the box.
+    const double x = view.window().left + *column + 0.5, y = view.window().top + *row + 0.5;
+    const double farthest = std::hypot(std::max(std::abs(x - box.left), std::abs(x - box.right)),
+                                       std::max(std::abs(y - box.top), std::abs(y - box.bottom))) +
+                            extent + transformed;
+    if (!(farthest <= view.tolerance))
+        return std::nullopt;
     return l3d_point_place{*column * l3d_subpixel_one + l3d_subpixel_one / 2,
-                           *row * l3d_subpixel_one + l3d_subpixel_one / 2, bound};
+                           *row * l3d_subpixel_one + l3d_subpixel_one / 2, farthest};
 }
 
 void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
