@@ -44,7 +44,7 @@ public:
                 list();
             else
                 shows_ = prepared();
-            return !parts_.lists();
+            return shows_ != nullptr;
         });
         return program_.run(argc, argv, [this] { return shows_(); }); // step 1: choose factories
     }
@@ -59,8 +59,8 @@ private:
             l3d_part_options::list(polygons_.model().parts(), "faces");
     }
 
-    /// Prepares the other steps. Wrong options and models are reported here, before any message or
-    /// question about a back-end.
+    /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
+    /// here, before any message or question about a back-end.
     std::function<l3d_exit()> prepared() {
         const l3d_camera camera = afd_.camera();
         const l3d_pipeline_kind pipeline = polygons_.pipeline();
@@ -68,9 +68,13 @@ private:
             polygons_.refuse_for_patches();
             const l3d_afd_settings settings = afd_.settings();
             l3d_refuse({{"--section", normal_ && settings.error_map,
-                         "--error-output has bounds of whole surfaces alone"}});
+                         "--error-output has bounds of whole surfaces alone"},
+                        {"--section", normal_ && afd_.wants_drawing(),
+                         "line drawings are of whole surfaces"}});
             const l3d_patch_model model = afd_.model();
             check_names(model.parts());
+            if (afd_.write_svg(parts_.scene(model)))
+                return {};
             l3d_patch_scene scene = parts_.scene_by_opacity(model);
             afd_.lay_picture(scene);
             const section_plane section =

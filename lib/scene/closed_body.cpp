@@ -13,24 +13,12 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using vector = l3d_facing_cones::vector;
 
-curve reversed(const curve& c) {
-    return {{c.points[3], c.points[2], c.points[1], c.points[0]}};
-}
-
-std::array<double, 12> numbers_of(const curve& c) {
-    std::array<double, 12> numbers;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k)
-            numbers[3 * i + static_cast<std::size_t>(k)] = c.points[i][k];
-    return numbers;
-}
-
 /// Whether each edge is met by exactly one other, which runs the other way.
 bool has_no_boundary(std::span<const patch> patches, std::span<const l3d_halved_side> halved) {
     std::vector<std::array<double, 12>> there, back;
     const auto add = [&](const curve& edge) {
-        there.push_back(numbers_of(edge));
-        back.push_back(numbers_of(reversed(edge)));
+        there.push_back(l3d_numbers_of(edge));
+        back.push_back(l3d_numbers_of(edge.reversed()));
     };
     auto next = halved.begin(); // in the order of patches and sides
     for (std::size_t i = 0; i < patches.size(); ++i)

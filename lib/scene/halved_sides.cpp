@@ -13,14 +13,6 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using numbers = std::array<double, 12>;
 
-numbers numbers_of(const curve& c) {
-    numbers result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k) // -0 becomes 0
-            result[3 * i + static_cast<std::size_t>(k)] = c.points[i][k] + 0.0;
-    return result;
-}
-
 /// Sides with the same control points, in either direction.
 struct met_sides {
     std::size_t count = 0;
@@ -35,7 +27,7 @@ std::vector<l3d_halved_side> l3d_find_halved_sides(std::span<const patch> patche
     std::unordered_map<numbers, met_sides, l3d_detail::number_hash> met;
     met.reserve(2 * patches.size() + 1);
     const auto key_of = [](const curve& c, bool& forward) {
-        const numbers there = numbers_of(c), back = numbers_of(c.reversed());
+        const numbers there = l3d_numbers_of(c), back = l3d_numbers_of(c.reversed());
         forward = there <= back;
         return forward ? there : back;
     };

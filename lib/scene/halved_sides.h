@@ -40,6 +40,15 @@ inline l3d_bezier_curve<double, 3> l3d_walked_side(const l3d_bezier_patch<double
     }
 }
 
+/// The coordinates of a curve's control points, to be compared; -0 becomes 0.
+inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& curve) {
+    std::array<double, 12> result{};
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int k = 0; k < 3; ++k)
+            result[3 * i + static_cast<std::size_t>(k)] = curve.points[i][k] + 0.0;
+    return result;
+}
+
 /// Finds all halved sides, in the order of their patches. Only sides that no other side equals are
 /// such, and so are those beyond.
 /// Cost: some 1 us a patch.

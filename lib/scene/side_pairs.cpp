@@ -12,14 +12,6 @@ namespace {
 using curve = l3d_patch_model::patch::curve;
 using numbers = std::array<double, 12>;
 
-numbers numbers_of(const curve& c) {
-    numbers result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (int k = 0; k < 3; ++k) // -0 becomes 0
-            result[3 * i + static_cast<std::size_t>(k)] = c.points[i][k] + 0.0;
-    return result;
-}
-
 struct side_of {
     std::size_t patch, side;
     bool forward; ///< walked in the direction that sorts first
@@ -35,7 +27,7 @@ l3d_side_pairs::l3d_side_pairs(const l3d_patch_model& model) {
         for (std::size_t k = 0; k < sides; ++k) {
             const curve walked = l3d_walked_side(patches[i], k);
             const auto& points = walked.points;
-            const numbers there = numbers_of(walked), back = numbers_of(walked.reversed());
+            const numbers there = l3d_numbers_of(walked), back = l3d_numbers_of(walked.reversed());
             if (std::all_of(points.begin(), points.end(),
                             [&](const auto& q) { return q == points[0]; }))
                 beyond_[i][k].is = kind::point;

@@ -336,6 +336,31 @@ TEST(line_drawing, a_cube_shows_nine_of_its_twelve_edges) {
     EXPECT_TRUE(std::ranges::all_of(only_seen.lines, &l3d_drawn_line::is_seen));
 }
 
+TEST(line_drawing, a_side_that_meets_two_smaller_patches_is_no_border) {
+    // A square of 1 beside two that are half as high, all in a plane.
+    std::vector<l3d_patch_points> squares;
+    for (const auto& [x, y, high] : {std::array{0.0, 0.0, 1.0}, {1.0, 0.0, 0.5}, {1.0, 0.5, 0.5}})
+        squares.push_back(
+            {1, 1, {{x, y, 0}, {x + 1, y, 0}, {x, y + high, 0}, {x + 1, y + high, 0}}});
+    std::string why;
+    const l3d_patch_scene scene(*l3d_patch_model::from_patches(squares, "squares", why));
+    l3d_camera camera{.eye = {1.0, 0.5, 4.0}, .target = {1.0, 0.5, 0.0}};
+    const l3d_line_drawing drawing = l3d_draw_lines(scene, camera, size, {});
+    double most = 0, least = size.width;
+    for (const l3d_drawn_line& line : drawing.lines) {
+        EXPECT_EQ(line.kind, l3d_line_kind::border);
+        for (const l3d_drawn_place& p : places_of(line)) {
+            most = std::max(most, p.x);
+            least = std::min(least, p.x);
+            const bool is_at_seam = std::abs(p.x - size.width / 2.0) < 1;
+            const double half = 0.5 * camera.focal_length(size) / 4;
+            EXPECT_TRUE(!is_at_seam || std::abs(std::abs(p.y - size.height / 2.0) - half) < 1)
+                << p.x << ", " << p.y;
+        }
+    }
+    EXPECT_GT(most - least, 2 * 0.9 * camera.focal_length(size) / 4);
+}
+
 TEST(line_drawing, lines_join_over_pieces) {
     const l3d_patch_scene ball(shape("sphere"));
     for (const view& v : views) {

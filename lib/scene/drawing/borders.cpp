@@ -2,6 +2,8 @@
 // borders_of: sides that meet, curves as chords.
 #include "scene/drawing/borders_p.h"
 
+#include "scene/side_pairs.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,38 +20,30 @@ using vector = l3d_vector<double, 3>;
 /// Eight levels of Lambert's grey, as in l3d_patch_neighbours: two degrees.
 constexpr double least_angle = 8 / 229.5;
 
-constexpr std::size_t side_count = 4;
-
-/// A side of a piece: v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the piece.
+/// A side of a piece, or a part of it: v = 0, u = 1, v = 1, u = 0, in the order in which one walks
+/// round the piece.
 struct side {
     std::size_t piece, number;
+    double from = 0, to = 1; ///< where the part begins and ends on the side
 
-    static std::array<double, 2> place(std::size_t number, double t) {
-        switch (number) {
-        case 0:
-            return {t, 0};
-        case 1:
-            return {1, t};
-        case 2:
-            return {1 - t, 1};
-        default:
-            return {0, 1 - t};
-        }
+    std::array<double, 2> place(double t) const {
+        return l3d_side_pairs::place_on(number, on_side(t));
     }
-    std::array<double, 2> place(double t) const { return place(number, t); }
-    /// The parameter of a place of this side; below 0 for any other place.
+    /// The place on the whole side of t on the part.
+    double on_side(double t) const { return from + (to - from) * t; }
+    /// The parameter of a place of the part; below 0 for any other place.
     double parameter(double u, double v) const {
-        switch (number) {
-        case 0:
-            return v == 0 ? u : -1;
-        case 1:
-            return u == 1 ? v : -1;
-        case 2:
-            return v == 1 ? 1 - u : -1;
-        default:
-            return u == 0 ? 1 - v : -1;
-        }
+        const double along = number % 2 == 0 ? u : v, across = number % 2 == 0 ? v : u;
+        if (across != (number == 1 || number == 2 ? 1 : 0))
+            return -1;
+        const double t = ((number < 2 ? along : 1 - along) - from) / (to - from);
+        return t <= 1 ? t : -1;
     }
+    std::array<side, 2> halves() const {
+        const double middle = (from + to) / 2;
+        return {{{piece, number, from, middle}, {piece, number, middle, to}}};
+    }
+    friend bool operator==(const side&, const side&) = default;
 };
 
 constexpr int places_of_side = 5;
@@ -84,7 +78,7 @@ bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
     const int degree = number % 2 == 0 ? net.m : net.n;
     bernstein_net result(degree, 0, net.dims);
     for (int i = 0; i <= degree; ++i) {
-        const auto [u, v] = side::place(number, double(i) / degree);
+        const auto [u, v] = l3d_side_pairs::place_on(number, double(i) / degree);
         const int column = static_cast<int>(std::lround(u * net.m));
         const int row = static_cast<int>(std::lround(v * net.n));
         std::copy_n(net.at(row, column), net.dims, result.at(0, i));
@@ -183,6 +177,12 @@ private:
     std::vector<surface_line> lines_;
 };
 
+/// Sides at the same places, and whether each runs as the first one does.
+struct met_sides {
+    std::vector<side> sides;
+    std::vector<bool> forward;
+};
+
 class border_search {
 public:
     border_search(std::span<const image_piece> pieces,
@@ -200,7 +200,8 @@ public:
 
 private:
     void pair_sides();
-    void add_side(const std::vector<side>& met, const std::vector<bool>& forward);
+    static std::vector<met_sides> all_met(std::vector<placed_side> all, double same);
+    void add_side(const met_sides& met);
     void add_contours(const side& a, const side& b, bool turns);
     bool is_smooth(const side& a, const side& b, bool turns) const;
     void add_trims(std::size_t piece);
@@ -215,13 +216,13 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
-/// Sides are one if five of their places are, to a thousandth of a pixel or so.
+/// Sides are one if five of their places are, to a thousandth of a pixel or so. A side that meets
+/// no other may meet two of half the size.
 void border_search::pair_sides() {
-    constexpr int middle = places_of_side / 2;
     std::vector<placed_side> all;
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        for (std::size_t k = 0; k < side_count; ++k) {
+        for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k) {
             const placed_side one(pieces_[i], {i, k});
             for (const vector& p : one.places)
                 for (int d = 0; d < 3; ++d) {
@@ -235,24 +236,59 @@ void border_search::pair_sides() {
         return std::ranges::all_of(
             one.places, [&](const vector& p) { return l3d_length(p - one.places[0]) <= same; });
     });
+    std::vector<side> alone;
+    std::vector<placed_side> again;
+    for (const met_sides& met : all_met(std::move(all), same)) {
+        if (met.sides.size() > 1) {
+            add_side(met);
+            continue;
+        }
+        const side& one = met.sides[0];
+        alone.push_back(one);
+        again.emplace_back(pieces_[one.piece], one);
+        for (const side& half : one.halves())
+            again.emplace_back(pieces_[one.piece], half);
+    }
+    std::vector<side> met_now;
+    for (const met_sides& met : all_met(std::move(again), same))
+        if (met.sides.size() > 1) {
+            add_side(met);
+            met_now.insert(met_now.end(), met.sides.begin(), met.sides.end());
+        }
+    const auto is_met = [&](const side& one) {
+        return std::ranges::find(met_now, one) != met_now.end();
+    };
+    for (const side& one : alone) {
+        const auto halves = one.halves();
+        if (!is_met(one) && !is_met(halves[0]) && !is_met(halves[1]))
+            add_side({{one}, {true}});
+        else if (!is_met(one))
+            for (const side& half : halves)
+                if (!is_met(half))
+                    add_side({{half}, {true}});
+    }
+}
+
+std::vector<met_sides> border_search::all_met(std::vector<placed_side> all, double same) {
+    constexpr int middle = places_of_side / 2;
     const auto x_of = [](const placed_side& one) { return one.places[middle][0]; };
     std::ranges::stable_sort(all, {}, x_of);
     std::vector<bool> is_met(all.size(), false);
+    std::vector<met_sides> result;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (is_met[i])
             continue;
-        std::vector<side> met{all[i].of};
-        std::vector<bool> forward{true};
+        met_sides& met = result.emplace_back(met_sides{{all[i].of}, {true}});
         for (std::size_t k = i + 1; k < all.size() && x_of(all[k]) - x_of(all[i]) <= same; ++k) {
             const bool there = all[k].is_at(all[i], false, same);
             if (is_met[k] || (!there && !all[k].is_at(all[i], true, same)))
                 continue;
             is_met[k] = true;
-            met.push_back(all[k].of);
-            forward.push_back(there);
+            met.sides.push_back(all[k].of);
+            met.forward.push_back(there);
         }
-        add_side(met, forward);
     }
+    return result;
 }
 
 bool border_search::is_smooth(const side& a, const side& b, bool turns) const {
@@ -270,20 +306,21 @@ bool border_search::is_smooth(const side& a, const side& b, bool turns) const {
     return true;
 }
 
-void border_search::add_side(const std::vector<side>& met, const std::vector<bool>& forward) {
-    std::vector<std::size_t> sides;
-    for (const side& one : met)
-        if (std::ranges::find(sides, one.piece) == sides.end())
-            sides.push_back(one.piece);
-    if (met.size() == 1) {
-        add(met[0], 0, 1, l3d_line_kind::border, sides);
+void border_search::add_side(const met_sides& met) {
+    const std::vector<side>& sides = met.sides;
+    std::vector<std::size_t> pieces;
+    for (const side& one : sides)
+        if (std::ranges::find(pieces, one.piece) == pieces.end())
+            pieces.push_back(one.piece);
+    if (sides.size() == 1) {
+        add(sides[0], 0, 1, l3d_line_kind::border, pieces);
         return;
     }
-    const bool turns = forward[0] == forward[1];
-    if (met.size() == 2 && is_smooth(met[0], met[1], turns))
-        add_contours(met[0], met[1], turns);
+    const bool turns = met.forward[0] == met.forward[1];
+    if (sides.size() == 2 && is_smooth(sides[0], sides[1], turns))
+        add_contours(sides[0], sides[1], turns);
     else
-        add(met[0], 0, 1, l3d_line_kind::crease, sides);
+        add(sides[0], 0, 1, l3d_line_kind::crease, pieces);
 }
 
 /// Between the ends of contours of either piece, the side is a contour if just one of both pieces
@@ -313,6 +350,8 @@ void border_search::add_contours(const side& a, const side& b, bool turns) {
 void border_search::add(const side& of, double from, double to, l3d_line_kind kind,
                         const std::vector<std::size_t>& sides) {
     const image_piece& piece = pieces_[of.piece];
+    from = of.on_side(from);
+    to = of.on_side(to);
     std::vector<std::array<double, 2>> stretches{{from, to}};
     if (piece.is_trimmed) {
         // The walk along sides 2 and 3 goes down.
@@ -330,7 +369,7 @@ void border_search::add(const side& of, double from, double to, l3d_line_kind ki
     for (const auto& [first, last] : stretches) {
         flattener flat(of.piece, view_, tolerance_);
         flat.add(curve.part(first, last, 0, 1), [&, first = first, last = last](double t) {
-            return of.place(first + (last - first) * t);
+            return l3d_side_pairs::place_on(of.number, first + (last - first) * t);
         });
         for (surface_line& line : flat.take())
             chains_.push_back({kind, std::move(line), sides});

@@ -23,11 +23,11 @@ struct drawn_chain {
 
 /// The lines along the sides of pieces, and along their trims.
 ///
-/// Two sides at the same places are one, walked either way. They are a crease
-/// if the normals differ by two degrees or more, in any of some places. Otherwise the side is
-/// a contour wherever one piece shows its front and the other its back. So contours of pieces
-/// that are not quite smooth join too.
-/// Shape: `contours` holds the lines of contours_of for each piece, not trimmed.
+/// Two sides at the same places are one, walked either way; so are the half of a side and a whole
+/// one. They are a crease if the normals differ by two degrees or more, in any of some places.
+/// Otherwise the side is a contour wherever one piece shows its front and the other its back. So
+/// contours of pieces that are not quite smooth join too. Shape: `contours` holds the lines of
+/// contours_of for each piece, not trimmed.
 std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
                                     std::span<const std::vector<surface_line>> contours,
                                     const drawing_view& view, double tolerance);
