@@ -23,7 +23,7 @@ public:
     int run(int argc, char** argv) {
         program_.after_command_line([this] {
             if (parts_.lists())
-                list();
+                polygons_.list_parts();
             else
                 shows_ = prepared();
             return shows_ != nullptr;
@@ -32,13 +32,6 @@ public:
     }
 
 private:
-    void list() const {
-        if (polygons_.pipeline() == l3d_pipeline_kind::afd)
-            l3d_part_options::list(afd_.model().parts(), "patches");
-        else
-            l3d_part_options::list(polygons_.model().parts(), "faces");
-    }
-
     /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
     /// here, before any message or question about a back-end.
     std::function<l3d_exit()> prepared() {

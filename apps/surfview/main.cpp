@@ -41,7 +41,7 @@ public:
                 {{"--section-at", place_ && !normal_, "--section says across which direction"},
                  {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"}});
             if (parts_.lists())
-                list();
+                polygons_.list_parts();
             else
                 shows_ = prepared();
             return shows_ != nullptr;
@@ -51,13 +51,6 @@ public:
 
 private:
     using vector = l3d_vector<double, 3>;
-
-    void list() const {
-        if (polygons_.pipeline() == l3d_pipeline_kind::afd)
-            l3d_part_options::list(afd_.model().parts(), "patches");
-        else
-            l3d_part_options::list(polygons_.model().parts(), "faces");
-    }
 
     /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
     /// here, before any message or question about a back-end.

@@ -7,6 +7,7 @@
 #include "scene/lost_lines_p.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
+#include "system/options/part_options.h"
 #include "system/long_work_p.h"
 
 #include <algorithm>
@@ -87,6 +88,13 @@ l3d_pipeline_kind l3d_polygon_options::pipeline() const {
     else
         chosen_ = is_best_as_patches() ? l3d_pipeline_kind::afd : l3d_pipeline_kind::zbuffer;
     return *chosen_;
+}
+
+void l3d_polygon_options::list_parts() const {
+    if (pipeline() == l3d_pipeline_kind::afd)
+        l3d_part_options::list(shared_.model().parts(), "patches");
+    else
+        l3d_part_options::list(model().parts(), "faces");
 }
 
 l3d_polygon_model l3d_polygon_options::model() const {

@@ -40,6 +40,11 @@ public:
     /// Errors:  l3d_error(bad_input) with file and line, if it takes a look at the model.
     l3d_pipeline_kind pipeline() const;
 
+    /// Writes the parts of the model asked for to standard output, as l3d_part_options::list does:
+    /// of patches or of faces, whichever would be drawn.
+    /// Errors:  as model().
+    void list_parts() const;
+
     /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
     /// parts of a file are reported on stderr.
     /// Errors:  l3d_error(bad_input) with file and line.
