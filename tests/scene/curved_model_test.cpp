@@ -5,6 +5,7 @@
 #include "scene/level_choice.h"
 #include "scene/patch_scene.h"
 #include "scene/seen_region.h"
+#include "scene/shared_edges.h"
 #include "geom/transform.h"
 
 #include <gtest/gtest.h>
@@ -230,11 +231,17 @@ TEST(seen_region, holds_all_that_its_view_shows) {
         const double scale =
             camera.is_parallel() ? camera.scale_at_target(size) : camera.focal_length(size);
         for (int k = 0; k < 20; ++k) {
-            const double depth = any(least_depth, camera.is_parallel() ? 12 : 30);
+            // The nearest places in the corners of the rim around the picture, and others.
+            const bool is_corner = k < 4;
+            const double depth =
+                is_corner ? least_depth : any(least_depth, camera.is_parallel() ? 12 : 30);
             const double unit = camera.is_parallel() ? 1 : depth;
-            const double x = any(-0.5, 0.5) * size.width / scale * unit;
-            const double y = any(-0.5, 0.5) * size.height / scale * unit;
-            const vector at = camera.eye + axes.forward * depth + axes.right * x + axes.up * y;
+            const double rim = 1 + l3d_longest_shared_chord / (std::hypot(size.width, 300) / 2);
+            const double x = is_corner ? (k % 2 - 0.5) * rim : any(-0.5, 0.5);
+            const double y = is_corner ? (k / 2 - 0.5) * rim : any(-0.5, 0.5);
+            const vector at = camera.eye + axes.forward * depth +
+                              axes.right * (x * size.width / scale * unit) +
+                              axes.up * (y * size.height / scale * unit);
             const std::array<l3d_vector<double, 4>, 1> point{
                 {{2 * at[0], 2 * at[1], 2 * at[2], 2}}};
             EXPECT_FALSE(region->hides(point)) << i;
@@ -249,7 +256,18 @@ TEST(seen_region, holds_all_that_its_view_shows) {
 }
 
 TEST(curved_model, is_cut_where_it_is_seen_and_as_fine_as_its_depth_asks_for) {
-    l3d_patch_scene scene(sphere());
+    // Every other piece is turned round, so that boundaries run against each other.
+    std::vector<l3d_patch_points> pieces;
+    for (const l3d_nurbs_surface& surface : l3d_sphere_surfaces())
+        for (l3d_patch_points piece : surface.pieces()) {
+            if (pieces.size() % 2 == 0) {
+                std::ranges::reverse(piece.points);
+                std::ranges::reverse(piece.weights);
+            }
+            pieces.push_back(piece);
+        }
+    std::string why;
+    l3d_patch_scene scene(*l3d_patch_model::from_patches(pieces, "sphere", why));
     const vector place{0.48, 0.64, 0.6};
     for (const double zoom : {30.0, 1e3, 1e6}) {
         l3d_camera camera;
