@@ -4,7 +4,7 @@
 
 #include "dice/error_color.h"
 #include "scene/placed_net.h"
-#include "scene/visibility.h"
+#include "scene/culling/visibility.h"
 
 bool l3d_needs_no_clipping(const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_depth_range depth = l3d_depth_range_of(net.points);

@@ -6,7 +6,7 @@
 #include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/patch_dicer.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/surface_method.h"
 #include "raster/parallel/workers.h"

@@ -5,7 +5,7 @@
 #include "dice/drawn_error.h"
 #include "dice/error_color.h"
 #include "scene/placed_net.h"
-#include "scene/visibility.h"
+#include "scene/culling/visibility.h"
 #include "compare/method_patches.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "pipeline/stopwatch_p.h"

@@ -3,7 +3,7 @@
 #ifndef L3D_COMPARE_METHOD_TESSELLATION_H
 #define L3D_COMPARE_METHOD_TESSELLATION_H
 
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "compare/scene_memory.h"

@@ -4,11 +4,11 @@
 
 #include "dice/error_color.h"
 #include "dice/snap.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 #include "scene/placed_net.h"
 #include "dice/point_patch.h"
 #include "scene/model_eye.h"
-#include "scene/visibility.h"
+#include "scene/culling/visibility.h"
 
 #include <algorithm>
 #include <array>

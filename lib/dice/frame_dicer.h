@@ -11,7 +11,7 @@
 #include "dice/lanes/lane_dicer.h"
 #include "dice/patch_dicer.h"
 #include "dice/trim_cells.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 #include "raster/parallel/height_order_p.h"
 #include "raster/parallel/workers.h"
 

@@ -4,7 +4,7 @@
 #define L3D_DICE_GRID_BUILDER_H
 
 #include "geom/normal_net.h"
-#include "geom/trim_triangles.h"
+#include "geom/trims/trim_triangles.h"
 #include "dice/diced_piece.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/normal_columns.h"

@@ -4,7 +4,7 @@
 #define L3D_DICE_TRIM_CELLS_H
 
 #include "dice/diced_piece.h"
-#include "geom/trim_triangles.h"
+#include "geom/trims/trim_triangles.h"
 #include "scene/dice_view.h"
 
 #include <array>

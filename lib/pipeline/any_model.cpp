@@ -3,7 +3,7 @@
 #include "pipeline/any_model.h"
 
 #include "pipeline/polygons/polygon_model.h"
-#include "scene/lost_lines_p.h"
+#include "scene/drawing/lost_lines_p.h"
 #include "scene/model_loader.h"
 #include "base/error.h"
 

@@ -5,7 +5,7 @@
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
 #include "pipeline/report_json_p.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 
 #include <algorithm>
 #include <array>

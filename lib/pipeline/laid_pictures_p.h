@@ -6,7 +6,7 @@
 #include "dice/frame_dicer.h"
 #include "raster/textures/painted_part_p.h"
 #include "scene/patch_scene.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 
 #include <cstddef>
 #include <span>

@@ -6,7 +6,7 @@
 #include "dice/frame_dicer.h"
 #include "dice/outlines/frame_outlines.h"
 #include "scene/inspected_scene.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 #include "pipeline/surface_method.h"
 #include "pipeline/laid_pictures_p.h"
 #include "raster/rasterizer_factory.h"

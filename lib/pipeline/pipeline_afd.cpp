@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_pipeline_afd: the stages of a frame.
-#include "pipeline/pipeline_afd_p.h"
+#include "pipeline/afd/pipeline_afd_p.h"
 
 #include "pipeline/surface_method.h"
 #include "raster/pixel_bits.h"
@@ -11,7 +11,7 @@
 #include "dice/edges/edge_polyline.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 #include "pipeline/stopwatch_p.h"
 #include "pipeline/wire_lines_p.h"
 #include "raster/parallel/simd_target.h"

@@ -2,7 +2,7 @@
 // l3d_drawn_pixels: boxes in the picture, rounded outwards.
 #include "scene/drawn_pixels.h"
 
-#include "scene/scene_culling_p.h"
+#include "scene/culling/scene_culling_p.h"
 
 #include <algorithm>
 #include <cmath>

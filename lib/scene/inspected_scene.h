@@ -7,7 +7,7 @@
 #include "raster/surface_rasterizer.h"
 #include "scene/camera.h"
 #include "scene/patch_scene.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 
 #include <span>
 

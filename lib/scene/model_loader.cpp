@@ -5,7 +5,7 @@
 #include "base/printable_p.h"
 #include "base/error.h"
 #include "geom/files/patch_file.h"
-#include "scene/lost_lines_p.h"
+#include "scene/drawing/lost_lines_p.h"
 #include "tool_2d/png_levels_p.h"
 #include "tool_2d/text_file.h"
 

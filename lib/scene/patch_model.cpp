@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_patch_model: models from patches, surfaces and files; their materials, parts and levels.
-#include "scene/patch_contents_p.h"
+#include "scene/levels/patch_contents_p.h"
 
 #include "base/counted_p.h"
 #include "base/formatted_p.h"
@@ -9,7 +9,7 @@
 #include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
 #include "scene/model_loader.h"
-#include "scene/shared_edges.h"
+#include "scene/sides/shared_edges.h"
 #include "scene/space_curve.h"
 #include "base/error.h"
 

@@ -5,7 +5,7 @@
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
 #include "geom/transform.h"
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 #include "scene/picks/ray_search.h"
 #include "scene/picks/surface_jet.h"
 

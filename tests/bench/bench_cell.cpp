@@ -5,7 +5,7 @@
 #include "bench/surface_error.h"
 #include "dice/frame_dicer.h"
 #include "scene/image_transform.h"
-#include "scene/level_choice.h"
+#include "scene/levels/level_choice.h"
 
 #include <atomic>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "../scene/bodies.h"
 #include "../dice/scene.h"
 #include "geom/teapot.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 
 #include <cmath>
 #include <random>

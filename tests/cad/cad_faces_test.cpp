@@ -2,7 +2,7 @@
 // Each face of files that the kernel wrote is there, where it is, and as large as the kernel says.
 #include "cad/records.h"
 #include "cad/shapes.h"
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRepGProp.hxx>

@@ -10,7 +10,7 @@
 #include "compare/method_patches.h"
 #include "compare/dicers/micropolygon_dicer.h"
 #include "compare/dicers/subdivision_dicer.h"
-#include "scene/visibility.h"
+#include "scene/culling/visibility.h"
 #include "reference/random_patches.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "scene/model_eye.h"
 #include "reference/measure.h"
 #include "reference/random_patches.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "nasty.h"
 #include "dice/lanes/lane_dicer.h"
 #include "dice/normal_columns.h"
-#include "scene/visibility.h"
+#include "scene/culling/visibility.h"
 #include "raster/parallel/simd_target.h"
 #include "scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Trims of .obj surfaces: what is read, written again, and refused by line.
 #include "geom/files/model_file.h"
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 
 #include <gtest/gtest.h>
 

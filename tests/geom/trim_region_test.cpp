@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trimmed regions: triangles against the odd rule at random places, and loops against their curves.
-#include "geom/trim_triangles.h"
+#include "geom/trims/trim_triangles.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "geom/nurbs_surface.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory.h"
-#include "scene/level_choice.h"
+#include "scene/levels/level_choice.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "drawn_picture.h"
 
 #include "reference/measure.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 
 #include <gtest/gtest.h>
 

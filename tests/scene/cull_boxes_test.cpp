@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slanted boxes that are culled in lanes, against their corners.
 #include "scene/camera.h"
-#include "scene/scene_culling_p.h"
+#include "scene/culling/scene_culling_p.h"
 #include "raster/parallel/simd_target.h"
 #include "teapot_studio.h"
 

@@ -2,10 +2,10 @@
 // Curved models: their levels, what belongs to pieces, and which level a view gets.
 #include "base/error.h"
 #include "geom/nurbs_surface.h"
-#include "scene/level_choice.h"
+#include "scene/levels/level_choice.h"
 #include "scene/patch_scene.h"
-#include "scene/seen_region.h"
-#include "scene/shared_edges.h"
+#include "scene/levels/seen_region.h"
+#include "scene/sides/shared_edges.h"
 #include "geom/transform.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sides that meet two smaller patches: found bit for bit, inside of the surface, and without a gap.
 #include "geom/teapot.h"
-#include "scene/halved_sides.h"
-#include "scene/patch_neighbours.h"
-#include "scene/side_pairs.h"
+#include "scene/sides/halved_sides.h"
+#include "scene/sides/patch_neighbours.h"
+#include "scene/sides/side_pairs.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Patches that culling leaves out are not visible; those that it hands out come nearest first.
 #include "scene/camera.h"
 #include "teapot_studio.h"
-#include "scene/scene_culling.h"
+#include "scene/culling/scene_culling.h"
 
 #include <gtest/gtest.h>
 

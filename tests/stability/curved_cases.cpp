@@ -4,7 +4,7 @@
 #include "studio.h"
 
 #include "geom/bicubic_approximation.h"
-#include "scene/curved_pieces.h"
+#include "scene/levels/curved_pieces.h"
 
 #include <array>
 #include <cmath>

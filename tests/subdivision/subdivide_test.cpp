@@ -6,8 +6,8 @@
 #include "geom/subdivision.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/rasterizer_factory.h"
-#include "scene/halved_sides.h"
-#include "scene/side_pairs.h"
+#include "scene/sides/halved_sides.h"
+#include "scene/sides/side_pairs.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>

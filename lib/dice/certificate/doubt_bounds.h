@@ -10,7 +10,7 @@
 #include "raster/color/srgb_light.h"
 #include "raster/lighting.h"
 #include "scene/dice_view.h"
-#include "scene/side_pairs.h"
+#include "scene/sides/side_pairs.h"
 
 #include <array>
 #include <cstdint>

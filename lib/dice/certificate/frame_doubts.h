@@ -5,11 +5,11 @@
 
 #include "dice/certificate/doubt_tile.h"
 #include "raster/depth_buffer.h"
-#include "scene/side_pairs.h"
+#include "scene/sides/side_pairs.h"
 #include "geom/matrix.h"
 #include "raster/parallel/workers.h"
 #include "scene/dice_view.h"
-#include "scene/level_choice.h"
+#include "scene/levels/level_choice.h"
 #include "scene/patch_scene.h"
 
 #include <cstddef>

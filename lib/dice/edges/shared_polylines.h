@@ -6,9 +6,9 @@
 
 #include "dice/near_clip.h"
 #include "geom/matrix.h"
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 #include "scene/dice_view.h"
-#include "scene/shared_edges.h"
+#include "scene/sides/shared_edges.h"
 
 #include <cstddef>
 #include <vector>

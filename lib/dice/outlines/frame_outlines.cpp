@@ -5,7 +5,7 @@
 #include "dice/outlines/outline_search.h"
 #include "scene/placed_net.h"
 #include "scene/model_eye.h"
-#include "scene/facing_cones.h"
+#include "scene/culling/facing_cones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "scene/dice_view.h"
 #include "dice/diced_piece.h"
 #include "scene/patch_scene.h"
-#include "scene/patch_neighbours.h"
-#include "scene/scene_culling.h"
+#include "scene/sides/patch_neighbours.h"
+#include "scene/culling/scene_culling.h"
 #include "raster/pixel_bits.h"
 #include "raster/two_layer_depths.h"
 

@@ -2,7 +2,7 @@
 // obj_surfaces: Bezier and B-spline surfaces and curves as knots and control points.
 #include "geom/files/obj_surfaces_p.h"
 
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,7 +2,7 @@
 // borders_of: sides that meet, curves as chords.
 #include "scene/drawing/borders_p.h"
 
-#include "scene/side_pairs.h"
+#include "scene/sides/side_pairs.h"
 
 #include <algorithm>
 #include <array>

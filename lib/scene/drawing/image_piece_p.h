@@ -3,7 +3,7 @@
 #ifndef L3D_SCENE_DRAWING_IMAGE_PIECE_P_H
 #define L3D_SCENE_DRAWING_IMAGE_PIECE_P_H
 
-#include "geom/trim_region.h"
+#include "geom/trims/trim_region.h"
 #include "scene/camera.h"
 #include "scene/patch_scene.h"
 

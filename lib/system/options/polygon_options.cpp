@@ -4,7 +4,7 @@
 
 #include "base/printable_p.h"
 #include "pipeline/polygons/polygon_model.h"
-#include "scene/lost_lines_p.h"
+#include "scene/drawing/lost_lines_p.h"
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/part_options.h"

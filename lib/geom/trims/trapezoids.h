@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// l3d_trapezoids: a region as trapezoids between lines of equal v.
+#ifndef L3D_GEOM_TRAPEZOIDS_H
+#define L3D_GEOM_TRAPEZOIDS_H
+
+#include "geom/trims/trim_region.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// A trapezoid of a region, between two lines of equal v.
+///
+/// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
+///        rising order, at least one on each. `left` and `right` say which edges those sides
+///        follow, upwards.
+struct l3d_trapezoid {
+    double low_v = 0, high_v = 0;
+    std::span<const double> low, high;
+    l3d_trim_use left{}, right{};
+};
+
+/// Cuts a region into trapezoids that meet without a T: where a corner of one lies on the low or
+/// high side of another, it is one of that side's points. Slanted and upright sides of neighbours
+/// have corners of their own.
+///
+/// Polygons may cross themselves and each other.
+/// Cost: time in proportion to the corners times the sides at one v; keeps its memory.
+class l3d_trapezoids {
+public:
+    /// Calls visit(l3d_trapezoid) for each one.
+    template <class Visit> void of(const l3d_trim_region& region, const Visit& visit) {
+        begin(region);
+        while (next_line())
+            for (const ended& one : ended_)
+                visit(l3d_trapezoid{one.low_v, v_, std::span(pool_).subspan(one.low, one.low_count),
+                                    std::span(marks_).subspan(one.high, one.high_count),
+                                    sides_[one.left].use_between(one.low_v, v_),
+                                    sides_[one.right].use_between(one.low_v, v_)});
+    }
+
+private:
+    /// A side of a polygon, upwards.
+    struct side {
+        l3d_trim_place low, high;
+        l3d_trim_use use{};
+        std::size_t right = none; ///< the side at the other end of the trapezoid that it begins
+        std::size_t next_right = none;
+        double low_v = 0;
+        std::size_t first_low = 0, low_count = 0; ///< in pool_
+
+        double at(double v) const;
+        l3d_trim_use use_between(double from_v, double to_v) const;
+    };
+    struct ended {
+        double low_v;
+        std::size_t low, low_count, high, high_count, left, right;
+    };
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    void begin(const l3d_trim_region& region);
+    bool next_line();
+    double order_until(double next);
+    void pair_up(double next);
+    void end_and_begin();
+
+    double v_ = 0;
+    std::vector<side> sides_;             ///< by their low v
+    std::vector<l3d_trim_place> corners_; ///< by v, then u
+    std::size_t next_side_ = 0, next_corner_ = 0, first_corner_ = 0;
+    double next_v_ = 0;
+    bool is_begun_ = false;
+    std::vector<std::size_t> active_;   ///< sides at v_, from left to right
+    std::vector<std::size_t> open_;     ///< left sides of trapezoids that go on
+    std::vector<std::size_t> new_open_; ///< those from v_ on
+    std::vector<double> marks_, pool_, keys_;
+    std::vector<ended> ended_;
+};
+
+#endif

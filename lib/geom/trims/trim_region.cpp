@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Loops become polygons, and polygons are cut by Sutherland's and Hodgman's scheme.
+#include "geom/trims/trim_region.h"
+
+#include "base/formatted_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace {
+
+using curve = std::vector<std::array<double, 3>>;
+
+/// The side a b of a polygon where one coordinate is `at`: the same point as that of b a.
+l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, double at) {
+    if (b < a)
+        std::swap(a, b);
+    const double t = (at - a[along]) / (b[along] - a[along]);
+    const std::size_t other = 1 - along;
+    const auto [low, high] = std::minmax(a[other], b[other]);
+    l3d_trim_place result;
+    result[along] = at;
+    result[other] = std::clamp(a[other] + (b[other] - a[other]) * t, low, high);
+    return result;
+}
+
+bool is_flat(const l3d_trim_polygon& polygon) {
+    if (polygon.size() < 3)
+        return true;
+    const auto same = [&](std::size_t k) {
+        return std::ranges::all_of(
+            polygon, [&](const l3d_trim_place& p) { return p[k] == polygon.front()[k]; });
+    };
+    return same(0) || same(1);
+}
+
+l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, double at,
+                         bool above) {
+    l3d_trim_polygon result;
+    const auto add = [&](const l3d_trim_place& p, l3d_trim_use side) {
+        if (result.empty() || result.back() != p) {
+            result.push_back({p, side});
+            return;
+        }
+        // The side before has lost its length, but none of its edge.
+        const l3d_trim_use& before = result.back().side;
+        if (before.edge == side.edge && before.to == side.from)
+            side.from = before.from;
+        result.back().side = side;
+    };
+    const auto is_in = [&](const l3d_trim_place& p) {
+        return above ? p[along] >= at : p[along] <= at;
+    };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const l3d_trim_corner& a = polygon[i];
+        const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        l3d_trim_use before = a.side, behind = a.side;
+        const bool is_cut = is_in(a) != is_in(b);
+        if (is_cut && a.side.edge != l3d_no_edge)
+            before.to = behind.from = a.side.at((at - a[along]) / (b[along] - a[along]));
+        if (is_in(a))
+            add(a, is_cut ? before : a.side);
+        if (is_cut)
+            add(crossing(a, b, along, at), is_in(a) ? l3d_trim_use() : behind);
+    }
+    while (result.size() > 1 && result.back() == result.front())
+        result.pop_back();
+    return result;
+}
+
+std::array<curve, 2> halves_of(const curve& whole) {
+    // Homogeneous, lest weights be lost.
+    curve row = whole;
+    for (auto& p : row) {
+        p[0] *= p[2];
+        p[1] *= p[2];
+    }
+    std::array<curve, 2> result{row, row};
+    const std::size_t n = row.size();
+    for (std::size_t level = 1; level < n; ++level) {
+        for (std::size_t i = 0; i + level < n; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                row[i][k] = (row[i][k] + row[i + 1][k]) / 2;
+        result[0][level] = row[0];
+        result[1][n - 1 - level] = row[n - 1 - level];
+    }
+    for (curve& half : result)
+        for (auto& p : half) {
+            p[0] /= p[2];
+            p[1] /= p[2];
+        }
+    return result;
+}
+
+/// How far a curve may be from its chord, in space. Its points are means of control points. The
+/// first and last one are on the chord, and have at least 2^(1 - n) of the weight among equals.
+double off_chord(const curve& of, const l3d_trim_place& lengths) {
+    const auto scaled = [&](const std::array<double, 3>& p) {
+        return l3d_trim_place{p[0] * lengths[0], p[1] * lengths[1]};
+    };
+    const l3d_trim_place a = scaled(of.front()), b = scaled(of.back());
+    const double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
+    double result = 0, heaviest = 0;
+    for (std::size_t i = 1; i + 1 < of.size(); ++i) {
+        const l3d_trim_place p = scaled(of[i]);
+        const double along = (p[0] - a[0]) * x + (p[1] - a[1]) * y;
+        const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+        result = std::max(result, std::abs(p[0] - a[0] - t * x) + std::abs(p[1] - a[1] - t * y));
+        heaviest = std::max(heaviest, of[i][2]);
+    }
+    const double ends =
+        std::ldexp(std::min(of.front()[2], of.back()[2]), 2 - static_cast<int>(of.size()));
+    const double between = heaviest * (1 - std::ldexp(1.0, 2 - static_cast<int>(of.size())));
+    return between > 0 ? result * (between / (between + ends)) : 0;
+}
+
+/// Adds the points of a curve but its last. Returns how far the polygon may be from it.
+double flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& lengths,
+               double wanted, int halvings, l3d_trim_polygon& to) {
+    const double off = off_chord(of, lengths);
+    if (off <= wanted || halvings == 0) {
+        to.push_back({{of.front()[0], of.front()[1]}, use});
+        return off;
+    }
+    const auto [first, second] = halves_of(of);
+    const double middle = use.at(0.5);
+    const double of_first =
+        flatten(first, {use.edge, use.from, middle}, lengths, wanted, halvings - 1, to);
+    return std::max(of_first,
+                    flatten(second, {use.edge, middle, use.to}, lengths, wanted, halvings - 1, to));
+}
+
+/// Why curves are none, if a loop need not be closed.
+std::string complaint_of(const l3d_trim_loop& loop, bool may_be_open) {
+    if (loop.empty())
+        return "has no curve";
+    std::array<double, 2> least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
+    for (const l3d_trim_curve& one : loop) {
+        if (one.points.size() < 2 || one.points.size() > l3d_bpt_largest_degree + 1)
+            return "has a curve of " + std::to_string(one.points.size()) + " control points";
+        for (const auto& p : one.points) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                if (!(std::abs(p[k]) <= l3d_bpt_largest_coordinate))
+                    return "has a coordinate that is not finite, or beyond 1e12";
+                least[k] = std::min(least[k], p[k]);
+                most[k] = std::max(most[k], p[k]);
+            }
+            if (!l3d_is_weight(p[2]))
+                return l3d_detail::formatted("has the weight %g, which is not from 1e-100 to 1e12",
+                                             p[2]);
+        }
+    }
+    if (may_be_open)
+        return "";
+    const double widest = 0x1p-20 * std::max(most[0] - least[0], most[1] - least[1]);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto& end = loop[i].points.back();
+        const auto& next = loop[i + 1 < loop.size() ? i + 1 : 0].points.front();
+        if (!(std::abs(end[0] - next[0]) <= widest && std::abs(end[1] - next[1]) <= widest))
+            return l3d_detail::formatted("is open from (%g, %g) to (%g, %g)", end[0], end[1],
+                                         next[0], next[1]);
+    }
+    return "";
+}
+
+std::string complaint_of(std::span<const l3d_trim_loop> loops, bool may_be_open) {
+    for (std::size_t i = 0; i < loops.size(); ++i)
+        if (const std::string why = complaint_of(loops[i], may_be_open); !why.empty())
+            return "trim " + std::to_string(i + 1) + ' ' + why;
+    return "";
+}
+
+} // namespace
+
+std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops) {
+    return complaint_of(loops, false);
+}
+
+std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops) {
+    return complaint_of(loops, true);
+}
+
+double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
+                      double wanted, l3d_trim_region& to) {
+    constexpr int most_halvings = 16; // chords of curves fall by 4 with each
+    double off = 0;
+    for (const l3d_trim_loop& loop : loops) {
+        l3d_trim_polygon& polygon = to.polygons.emplace_back();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
+            off = std::max(off, flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted,
+                                        most_halvings, polygon));
+            // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
+            const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
+            if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
+                polygon.push_back({end, {one.edge, one.to, one.to}});
+        }
+        if (is_flat(polygon))
+            to.polygons.pop_back();
+    }
+    return off;
+}
+
+bool l3d_trim_region::is_all_of(const l3d_trim_box& box) const {
+    if (polygons.size() != 1 || polygons.front().size() != 4)
+        return false;
+    const l3d_trim_polygon& p = polygons.front();
+    const auto is_corner = [&](const l3d_trim_place& at) {
+        return (at[0] == box.least[0] || at[0] == box.most[0]) &&
+               (at[1] == box.least[1] || at[1] == box.most[1]);
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        const l3d_trim_place &a = p[i], &b = p[(i + 1) % 4];
+        if (!is_corner(a) || (a[0] == b[0]) == (a[1] == b[1]))
+            return false;
+    }
+    return p[0] != p[2] && p[1] != p[3];
+}
+
+bool l3d_trim_region::follows_edges() const {
+    return std::ranges::any_of(polygons, [](const l3d_trim_polygon& polygon) {
+        return std::ranges::any_of(
+            polygon, [](const l3d_trim_corner& c) { return c.side.edge != l3d_no_edge; });
+    });
+}
+
+bool l3d_trim_region::contains(const l3d_trim_place& at) const {
+    bool inside = false;
+    for (const l3d_trim_polygon& polygon : polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_place& a = polygon[i];
+            const l3d_trim_place& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            if ((a[1] <= at[1]) != (b[1] <= at[1]) && crossing(a, b, 1, at[1])[0] > at[0])
+                inside = !inside;
+        }
+    return inside;
+}
+
+std::array<l3d_trim_region, 2> l3d_trim_region::halves(std::size_t along, double at) const {
+    std::array<l3d_trim_region, 2> result;
+    for (const l3d_trim_polygon& polygon : polygons)
+        for (const bool above : {false, true}) {
+            l3d_trim_polygon part = part_of(polygon, along, at, above);
+            if (!is_flat(part))
+                result[above ? 1 : 0].polygons.push_back(std::move(part));
+        }
+    return result;
+}
+
+l3d_trim_region l3d_trim_region::within(const l3d_trim_box& box) const {
+    l3d_trim_region result = *this;
+    for (const std::size_t along : {std::size_t{0}, std::size_t{1}}) {
+        result = result.halves(along, box.least[along])[1];
+        result = result.halves(along, box.most[along])[0];
+    }
+    return result;
+}
+
+l3d_trim_region l3d_trim_region::in_box(const l3d_trim_box& box) const {
+    l3d_trim_region result = *this;
+    for (l3d_trim_polygon& polygon : result.polygons)
+        for (l3d_trim_place& p : polygon)
+            for (std::size_t k = 0; k < 2; ++k)
+                p[k] = (p[k] - box.least[k]) / (box.most[k] - box.least[k]);
+    return result;
+}
+
+void l3d_join_stretches(std::vector<std::array<double, 2>>& of) {
+    std::ranges::sort(of);
+    std::size_t kept = 0;
+    for (const auto& one : of)
+        if (kept > 0 && one[0] <= of[kept - 1][1])
+            of[kept - 1][1] = std::max(of[kept - 1][1], one[1]);
+        else
+            of[kept++] = one;
+    of.resize(kept);
+}
+
+std::vector<std::array<double, 2>> l3d_trim_region::stretches(std::size_t along, double at) const {
+    // Sides on the line: where an odd number lies, the region ends.
+    std::vector<std::array<double, 2>> result;
+    for (const l3d_trim_region& half : halves(along, at)) {
+        std::vector<double> ends;
+        for (const l3d_trim_polygon& polygon : half.polygons)
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const l3d_trim_place& a = polygon[i];
+                const l3d_trim_place& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+                if (a[along] == at && b[along] == at)
+                    ends.insert(ends.end(), {a[1 - along], b[1 - along]});
+            }
+        std::ranges::sort(ends);
+        for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+            if (ends[i] < ends[i + 1])
+                result.push_back({ends[i], ends[i + 1]});
+    }
+    l3d_join_stretches(result);
+    return result;
+}

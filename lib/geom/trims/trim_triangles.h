@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// l3d_trim_triangles: a trimmed region in a box as triangles; and boxes of a grid, region by
+// region.
+#ifndef L3D_GEOM_TRIM_TRIANGLES_H
+#define L3D_GEOM_TRIM_TRIANGLES_H
+
+#include "geom/trims/trapezoids.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// The triangles of a region, with what neighbours of its box must know.
+///
+/// Lives: kept for its memory.
+class l3d_trim_triangles {
+public:
+    using stretch = std::array<double, 2>;
+
+    /// Cuts a region that lies in a box.
+    void cut(const l3d_trim_region& region, const l3d_trim_box& box);
+
+    /// Triangles that meet without a T, counterclockwise if u runs to the right and v upwards. On
+    /// the box's sides there may be corners that neighbours lack. Triangles without area fill what
+    /// rounding may open between straight sides and these.
+    std::span<const std::array<l3d_trim_place, 3>> triangles() const { return triangles_; }
+
+    /// Where the region reaches the sides of the box. Shape: v low, v high, u low, u high; each in
+    /// order.
+    const std::array<std::vector<stretch>, 4>& sides() const { return sides_; }
+
+    /// A side of a triangle, which is on its left if u runs to the right and v upwards.
+    struct border_side {
+        l3d_trim_place from, to;
+        std::size_t triangle;
+        l3d_trim_use use; ///< the edge that it follows, if it does
+    };
+    /// The region's border within the box, in the order of the triangles.
+    std::span<const border_side> border() const { return border_; }
+    /// The parts of the border that follow edges, also those on the box's sides; these are beside
+    /// no triangle of their own.
+    std::span<const border_side> followed() const { return followed_; }
+
+private:
+    /// A side of equal v of a trapezoid, within the box.
+    struct level_side {
+        double v, from, to;
+        bool is_high;
+        std::size_t triangle;
+    };
+
+    l3d_trim_use level_use(double v, double from, double to) const;
+    void take(const l3d_trapezoid& one);
+    void close_sides();
+    void find_followed();
+    void find_level_border();
+
+    const l3d_trim_region* region_ = nullptr; ///< while it is cut
+    l3d_trim_box box_;
+    l3d_trapezoids trapezoids_;
+    std::vector<std::array<l3d_trim_place, 3>> triangles_;
+    std::array<std::vector<stretch>, 4> sides_;
+    std::vector<border_side> border_, followed_;
+    std::vector<level_side> level_sides_;
+};
+
+/// Quads of a grid: from a row and a column on, up to others.
+struct l3d_trim_block {
+    std::size_t row, end_row, column, end_column;
+};
+
+/// Calls visit(use, from, to) for each quad's side of a block, all of which a region fills, where
+/// the region follows an edge: on the block's border.
+template <class Visit>
+void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const double> u,
+                            std::span<const double> v, const l3d_trim_block& of,
+                            const Visit& visit) {
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_corner& a = polygon[i];
+            const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            if (a.side.edge == l3d_no_edge)
+                continue;
+            const std::size_t along = a[1] == b[1] ? 0 : 1;
+            const auto at = along == 0 ? u.subspan(of.column, of.end_column - of.column + 1)
+                                       : v.subspan(of.row, of.end_row - of.row + 1);
+            const auto corner = [&](std::size_t k) {
+                l3d_trim_place result = a;
+                result[along] = at[k];
+                return result;
+            };
+            const auto t = [&](std::size_t k) {
+                return a.side.at((at[k] - a[along]) / (b[along] - a[along]));
+            };
+            for (std::size_t k = 0; k + 1 < at.size(); ++k)
+                visit(l3d_trim_use{a.side.edge, t(k), t(k + 1)}, corner(k), corner(k + 1));
+        }
+}
+
+/// Halves a region along a grid's lines. Calls visit(block, nullptr) for quads that lie outside,
+/// and visit(block, region) for those that lie inside or for one that the border passes through.
+/// The region of quads that lie inside is all of the block.
+/// Expects: the region lies in the block.
+template <class Visit>
+void l3d_for_trimmed_blocks(const l3d_trim_region& region, std::span<const double> u,
+                            std::span<const double> v, const l3d_trim_block& of,
+                            const Visit& visit) {
+    if (region.is_empty())
+        return visit(of, nullptr);
+    const std::size_t rows = of.end_row - of.row, columns = of.end_column - of.column;
+    if ((rows == 1 && columns == 1) ||
+        region.is_all_of({{u[of.column], v[of.row]}, {u[of.end_column], v[of.end_row]}}))
+        return visit(of, &region);
+    l3d_trim_block low = of, high = of;
+    const bool along_u = columns >= rows;
+    if (along_u)
+        low.end_column = high.column = of.column + columns / 2;
+    else
+        low.end_row = high.row = of.row + rows / 2;
+    const auto halves = along_u ? region.halves(0, u[high.column]) : region.halves(1, v[high.row]);
+    l3d_for_trimmed_blocks(halves[0], u, v, low, visit);
+    l3d_for_trimmed_blocks(halves[1], u, v, high, visit);
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_afd: mixes pictures with and without the transparent instances.
+#include "pipeline/afd/pipeline_afd_p.h"
+
+#include "pipeline/stopwatch_p.h"
+#include "scene/drawn_pixels.h"
+#include "scene/lit_shade_bound.h"
+#include "tool_2d/pixel_boxes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using l3d_detail::stopwatch;
+
+/// A part of the picture, and a bit for each transparent instance that may be seen there.
+struct cell {
+    l3d_pixel_box box;
+    unsigned instances = 0;
+};
+
+/// Disjoint boxes that cover the given ones, each with the set of boxes that hold it.
+std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
+    std::vector<std::int32_t> columns, rows;
+    for (const l3d_pixel_box& box : boxes) {
+        if (box.empty())
+            continue;
+        columns.insert(columns.end(), {box.left, box.right});
+        rows.insert(rows.end(), {box.top, box.bottom});
+    }
+    std::ranges::sort(columns);
+    std::ranges::sort(rows);
+    std::vector<cell> result;
+    for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
+        const std::size_t first = result.size();
+        for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
+            const l3d_pixel_box here{columns[c], rows[r], columns[c + 1], rows[r + 1]};
+            unsigned instances = 0;
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                if (!here.intersected(boxes[i]).empty())
+                    instances |= 1U << i;
+            if (here.empty() || instances == 0)
+                continue;
+            const bool goes_on = result.size() > first && result.back().instances == instances &&
+                                 result.back().box.right == here.left;
+            if (goes_on)
+                result.back().box.right = here.right;
+            else
+                result.push_back({here, instances});
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+/// Draws the mean of pictures in which each transparent instance is present with its opacity as
+/// probability. So nothing needs to be sorted, and surfaces may pass through each other.
+void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times) {
+    std::vector<std::size_t> opaque, transparent;
+    const auto instances = scene_.instances();
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        if (instances[i].opacity() == 1)
+            opaque.push_back(i);
+        else if (instances[i].opacity() > 0)
+            transparent.push_back(i);
+    const l3d_pixel_box whole = l3d_whole(now.target.size());
+    draw_surfaces(now, {scene_.only(opaque), now.target, whole}, times);
+
+    std::vector<l3d_pixel_box> boxes;
+    const bool by_parts = stages_->method->draws_parts();
+    for (const std::size_t i : transparent) {
+        l3d_box_lanes box;
+        box.add(instances[i].box());
+        l3d_pixel_boxes reached;
+        l3d_drawn_pixels(box, stages_->transform.matrix(), stages_->view, reached);
+        boxes.push_back(by_parts ? reached.around().grown(now.shading.reach()).intersected(whole)
+                                 : whole);
+    }
+    if (stages_->mixed.pixels().size() != now.target.size())
+        stages_->mixed = l3d_image(now.target.size(), l3d_padded_stride(now.target.width));
+    const l3d_pixels mixed = stages_->mixed.pixels();
+    for (const cell& c : cells_of(boxes)) {
+        stages_->mix.begin(c.box);
+        for (unsigned seen = 0; seen <= c.instances; ++seen) {
+            if ((seen & ~c.instances) != 0)
+                continue;
+            double weight = 1;
+            std::vector<std::size_t> with = opaque;
+            for (std::size_t i = 0; i < transparent.size(); ++i) {
+                const double opacity = instances[transparent[i]].opacity();
+                if (seen >> i & 1)
+                    with.push_back(transparent[i]);
+                if (c.instances >> i & 1)
+                    weight *= seen >> i & 1 ? opacity : 1 - opacity;
+            }
+            std::ranges::sort(with);
+            if (seen != 0)
+                draw_surfaces(now, {scene_.only(with), mixed, c.box}, times);
+            const stopwatch mixing;
+            stages_->mix.add(seen == 0 ? now.target : mixed, static_cast<float>(weight),
+                             stages_->workers);
+            times.raster += mixing.milliseconds();
+        }
+        const stopwatch writing;
+        stages_->mix.write(now.target, stages_->workers);
+        times.raster += writing.milliseconds();
+    }
+
+    // The depth is that of the nearest surface, as if it were opaque.
+    if (wants_depth())
+        draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
+}
+
+/// The scene without instances of opacity 0.
+l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
+    std::vector<std::size_t> there;
+    for (std::size_t i = 0; i < scene_.instances().size(); ++i)
+        if (scene_.instances()[i].opacity() > 0)
+            there.push_back(i);
+    return scene_.only(there);
+}
+
+/// Levels of a mean of light have at most 4/3 of each picture's error (NUMERICS, section 22), and
+/// are rounded once more.
+double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
+    constexpr double most_steep = 4.0 / 3, rounding = 0.51;
+    return most_steep * of_each + rounding;
+}
+
+/// A drawn surface is nowhere farther from the exact one than the bound of depth, in pixels at its
+/// distance. Fog is rounded to whole 255ths, and both of its products to whole levels.
+double l3d_pipeline_afd::shade_bound_of_fog() const {
+    const l3d_fog& fog = settings_.fog;
+    if (!fog.is_on())
+        return 0;
+    constexpr double white = 255, rounding = 0.5 + 0.5 + 0.5 + 0.01;
+    const l3d_size size = stages_->view.size;
+    const double far = double{fog.to}, off = report_.dice.depth_bound_px;
+    const double most_off = camera_.is_parallel() ? off / camera_.scale_at_target(size)
+                                                  : off * far / camera_.focal_length(size);
+    return white * most_off / (far - double{fog.from}) + rounding;
+}
+
+/// A pixel's shade stands for an exact point within the bound of places. A pixel is seen under the
+/// largest angle in the picture's middle. The rays of a parallel projection have one direction.
+double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
+    const l3d_size size = stages_->view.size;
+    return l3d_lit_shade_bound(
+        shading, scene_.materials(), size,
+        {.normal = report_.dice.normal_off + report_.surface.normal_error,
+         .way = camera_.is_parallel() ? 0 : report_.dice.bound_px / camera_.focal_length(size)});
+}

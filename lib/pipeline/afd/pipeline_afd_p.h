@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// l3d_pipeline_afd's own data, for the files that define it.
+#ifndef L3D_PIPELINE_PIPELINE_AFD_P_H
+#define L3D_PIPELINE_PIPELINE_AFD_P_H
+
+#include "pipeline/pipeline_afd.h"
+
+#include "dice/certificate/frame_doubts.h"
+#include "dice/frame_dicer.h"
+#include "pipeline/surface_method.h"
+#include "raster/parallel/workers.h"
+#include "raster/color/light_mix_p.h"
+#include "raster/lines/depth_lines_p.h"
+#include "scene/dice_view.h"
+#include "scene/image_transform.h"
+#include "scene/levels/level_choice.h"
+#include "scene/culling/scene_culling.h"
+#include "scene/space_curve.h"
+#include "tool_2d/image.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+/// Everything that a picture depends on, except the placements of its models.
+struct l3d_pipeline_afd::basis {
+    l3d_pixels target;
+    l3d_matrix<double> to_image;
+    l3d_dice_view view;
+    l3d_shading shading;
+    l3d_texture_filter filter{};
+    bool wireframe = false, drawing = false, net = false, edges = false;
+    bool depth = false, outlines = false, error_map = false;
+
+    friend bool operator==(const basis&, const basis&) = default;
+};
+
+/// The task of one drawing: the scene, the picture, and the part of it to draw.
+struct l3d_pipeline_afd::drawing {
+    const l3d_patch_scene& scene;
+    l3d_pixels target;
+    l3d_pixel_box part;
+    bool wants_depth = false;
+};
+
+/// The stages of a frame, from the scene to the method that fills it.
+struct l3d_pipeline_afd::stages {
+    stages(const l3d_afd_settings& settings, const l3d_rasterizer_factory& rasterizers)
+        : workers(settings.threads), method(settings.method.create(rasterizers, workers)),
+          wire_dicer(workers) {}
+
+    l3d_workers workers;
+    std::unique_ptr<l3d_surface_method> method;
+    basis drawn; ///< basis of the picture that is in the pixels
+    l3d_image_transform transform;
+    l3d_dice_view view;
+    l3d_curved_error curved;
+    l3d_box_lanes moved_to; ///< kept for its memory
+    l3d_scene_culling wire_culling;
+    l3d_frame_dicer<l3d_real> wire_dicer;
+    l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent things
+    l3d_image mixed;               ///< one of these pictures, to be mixed
+    l3d_detail::depth_lines lines; ///< kept for its memory
+    /// The edges of models as lines, by the identity of each.
+    std::map<const void*, std::vector<l3d_space_curve>> edges;
+    std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
+};
+
+#endif

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+// l3d_curved_pieces: as many cells as a level needs.
+#include "scene/levels/curved_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace {
+
+using patch = l3d_curved_pieces::patch;
+
+/// A part of a piece, and where it is in the piece.
+struct ranged_part {
+    l3d_rational_piece part;
+    l3d_parameter_range range{};
+
+    ranged_part half(bool along_u, bool second) const {
+        auto halves = part.halves(along_u);
+        return {std::move(second ? halves.second : halves.first), range.half(along_u, second)};
+    }
+};
+
+/// Calls visit(part) with the cells of a part, but for those that is_hidden(part) leaves out. Parts
+/// are cut along u as often as u's line is, and then along v. So cells of two pieces beside each
+/// other halve their common boundary in the same order.
+template <class Cut, class Hidden, class Visit>
+void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hidden,
+                   const Visit& visit) {
+    if (is_hidden(of.part))
+        return;
+    const l3d_parameter_range& at = of.range;
+    const bool in_u = is_cut(true, at.u0, at.u1);
+    if (!in_u && !is_cut(false, at.v0, at.v1))
+        return visit(of);
+    for (const bool second : {false, true})
+        for_each_cell(of.half(in_u, second), is_cut, is_hidden, visit);
+}
+
+/// Where there are trims, they get three quarters of the error of places. For a quarter, cells need
+/// hardly more halvings.
+constexpr double share_of_cells = 0.25;
+
+/// A cell of a piece.
+struct cell {
+    patch of;
+    l3d_parameter_range range;
+    double error, allowed; ///< errors of places
+};
+
+/// How long a unit of the piece's u and v is at most in its cells: 3 differences of control points
+/// for each of their own.
+l3d_trim_place lengths_of(std::span<const cell> cells) {
+    l3d_trim_place result{0, 0};
+    for (const cell& one : cells)
+        for (int i = 0; i < 4; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const double by_u = l3d_length(one.of.at(i, k + 1) - one.of.at(i, k));
+                const double by_v = l3d_length(one.of.at(k + 1, i) - one.of.at(k, i));
+                result[0] = std::max(result[0], 3 * by_u / (one.range.u1 - one.range.u0));
+                result[1] = std::max(result[1], 3 * by_v / (one.range.v1 - one.range.v0));
+            }
+    return result;
+}
+
+/// Calls visit(cell, region) for each cell of a part of a piece of which the trims leave something.
+/// The region is empty where they leave all.
+template <class Visit>
+void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& part,
+                      const l3d_trim_region& region, const Visit& visit) {
+    const l3d_trim_box box{{part.u0, part.v0}, {part.u1, part.v1}};
+    if (region.is_empty() || cells.empty())
+        return;
+    if (region.is_all_of(box) && !region.follows_edges()) {
+        for (const cell& one : cells)
+            visit(one, l3d_trim_region());
+        return;
+    }
+    // Cells come in the order in which for_each_cell cuts. Those that are not seen are missing.
+    const l3d_parameter_range& any = cells.front().range;
+    const bool along_u = any.u0 != part.u0 || any.u1 != part.u1;
+    if (!along_u && any.v0 == part.v0 && any.v1 == part.v1)
+        return visit(cells.front(), region.in_box(box));
+    const l3d_parameter_range first = part.half(along_u, false);
+    const auto [low, high] = region.halves(along_u ? 0 : 1, along_u ? first.u1 : first.v1);
+    const auto half = std::ranges::partition_point(cells, [&](const cell& one) {
+        return along_u ? one.range.u1 <= first.u1 : one.range.v1 <= first.v1;
+    });
+    const auto count = static_cast<std::size_t>(half - cells.begin());
+    for_each_trimmed(cells.first(count), first, low, visit);
+    for_each_trimmed(cells.subspan(count), part.half(along_u, true), high, visit);
+}
+
+/// How a cell keeps what is wanted.
+struct verdict {
+    double error = 0;
+    bool cut_u = false, cut_v = false;
+};
+
+/// Judges a cell. If it is off, its halves tell which way it is to be cut.
+/// Shape: found(part) is what stands for a part.
+template <class Found>
+verdict judged(const ranged_part& cell, double allowed, double allowed_normal, const Found& found) {
+    // Where normals have no bound, as at a cusp, cutting may never give one. Lines are cut for one
+    // only if 16 by 16 parts of the cell all have one.
+    constexpr int most_without_bound = 4;
+    // Rounding, or a cusp, is reached where halving no longer gains a tenth.
+    constexpr double gain = 0.9;
+    const l3d_bicubic_approximation& by = found(cell);
+    verdict result{by.error};
+    const bool is_off = by.error > allowed;
+    const double now = is_off ? by.error : by.normal_error;
+    if (!is_off && !(now > allowed_normal))
+        return result;
+    const auto left_by = [&](int m, int n) {
+        double most = 0;
+        for_each_cell(
+            cell,
+            [&](bool along_u, double from, double to) {
+                return to - from > (along_u ? std::ldexp(cell.range.u1 - cell.range.u0, -m)
+                                            : std::ldexp(cell.range.v1 - cell.range.v0, -n));
+            },
+            [](const l3d_rational_piece&) { return false; },
+            [&](const ranged_part& of) {
+                most = std::max(most, is_off ? found(of).error : found(of).normal_error);
+            });
+        return most;
+    };
+    const double by_u = left_by(1, 0), by_v = left_by(0, 1);
+    result.cut_u = by_u < gain * now && by_u <= by_v;
+    result.cut_v = by_v < gain * now && by_v < by_u;
+    if (!result.cut_u && !result.cut_v)
+        result.cut_u = result.cut_v =
+            left_by(1, 1) < gain * now ||
+            (std::isinf(now) && std::isfinite(left_by(most_without_bound, most_without_bound)));
+    return result;
+}
+
+/// The control points of a boundary, as numbers, in the direction that is first in order.
+struct boundary {
+    std::vector<double> numbers;
+    bool is_turned = false;    ///< whether this direction is against that of the parameter
+    bool is_symmetric = false; ///< whether both directions are alike
+};
+
+/// The four boundaries. Nothing for a boundary that is a point.
+std::array<std::optional<boundary>, 4> boundaries_of(const l3d_patch_points& piece) {
+    const auto m = static_cast<std::size_t>(piece.degree_u);
+    const auto n = static_cast<std::size_t>(piece.degree_v);
+    const std::size_t width = m + 1;
+    const std::array<std::array<std::size_t, 3>, 4> lines{
+        {{0, 1, m}, {n * width, 1, m}, {0, width, n}, {m, width, n}}}; // first, step, degree
+    std::array<std::optional<boundary>, 4> result;
+    for (std::size_t side = 0; side < 4; ++side) {
+        const auto [first, step, degree] = lines[side];
+        std::vector<double> there, back;
+        bool is_point = true;
+        for (std::size_t i = 0; i <= degree; ++i) {
+            for (const auto& [to, k] : {std::pair{&there, i}, std::pair{&back, degree - i}}) {
+                const std::size_t at = first + k * step;
+                for (const double value : piece.points[at])
+                    to->push_back(value + 0.0); // no -0, which is 0
+                to->push_back(piece.weights.empty() ? 1 : piece.weights[at]);
+            }
+            is_point = is_point && piece.points[first + i * step] == piece.points[first];
+        }
+        if (!is_point)
+            result[side] = boundary{std::min(there, back), back < there, there == back};
+    }
+    return result;
+}
+
+} // namespace
+
+l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
+                                     std::vector<l3d_model_edge> edges)
+    : pieces_(std::move(pieces)), file_edges_(std::move(edges)),
+      edges_(l3d_shared_edges(file_edges_, pieces_)), alike_(2 * pieces_.size()) {
+    bool is_first = true;
+    for (const l3d_patch_points& piece : pieces_) {
+        has_trims_ = has_trims_ || !piece.trims.empty();
+        for (const auto& p : piece.points) {
+            for (int k = 0; k < 3; ++k) {
+                const double value = p[static_cast<std::size_t>(k)];
+                least_[k] = is_first ? value : std::min(least_[k], value);
+                most_[k] = is_first ? value : std::max(most_[k], value);
+            }
+            is_first = false;
+        }
+    }
+    for (std::size_t i = 0; i < alike_.size(); ++i)
+        alike_[i].other = i;
+    unite_common_boundaries();
+}
+
+/// The most that the edges are off which a region follows; negative if it follows none.
+double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
+    double result = -1;
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (const l3d_trim_corner& corner : polygon)
+            if (corner.side.edge < edges_.size())
+                result = std::max(result, edges_[corner.side.edge].off);
+    return result;
+}
+
+l3d_curved_pieces::line l3d_curved_pieces::root_of(std::size_t index) const {
+    bool is_turned = false;
+    while (alike_[index].other != index) {
+        is_turned ^= alike_[index].is_turned;
+        index = alike_[index].other;
+    }
+    return {index, is_turned, alike_[index].is_symmetric};
+}
+
+/// A line that meets itself the other way round, as on a Moebius band, is cut symmetrically.
+void l3d_curved_pieces::unite_common_boundaries() {
+    std::map<std::vector<double>, line> lines;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const auto boundaries = boundaries_of(pieces_[i]);
+        for (std::size_t side = 0; side < 4; ++side) {
+            if (!boundaries[side])
+                continue;
+            const auto& [numbers, is_turned, is_symmetric] = *boundaries[side];
+            const line here{2 * i + side / 2, is_turned};
+            const auto [there, is_new] = lines.try_emplace(numbers, here);
+            const line one = root_of(here.other), other = root_of(there->second.other);
+            const bool turns =
+                is_turned ^ there->second.is_turned ^ one.is_turned ^ other.is_turned;
+            line& root = alike_[one.other];
+            line& joined = alike_[other.other];
+            joined.is_symmetric = joined.is_symmetric || root.is_symmetric || is_symmetric ||
+                                  (one.other == other.other && turns);
+            if (one.other != other.other) {
+                root.other = other.other;
+                root.is_turned = turns;
+            }
+        }
+    }
+}
+
+double l3d_curved_pieces::place_target(int level) const {
+    return std::ldexp(l3d_length(most_ - least_), -10 - 2 * level);
+}
+
+double l3d_curved_pieces::normal_target(int level) {
+    return std::exp2(-9 - 1.5 * level);
+}
+
+double l3d_cell_wish::allowed(std::span<const l3d_vector<double, 4>> points) const {
+    return region ? std::max(places, places_by_depth * region->least_depth(points)) : places;
+}
+
+double l3d_cell_wish::normals_of(const l3d_parameter_range& cell) const {
+    const int halvings = -std::ilogb(cell.u1 - cell.u0) - std::ilogb(cell.v1 - cell.v0);
+    return halvings < l3d_curved_pieces::most_halvings_for_normals + normals
+               ? l3d_curved_pieces::normal_target(normals)
+               : std::numeric_limits<double>::infinity();
+}
+
+bool l3d_curved_pieces::is_cut(const cuts& by, std::size_t index, double from, double to) const {
+    const line root = root_of(index);
+    const std::vector<double>& places = by.of_lines[root.other];
+    const auto next = std::ranges::upper_bound(places, root.is_turned ? 1 - to : from);
+    return next != places.end() && *next < (root.is_turned ? 1 - from : to);
+}
+
+template <class Visit>
+void l3d_curved_pieces::visit_cells(std::size_t piece, const cuts& by, const l3d_cell_wish& wanted,
+                                    const Visit& visit) const {
+    for_each_cell(
+        ranged_part{l3d_rational_piece(pieces_[piece])},
+        [&](bool along_u, double from, double to) {
+            return is_cut(by, 2 * piece + (along_u ? 0 : 1), from, to);
+        },
+        [&](const l3d_rational_piece& part) {
+            return wanted.region && wanted.region->hides(part.points);
+        },
+        visit);
+}
+
+void l3d_curved_pieces::halve(cuts& by, const line& root, double place) const {
+    std::vector<double>& places = by.of_lines[root.other];
+    const auto add = [&](double at) {
+        const auto next = std::ranges::lower_bound(places, at);
+        if (next == places.end() || *next != at)
+            places.insert(next, at);
+    };
+    if (!root.is_turned || root.is_symmetric)
+        add(place);
+    if (root.is_turned || root.is_symmetric)
+        add(1 - place);
+}
+
+/// Cells that are off are halved until none is. A halving cuts all cells along its line, and those
+/// of all pieces that share the line.
+l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted, const cuts& from,
+                                                    l3d_found_cells& found) const {
+    using places = std::vector<double>;
+    struct seen_cells {
+        double count = 0, error = 0;
+        std::array<places, 2> halvings{}; ///< along u and v
+    };
+    const double of_cells = has_trims_ ? share_of_cells : 1;
+    const double of_trims = (1 - of_cells) * wanted.places;
+    std::vector<seen_cells> seen(pieces_.size());
+    l3d_by_cell<verdict> known;
+    const auto look = [&](std::size_t i, const cuts& by) {
+        seen_cells result;
+        visit_cells(i, by, wanted, [&](const ranged_part& of) {
+            const l3d_parameter_range& at = of.range;
+            const auto [place, is_new] = known.try_emplace(l3d_cell_key(i, at));
+            if (is_new)
+                place->second =
+                    judged(of, of_cells * wanted.allowed(of.part.points), wanted.normals_of(at),
+                           [&](const ranged_part& part) -> const l3d_bicubic_approximation& {
+                               return found.of(i, part.range, part.part);
+                           });
+            const verdict& v = place->second;
+            ++result.count;
+            result.error = std::max(result.error, v.error);
+            if (v.cut_u)
+                result.halvings[0].push_back((at.u0 + at.u1) / 2);
+            if (v.cut_v)
+                result.halvings[1].push_back((at.v0 + at.v1) / 2);
+        });
+        return result;
+    };
+    cuts now = from;
+    now.of_lines.resize(alike_.size());
+    std::optional<cuts> before;
+    std::vector<bool> is_new(alike_.size(), true); // whether a line was halved, by its root
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        cuts next = now;
+        std::vector<bool> is_next_new(alike_.size(), false);
+        now.cells = now.error = 0;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const std::array<line, 2> lines{root_of(2 * i), root_of(2 * i + 1)};
+            if (is_new[lines[0].other] || is_new[lines[1].other])
+                seen[i] = look(i, now);
+            now.cells += seen[i].count;
+            now.error = std::max(now.error, seen[i].error + of_trims);
+            if (before && now.cells > most_cells)
+                return *before;
+            for (std::size_t along = 0; along < 2; ++along)
+                for (const double place : seen[i].halvings[along]) {
+                    halve(next, lines[along], place);
+                    is_next_new[lines[along].other] = goes_on = true;
+                }
+        }
+        before = std::exchange(now, std::move(next));
+        is_new = std::move(is_next_new);
+    }
+    return *before;
+}
+
+l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_wish& wanted,
+                                                l3d_found_cells& found) const {
+    cells result;
+    std::vector<cell> all;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        all.clear();
+        double least_allowed = std::numeric_limits<double>::infinity();
+        visit_cells(i, by, wanted, [&](const ranged_part& of) {
+            const l3d_bicubic_approximation& one = found.of(i, of.range, of.part);
+            all.push_back({one.patch, of.range, one.error, wanted.allowed(of.part.points)});
+            least_allowed = std::min(least_allowed, all.back().allowed);
+            result.normal_error = std::max(result.normal_error, one.normal_error);
+        });
+        double of_trims = 0;
+        const auto add = [&](const cell& one, l3d_trim_region region) {
+            result.patches.push_back(one.of);
+            result.ranges.push_back(one.range);
+            result.pieces.push_back(static_cast<std::uint32_t>(i));
+            result.errors.push_back(one.error + of_trims);
+            result.share = std::max(result.share, result.errors.back() / one.allowed);
+            if (!edges_.empty())
+                result.edges_off.push_back(off_edges(region));
+            if (has_trims_)
+                result.trims.push_back(std::move(region));
+        };
+        if (pieces_[i].trims.empty() || all.empty()) {
+            for (const cell& one : all)
+                add(one, {});
+            continue;
+        }
+        l3d_trim_region region;
+        of_trims = l3d_flat_trims(pieces_[i].trims, lengths_of(all),
+                                  (1 - share_of_cells) * least_allowed, region);
+        for_each_trimmed(all, {}, region.within({}), add);
+    }
+    return result;
+}

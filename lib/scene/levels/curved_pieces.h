@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// l3d_curved_pieces: rational patches of any degree, cut until bicubic ones can stand for them.
+#ifndef L3D_SCENE_CURVED_PIECES_H
+#define L3D_SCENE_CURVED_PIECES_H
+
+#include "base/number_hash_p.h"
+#include "geom/bezier_patch.h"
+#include "geom/bicubic_approximation.h"
+#include "geom/files/patch_file.h"
+#include "geom/trims/trim_region.h"
+#include "scene/patch_scene.h"
+#include "scene/levels/seen_region.h"
+#include "scene/sides/shared_edges.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+/// The errors that cells of curved pieces may have.
+struct l3d_cell_wish {
+    double places = 0; ///< error of places that is always allowed, in the pieces' unit
+    int normals = 0;   ///< the level of normals
+    /// The region that is seen; without one, all is.
+    std::optional<l3d_seen_region> region{};
+    double places_by_depth = 0; ///< error of places that is allowed at depth 1 in the region
+
+    friend bool operator==(const l3d_cell_wish&, const l3d_cell_wish&) = default;
+
+    /// The error of places that is allowed in the hull of points as l3d_seen_region has them.
+    double allowed(std::span<const l3d_vector<double, 4>> points) const;
+    /// The error of unit normals that is allowed in a cell with this part of its piece.
+    double normals_of(const l3d_parameter_range& cell) const;
+};
+
+/// The place of a cell: its piece, and its range there.
+inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter_range& at) {
+    return {static_cast<double>(piece), at.u0, at.u1, at.v0, at.v1};
+}
+
+/// A table of something for each cell.
+template <class T>
+using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
+
+/// The bicubic patches that stand for cells, kept from one search to the next.
+class l3d_found_cells {
+public:
+    /// The patch for a part of a piece. Lives: until forget_if_many().
+    const l3d_bicubic_approximation& of(std::size_t piece, const l3d_parameter_range& at,
+                                        const l3d_rational_piece& part) {
+        const auto [place, is_new] = kept_.try_emplace(l3d_cell_key(piece, at));
+        if (is_new)
+            place->second.emplace(part);
+        return *place->second;
+    }
+    /// Forgets all if they are more than 2^15, which take some 15 MB.
+    void forget_if_many() {
+        if (kept_.size() > std::size_t{1} << 15)
+            kept_.clear();
+    }
+
+private:
+    l3d_by_cell<std::optional<l3d_bicubic_approximation>> kept_;
+};
+
+/// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
+///
+/// The ranges of u and of v of a piece are each halved, and halves again, as far as some cell needs
+/// it. Pieces with a common boundary are halved alike along it, and their cells have the same
+/// boundaries there, bit for bit.
+class l3d_curved_pieces {
+public:
+    using patch = l3d_bezier_patch<double, 3>;
+    using vector = l3d_vector<double, 3>;
+
+    /// Expects: each piece as l3d_rational_piece expects. Edges that trims name and that are not
+    /// there do not count.
+    explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
+                               std::vector<l3d_model_edge> edges = {});
+
+    std::span<const l3d_patch_points> pieces() const { return pieces_; }
+    /// The edges that trims follow, as the file has them.
+    std::span<const l3d_model_edge> file_edges() const { return file_edges_; }
+    /// The same edges as Bezier curves.
+    std::span<const l3d_shared_edge> edges() const { return edges_; }
+
+    /// The box of all control points, which holds all pieces.
+    const vector& least() const { return least_; }
+    const vector& most() const { return most_; }
+
+    /// Levels of places and of normals are from 0 to this. The finest level of places asks for
+    /// errors of 2^-42 of the box's diagonal; rounding of doubles would leave little of a finer
+    /// one.
+    static constexpr int most_level = 16;
+    /// The bound of errors of places that a level asks for. Cells keep it if there are no more than
+    /// most_cells. Each level asks for a quarter of the bound before, which takes twice the cells.
+    double place_target(int level) const;
+    /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
+    /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are not halved for it more
+    /// than most_halvings_for_normals and `level` times, so that cusps do not take all cells.
+    static double normal_target(int level);
+    static constexpr int most_halvings_for_normals = 12;
+    /// Cells that a model may have at any level: some 300 MB.
+    static constexpr double most_cells = 0x1p17;
+
+    /// The cells of a level.
+    struct cells {
+        std::vector<patch> patches;
+        std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
+        std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
+        /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
+        std::vector<l3d_trim_region> trims;
+        /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
+        std::vector<double> errors;
+        double share = 0; ///< the largest of these by what is allowed for its patch
+        /// How far the edges may be off that each patch follows; negative where it follows none.
+        std::vector<double> edges_off;
+        double normal_error = 0; ///< bound of errors of unit normals; may be infinite
+    };
+    /// Whether any piece has trims.
+    bool has_trims() const { return has_trims_; }
+    /// The halvings of all pieces.
+    struct cuts {
+        /// For each line that l3d_curved_pieces keeps, the parameters at which it is cut, in order.
+        std::vector<std::vector<double>> of_lines;
+        double cells = 0; ///< the number of cells
+        double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
+    };
+    /// Finds the cuts that cells need. The search begins with the cuts of a coarser level.
+    /// Expects: a level of normals from 0 to most_level; `from` is empty, or was made here.
+    cuts cuts_for(const l3d_cell_wish& wanted, const cuts& from, l3d_found_cells& found) const;
+    /// Makes the cells of these cuts that are not hidden.
+    cells cut(const cuts& by, const l3d_cell_wish& wanted, l3d_found_cells& found) const;
+
+private:
+    void unite_common_boundaries();
+    /// Another line that is cut alike, or the line itself.
+    struct line {
+        std::size_t other = 0;
+        bool is_turned = false;    ///< whether it runs the other way
+        bool is_symmetric = false; ///< whether it is cut alike both ways: asked of roots alone
+    };
+    line root_of(std::size_t index) const;
+    double off_edges(const l3d_trim_region& region) const;
+    bool is_cut(const cuts& by, std::size_t index, double from, double to) const;
+    void halve(cuts& by, const line& root, double place) const;
+    template <class Visit>
+    void visit_cells(std::size_t piece, const cuts& by, const l3d_cell_wish& wanted,
+                     const Visit& visit) const;
+
+    std::vector<l3d_patch_points> pieces_;
+    std::vector<l3d_model_edge> file_edges_;
+    std::vector<l3d_shared_edge> edges_;
+    std::vector<line> alike_; ///< for lines 2 i and 2 i + 1, along u and v of the piece i
+    vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
+    bool has_trims_ = false;
+};
+
+#endif

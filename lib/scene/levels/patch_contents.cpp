@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// The data of l3d_patch_model: found once for each patch, and for each level when it is asked for.
+#include "scene/levels/patch_contents_p.h"
+
+#include "scene/culling/closed_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+using vector = l3d_patch_model::vector;
+
+l3d_slanted_box upright_box(const vector& least, const vector& most) {
+    l3d_slanted_box box;
+    box.centre = (least + most) * 0.5;
+    for (int k = 0; k < 3; ++k)
+        box.axes[static_cast<std::size_t>(k)][k] = (most[k] - least[k]) * 0.5;
+    return box;
+}
+
+/// The largest coordinates of points from, from + step, and so on: four of them, or all sixteen.
+vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
+                  std::size_t count) {
+    vector result{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            result[k] = std::max(result[k], std::abs(p.points[from + i * step][k]));
+    return result;
+}
+
+l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
+    return {largest_of(p, 0, 1, 16),
+            {largest_of(p, 0, 1, 4), largest_of(p, 12, 1, 4), largest_of(p, 0, 4, 4),
+             largest_of(p, 3, 4, 4)}};
+}
+
+} // namespace
+
+/// Boxes grow by what edges are off that a patch follows.
+void l3d_patch_model::contents::learn(const contents* like,
+                                      std::span<const std::size_t> places_in_like) {
+    normals.reserve(patches.size());
+    for (const patch& p : patches) {
+        const std::size_t index = normals.size();
+        const std::size_t i = places_in_like.empty() ? index : places_in_like[index];
+        if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points) {
+            normals.push_back(like->normals[i]);
+            facing.push_back(like->facing[i]);
+            bends.push_back(like->bends[i]);
+        } else {
+            normals.emplace_back(p);
+            facing.emplace_back(p, normals.back());
+            bends.push_back(std::make_shared<bends_on_demand>());
+        }
+        reaches.push_back(reach_of(p));
+        auto [lowest, highest] = p.bounds();
+        if (const std::size_t last = normals.size() - 1;
+            last < edges_off.size() && edges_off[last] > 0)
+            for (int k = 0; k < 3; ++k) {
+                lowest[k] -= edges_off[last];
+                highest[k] += edges_off[last];
+            }
+        boxes.add(upright_box(lowest, highest));
+        if (normals.size() == 1) {
+            least = lowest;
+            most = highest;
+        }
+        for (int k = 0; k < 3; ++k) {
+            least[k] = std::min(least[k], lowest[k]);
+            most[k] = std::max(most[k], highest[k]);
+        }
+    }
+    halved = l3d_find_halved_sides(patches);
+    for (const l3d_halved_side& side : halved) {
+        constexpr std::array<unsigned, 4> edge_of_side{0, 3, 1, 2};
+        halved_edges.resize(patches.size());
+        unsigned char& edges = halved_edges[side.of.patch];
+        edges = static_cast<unsigned char>(edges | 1U << edge_of_side[side.of.side]);
+    }
+    orientation = l3d_orientation_of(patches, facing, halved);
+}
+
+l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
+    : patches(std::move(of)) {
+    learn(like, {});
+}
+
+l3d_patch_model::contents::contents(l3d_curved_pieces::cells of, const contents* like)
+    : patches(std::move(of.patches)), pieces(std::move(of.pieces)), ranges(std::move(of.ranges)),
+      trims(std::move(of.trims)), edges_off(std::move(of.edges_off)) {
+    constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places_in_like;
+    if (like != nullptr) {
+        l3d_by_cell<std::size_t> places;
+        for (std::size_t i = 0; i < like->patches.size(); ++i)
+            places.emplace(l3d_cell_key(like->pieces[i], like->ranges[i]), i);
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            const auto place = places.find(l3d_cell_key(pieces[i], ranges[i]));
+            places_in_like.push_back(place == places.end() ? nowhere : place->second);
+        }
+    }
+    learn(like, places_in_like);
+    if (!trims.empty())
+        orientation = 0; // an eye may look through holes
+    errors = std::move(of.errors);
+    surface_error = errors.empty() ? 0 : std::ranges::max(errors);
+    normal_error = of.normal_error;
+    share = of.share;
+}
+
+const l3d_curved_pieces::cuts& l3d_patch_model::source::cuts_at(int places, int normals) const {
+    const auto kept = cuts_.find({places, normals});
+    if (kept != cuts_.end())
+        return kept->second;
+    const l3d_curved_pieces::cuts none;
+    const l3d_curved_pieces::cuts& from = places > 0    ? cuts_at(places - 1, normals)
+                                          : normals > 0 ? cuts_at(0, normals - 1)
+                                                        : none;
+    l3d_found_cells found;
+    return cuts_[{places, normals}] = pieces.cuts_for(wish(places, normals), from, found);
+}
+
+std::shared_ptr<const l3d_patch_model::contents>
+l3d_patch_model::source::at_level(int places, int normals) const {
+    const std::scoped_lock lock(mutex_);
+    std::shared_ptr<const contents>& kept = levels_[{places, normals}];
+    if (!kept) {
+        const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
+        std::vector<std::vector<double>> cut_like = by.of_lines;
+        if (pieces.has_trims()) // whose polygons differ at each level
+            cut_like.push_back({static_cast<double>(places)});
+        std::shared_ptr<const contents>& same = made_[cut_like];
+        if (same)
+            return kept = same;
+        const auto like = like_.find({places, normals});
+        l3d_found_cells found;
+        kept = same =
+            std::make_shared<const contents>(pieces.cut(by, wish(places, normals), found),
+                                             like == like_.end() ? nullptr : like->second.get());
+    }
+    return kept;
+}
+
+/// A part of a body is no body, and what is hidden is still part of the model's box.
+std::shared_ptr<const l3d_patch_model::contents>
+l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
+    const std::scoped_lock lock(mutex_);
+    const auto same = std::ranges::find(seen_, wanted, [](const auto& of) { return of.first; });
+    if (same != seen_.end()) {
+        seen_.splice(seen_.begin(), seen_, same);
+    } else {
+        found_.forget_if_many();
+        const l3d_curved_pieces::cuts by = pieces.cuts_for(wanted, {}, found_);
+        const contents* const like = seen_.empty() ? nullptr : seen_.front().second.get();
+        const auto made = std::make_shared<contents>(pieces.cut(by, wanted, found_), like);
+        made->orientation = 0;
+        for (int k = 0; k < 3; ++k) {
+            made->least[k] = std::min(made->least[k], pieces.least()[k]);
+            made->most[k] = std::max(made->most[k], pieces.most()[k]);
+        }
+        seen_.emplace_front(wanted, made->patches.empty() ? nullptr : made);
+        if (seen_.size() > most_seen)
+            seen_.pop_back();
+    }
+    return seen_.front().second;
+}

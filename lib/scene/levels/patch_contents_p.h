@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The data of l3d_patch_model: facts about its patches, and the levels of a curved model.
+#ifndef L3D_SCENE_PATCH_CONTENTS_P_H
+#define L3D_SCENE_PATCH_CONTENTS_P_H
+
+#include "geom/normal_net.h"
+#include "scene/bends/surface_bends.h"
+#include "scene/levels/curved_pieces.h"
+#include "scene/culling/facing_cones.h"
+#include "scene/sides/halved_sides.h"
+#include "scene/patch_model.h"
+#include "scene/patch_scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// The bends of a patch, from the first question on: cells outside the window never need theirs.
+class l3d_patch_model::bends_on_demand {
+public:
+    const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
+        std::call_once(known_, [&] { bends_.emplace(p, normals); });
+        return *bends_;
+    }
+
+private:
+    std::once_flag known_;
+    std::optional<l3d_surface_bends> bends_;
+};
+
+struct l3d_patch_model::contents {
+    /// Takes facts of the same patch at the same place in `like`, if any, from there.
+    contents(std::vector<patch> of, const contents* like);
+    /// The cells of a curved model. Facts are taken from the same cells of a curved model.
+    contents(l3d_curved_pieces::cells of, const contents* like);
+
+    std::vector<patch> patches;
+    std::vector<l3d_normal_net> normals;
+    std::vector<l3d_facing_cones> facing;
+    std::vector<std::shared_ptr<bends_on_demand>> bends;
+    std::vector<l3d_patch_reach> reaches;
+    std::vector<l3d_halved_side> halved;     ///< sides where patches of half the size go on
+    std::vector<unsigned char> halved_edges; ///< empty, or per patch as l3d_patch_reach::edges
+    int orientation = 0;
+    vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
+    l3d_box_lanes boxes;
+
+    // The following are for a curved model.
+    std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
+    std::vector<l3d_parameter_range> ranges; ///< the part of it
+    std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
+    std::vector<double> edges_off;           ///< as l3d_curved_pieces::cells has it
+    std::vector<double> errors;              ///< errors of places, one for each patch
+    double surface_error = 0, normal_error = 0;
+    double share = 0; ///< the largest error of places by what the wish allows there
+
+private:
+    void learn(const contents* like, std::span<const std::size_t> places_in_like);
+};
+
+/// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
+/// model's levels help to make them.
+struct l3d_patch_model::source {
+    using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
+
+    source(l3d_curved_pieces of, kept_levels like)
+        : pieces(std::move(of)), like_(std::move(like)) {}
+
+    kept_levels levels() const {
+        const std::scoped_lock lock(mutex_);
+        return levels_;
+    }
+
+    std::shared_ptr<const contents> at_level(int places, int normals) const;
+    /// The largest error of places, and the number of patches, of a level.
+    std::pair<double, double> error_and_count(int places, int normals) const {
+        const std::scoped_lock lock(mutex_);
+        const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
+        return {by.error, by.cells};
+    }
+    /// The contents for a wish with a region; null if that hides all.
+    std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
+
+    l3d_curved_pieces pieces;
+
+private:
+    /// The wishes whose contents are kept: those of some instances, or of some views in turn.
+    static constexpr std::size_t most_seen = 8;
+
+    l3d_cell_wish wish(int places, int normals) const {
+        return {.places = pieces.place_target(places), .normals = normals};
+    }
+    /// The cuts of a level. Levels of places begin with the level before, and the first one with
+    /// that of normals. So a level is the same whichever is asked for first.
+    const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
+
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
+    /// Levels with the same cuts are one.
+    mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
+    mutable kept_levels levels_;
+    mutable l3d_found_cells found_; ///< for the wishes of seen_
+    /// By wishes with regions; the one that was asked for last comes first.
+    mutable std::list<std::pair<l3d_cell_wish, std::shared_ptr<const contents>>> seen_;
+    const kept_levels like_;
+};
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// l3d_shared_edge: edges of a file, with what their faces need.
+#include "scene/sides/shared_edges.h"
+
+#include "geom/trims/trim_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+using vector = l3d_vector<double, 3>;
+
+/// The parameters of an edge between which all faces have it wholly or not at all.
+using stops = std::vector<double>;
+
+/// Parameters nearer than this part of the edge are one place: files round them.
+constexpr double same_stop = 0x1p-30;
+
+double range_of(const l3d_nurbs_curve& curve) {
+    return curve.along().to - curve.along().from;
+}
+
+/// Adds the parameters at which a loop takes up an edge or leaves it.
+void add_stops(const l3d_trim_loop& loop, std::span<const l3d_model_edge> edges,
+               std::vector<stops>& to) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
+        if (one.edge == next.edge && one.to == next.from)
+            continue;
+        for (const auto& [edge, at] : {std::pair{one.edge, one.to}, {next.edge, next.from}})
+            if (edge < edges.size())
+                to[edge].push_back(at);
+    }
+}
+
+void unite(stops& of, const l3d_nurbs_curve& curve) {
+    const l3d_bspline_direction& along = curve.along();
+    const double same = same_stop * range_of(curve);
+    std::erase_if(of, [&](double t) { return !(t > along.from + same && t < along.to - same); });
+    of.insert(of.end(), {along.from, along.to});
+    std::ranges::sort(of);
+    const auto rest = std::ranges::unique(of, [&](double a, double b) { return b - a <= same; });
+    of.erase(rest.begin(), rest.end());
+}
+
+void move_to_stop(double& t, const stops& all, double same) {
+    const auto above = std::ranges::lower_bound(all, t);
+    if (above != all.end() && *above - t <= same)
+        t = *above;
+    else if (above != all.begin() && t - above[-1] <= same)
+        t = above[-1];
+}
+
+std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const stops& at) {
+    std::vector<l3d_shared_edge::span> result;
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+        l3d_bspline_direction along = curve.along();
+        along.from = at[i];
+        along.to = at[i + 1];
+        const auto ranges = l3d_spans_of(along);
+        const l3d_space_curve part(l3d_nurbs_curve(along, curve.points(), curve.weights()));
+        for (std::size_t k = 0; k < ranges.size(); ++k)
+            result.push_back({ranges[k][0], ranges[k][1], part.spans()[k]});
+    }
+    return result;
+}
+
+/// Gives ends that are nearer than their edges' tolerances, or than the faces are off, one place.
+void join_ends(std::vector<l3d_shared_edge>& edges) {
+    struct end {
+        vector at;
+        double near;
+        std::size_t edge, side;
+    };
+    constexpr double rounding = 0x1p-40; // by evaluated ends
+    std::vector<end> all;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (const std::size_t side : {0U, 1U})
+            all.push_back({edges[i].ends[side],
+                           std::max(edges[i].tolerance, edges[i].off) +
+                               rounding * l3d_length(edges[i].ends[side]),
+                           i, side});
+    std::ranges::sort(all, {}, [](const end& e) { return e.at[0]; });
+    double widest = 0;
+    for (const end& e : all)
+        widest = std::max(widest, e.near);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t k = i + 1; k < all.size() && all[k].at[0] - all[i].at[0] <= 2 * widest;
+             ++k)
+            if (l3d_length(all[k].at - all[i].at) <= all[i].near + all[k].near)
+                edges[all[k].edge].ends[all[k].side] = edges[all[i].edge].ends[all[i].side];
+}
+
+/// How far a piece is off the edges that its trims follow, at places along each.
+void measure(const l3d_patch_points& piece, std::span<const l3d_model_edge> edges,
+             std::vector<l3d_shared_edge>& to) {
+    constexpr int places = 8;
+    const l3d_nurbs_surface surface = l3d_nurbs_surface::of_patch(piece);
+    for (const l3d_trim_loop& loop : piece.trims)
+        for (const l3d_trim_curve& one : loop) {
+            if (one.edge >= edges.size())
+                continue;
+            std::vector<vector> points;
+            std::vector<double> weights;
+            for (const auto& [u, v, weight] : one.points) {
+                points.push_back({u, v, 0.0});
+                weights.push_back(weight);
+            }
+            const l3d_nurbs_curve curve(
+                l3d_bspline_direction::clamped(static_cast<int>(points.size()) - 1, points.size()),
+                points, weights);
+            for (int i = 0; i <= places; ++i) {
+                const double part = static_cast<double>(i) / places;
+                const vector at = curve.evaluate(part);
+                if (!(at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1))
+                    continue;
+                const l3d_nurbs_curve& edge = edges[one.edge].curve;
+                const double t = std::clamp(one.from + (one.to - one.from) * part,
+                                            edge.along().from, edge.along().to);
+                to[one.edge].off =
+                    std::max(to[one.edge].off,
+                             l3d_length(surface.evaluate(at[0], at[1]) - edge.evaluate(t)));
+            }
+        }
+}
+
+} // namespace
+
+std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> edges,
+                                              std::span<l3d_patch_points> pieces) {
+    if (edges.empty())
+        return {};
+    std::vector<stops> all(edges.size());
+    for (const l3d_patch_points& piece : pieces)
+        for (const l3d_trim_loop& loop : piece.trims)
+            add_stops(loop, edges, all);
+    std::vector<l3d_shared_edge> result;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const l3d_nurbs_curve& curve = edges[i].curve;
+        unite(all[i], curve);
+        result.push_back(
+            {.curve = curve,
+             .spans = spans_of(curve, all[i]),
+             .ends = {curve.evaluate(curve.along().from), curve.evaluate(curve.along().to)},
+             .tolerance = edges[i].tolerance});
+    }
+    for (l3d_patch_points& piece : pieces) {
+        for (l3d_trim_loop& loop : piece.trims)
+            for (l3d_trim_curve& one : loop)
+                if (one.edge < edges.size()) {
+                    const double same = same_stop * range_of(edges[one.edge].curve);
+                    move_to_stop(one.from, all[one.edge], same);
+                    move_to_stop(one.to, all[one.edge], same);
+                }
+        measure(piece, edges, result);
+    }
+    join_ends(result);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (const std::size_t side : {0U, 1U}) {
+            const l3d_bspline_direction& along = edges[i].curve.along();
+            const vector exact = edges[i].curve.evaluate(side == 0 ? along.from : along.to);
+            result[i].off = std::max(result[i].off, l3d_length(result[i].ends[side] - exact));
+        }
+    return result;
+}
