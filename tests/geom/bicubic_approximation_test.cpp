@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bounds of bicubic approximations against surfaces evaluated in long double.
-#include "geom/bicubic_approximation.h"
+#include "geom/nurbs/bicubic_approximation.h"
 
 #include "rational_oracle.h"
 

@@ -3,7 +3,7 @@
 #include "curved_cases.h"
 #include "studio.h"
 
-#include "geom/bicubic_approximation.h"
+#include "geom/nurbs/bicubic_approximation.h"
 #include "scene/levels/curved_pieces.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "geom/bezier_patch.h"
-#include "geom/spline_lines_p.h"
+#include "geom/nurbs/spline_lines_p.h"
 
 #include <algorithm>
 #include <cmath>

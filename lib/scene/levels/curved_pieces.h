@@ -5,7 +5,7 @@
 
 #include "base/number_hash_p.h"
 #include "geom/bezier_patch.h"
-#include "geom/bicubic_approximation.h"
+#include "geom/nurbs/bicubic_approximation.h"
 #include "geom/files/patch_file.h"
 #include "geom/trims/trim_region.h"
 #include "scene/patch_scene.h"

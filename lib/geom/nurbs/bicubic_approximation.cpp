@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_bicubic_approximation: Hermite's interpolation, and Bernstein coefficients of what it misses.
-#include "geom/bicubic_approximation.h"
+#include "geom/nurbs/bicubic_approximation.h"
 
 #include <algorithm>
 #include <array>
