@@ -13,13 +13,13 @@
 
 namespace {
 
-/// The control points of the splines through some heights: each height, and two between each two.
-/// NaN, if one of the two is missing.
+/// Control heights of the Catmull-Rom spline through heights: each height, and two between
+/// neighbours. Those beside a missing height are NaN.
 std::vector<double> control_heights(const std::vector<double>& through) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const auto at = [&](std::size_t i) { return i < through.size() ? through[i] : nothing; };
     const auto third_of_slope = [&](std::size_t i) { // control points lie a third of a step away
-        const double before = at(i - 1), here = at(i), after = at(i + 1); // at(-1) is missing, too
+        const double before = at(i - 1), here = at(i), after = at(i + 1); // at(-1) is NaN
         if (std::isnan(before))
             return (after - here) / 3;
         return std::isnan(after) ? (here - before) / 3 : (after - before) / 6;
@@ -71,7 +71,8 @@ std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field) 
             through[r] = along_rows[r][c];
         along_columns.push_back(control_heights(through));
     }
-    // Whole multiples of a third, so that neighbours compute the same numbers.
+    // Neighbouring patches compute the same place from the same whole multiple of a third of the
+    // spacing.
     const auto place = [&](std::size_t third, std::size_t heights) {
         return (static_cast<double>(third) - 1.5 * static_cast<double>(heights - 1)) *
                (field.spacing / 3);
@@ -81,7 +82,7 @@ std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field) 
         for (std::size_t c = 0; c + 1 < field.columns; ++c) {
             l3d_patch_points patch{3, 3, {}};
             for (std::size_t v = 0; v < 4; ++v)
-                for (std::size_t u = 0; u < 4; ++u) { // z along u, x along v: z x x = y
+                for (std::size_t u = 0; u < 4; ++u) { // u along z, v along x: z x x = y
                     const std::size_t x = 3 * c + v, z = 3 * r + u;
                     patch.points.push_back(
                         {place(x, field.columns), along_columns[x][z], place(z, rows)});

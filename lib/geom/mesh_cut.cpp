@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_cut_mesh: faces one by one, each cut edge once, then loops of cut edges.
+// l3d_cut_mesh: clips each face, computes each cut edge once, and closes loops of cut edges by
+// caps.
 #include "geom/polygon_mesh.h"
 
 #include "geom/polygon_3d.h"
@@ -19,7 +20,7 @@ using point = l3d_point<double>;
 
 constexpr index nowhere = 0xffffffff;
 
-/// The work of one cut. Indices are the mesh's until `compact`, with new vertices after them.
+/// Cuts one mesh. Until `compact`, indices are those of the mesh, and new vertices follow its own.
 class cutter {
 public:
     cutter(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane)
@@ -63,8 +64,8 @@ private:
         }
     }
 
-    /// Whether a face on the plane bounds the front part: it belongs to the part whose outside it
-    /// is.
+    /// Whether a face on the plane bounds the front part: the face's normal then points behind the
+    /// plane, out of that part.
     bool bounds_front(std::size_t i) const {
         const auto face = mesh_.face(i);
         if (!std::all_of(face.begin(), face.end(), [this](index v) { return on_plane(v); }))
@@ -73,7 +74,7 @@ private:
         return own && l3d_dot(own->normal, plane_.normal) < 0;
     }
 
-    /// The new vertex of an edge, the same for both faces there.
+    /// The new vertex where an edge crosses the plane. Faces that share the edge share the vertex.
     index crossing(index front, index behind) {
         const auto [found, is_new] =
             crossings_.try_emplace({front, behind}, static_cast<index>(points_.size()));
@@ -100,8 +101,8 @@ private:
             kept_.face_materials.push_back(mesh_.face_materials[like]);
     }
 
-    /// Adds an edge of the rim, along which a cap runs against the face. Two faces that meet on the
-    /// plane need no cap.
+    /// Adds an edge on the plane, along which a cap meets the face. Two faces that meet on the
+    /// plane need no cap, so their edges cancel.
     void add_rim(index from, index to, std::size_t face) {
         if (rim_.erase({from, to}) == 0)
             rim_.insert({{to, from}, face});
@@ -123,7 +124,7 @@ private:
         }
     }
 
-    /// Leaves out vertices that no face uses.
+    /// Leaves out vertices that no face uses, and renumbers the corners.
     void compact() {
         std::vector<index> places(points_.size(), nowhere);
         for (const index corner : kept_.corners)
@@ -150,10 +151,10 @@ private:
     std::vector<point> points_;
     std::vector<double> sides_;
     std::vector<l3d_polygon_mesh::vector> normals_; ///< normals of new vertices
-    std::vector<std::uint32_t> colors_;             ///< likewise
+    std::vector<std::uint32_t> colors_;             ///< colours of new vertices
     std::vector<index> corners_;
-    std::map<edge, index> crossings_; ///< by the ends of the edge, the one in front first
-    std::map<edge, std::size_t> rim_; ///< edges of caps, and the face beside each
+    std::map<edge, index> crossings_; ///< by the ends of the cut edge, the one in front first
+    std::map<edge, std::size_t> rim_; ///< edges of caps, each with the face beside it
 };
 
 } // namespace

@@ -28,13 +28,13 @@ double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// The size that rounding can give to a cross product that is zero. Units: the factors' sizes. The
-/// weighted sum of 12 products has some 20 roundings of 2^-53 in a row. There is room for three
-/// times as many.
+/// Bound on the rounding error of a cross product that is zero, as a part of its factors' sizes.
+/// The weighted sum of 12 products has some 20 roundings of 2^-53 in a row; 64 leaves room for
+/// more.
 constexpr double rounding = 64 * 0x1p-53;
 
 /// Divides a degree-5 Bernstein polynomial that vanishes at t = 0 by t, and raises the quartic
-/// quotient back to degree 5. From t B4_j(t) = (j + 1)/5 B5_(j+1)(t).
+/// quotient back to degree 5. Uses t B4_j(t) = (j + 1)/5 B5_(j+1)(t).
 std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
     std::array<vector, degree> quotient;
     for (std::size_t j = 0; j < degree; ++j)
@@ -51,7 +51,7 @@ std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
 
 } // namespace
 
-/// Source: de Casteljau.
+/// Source: de Casteljau's algorithm at the middle.
 std::pair<l3d_normal_polynomial, l3d_normal_polynomial>
 l3d_normal_polynomial::split(std::size_t along, std::size_t across) const {
     std::pair<l3d_normal_polynomial, l3d_normal_polynomial> halves{{}, *this};
@@ -71,7 +71,7 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
     double size = 0;
     for (const vector& p : patch.points)
         size = std::max(size, largest(p));
-    // Control points are rounded too: by 2^-53 of `size`.
+    // Control points carry rounding errors themselves: 2^-53 of `size`.
     std::array<double, 36> noise{};
     for (int ru = 0; ru < 4; ++ru)
         for (int cu = 0; cu < 3; ++cu) {
@@ -117,7 +117,8 @@ void l3d_normal_net::scale_to_one() {
             v = v * (1 / most);
 }
 
-/// Looks at the four edges in turn; true if one was vanishing (and the net is not zero).
+/// Divides the net by the factor of its first vanishing edge. False if no edge vanishes or the net
+/// is zero.
 bool l3d_normal_net::divide_by_vanishing_factor() {
     if (std::all_of(net_.points.begin(), net_.points.end(),
                     [](const vector& v) { return largest(v) == 0; }))

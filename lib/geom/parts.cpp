@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_parts: runs with names become parts.
+// l3d_parts: joins runs of one name to a part.
 #include "geom/parts.h"
 
 #include "base/did_you_mean_p.h"

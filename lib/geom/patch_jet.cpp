@@ -11,8 +11,8 @@ namespace {
 using vector = l3d_patch_place::vector;
 using four = std::array<vector, 4>;
 
-// Derivatives come from differences of control points, so they are exactly zero where these are one
-// point.
+// Derivatives come from differences of control points, so they are exactly zero where control
+// points coincide.
 
 vector value_of(const four& p, double t) {
     const double s = 1 - t;
@@ -30,7 +30,7 @@ vector second_of(const four& p, double t) {
            ((p[3] - p[2]) - (p[2] - p[1])) * (6 * t);
 }
 
-/// Applies `of` to each row of the net, along u.
+/// Applies `of` at parameter u to each row of the control net.
 template <class Of> four of_rows(const l3d_bezier_patch<double, 3>& patch, double u, const Of& of) {
     four result;
     for (int r = 0; r < 4; ++r)
@@ -63,7 +63,7 @@ std::optional<l3d_patch_bend> l3d_bend_of(const l3d_patch_jet& jet) {
     const double big_e = l3d_dot(su, su), big_f = l3d_dot(su, sv), big_g = l3d_dot(sv, sv);
     const vector across = l3d_cross(su, sv);
     const double area = l3d_dot(across, across);
-    // Least sine for a direction to 2^-20: Su x Sv errs by some 2^-52 |Su| |Sv|.
+    // Least sine between Su and Sv. Su x Sv errs by 2^-52 |Su| |Sv|: its direction by 2^-20.
     constexpr double least_sine = 0x1p-32;
     if (!(area > least_sine * least_sine * big_e * big_g))
         return std::nullopt;

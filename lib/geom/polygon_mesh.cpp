@@ -24,16 +24,16 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
     return array.empty() || array.size() == size;
 }
 
-/// The crossing of two opposite sides of a face of four corners; one side begins at corner `side`.
+/// The crossing of two opposite sides of a quadrilateral; one of them begins at corner `side`.
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
-    double share = 0; ///< part of the side, from its corner to the place
+    double share = 0; ///< part of that side, from its corner to the place
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 
-/// Finds crossing sides: seen along the normal of any corner, two corners of a crossed face turn
-/// left and two right.
+/// Finds crossing sides of a quadrilateral. Seen along the normal of any corner, two of its corners
+/// then turn left and two right.
 crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face) {
     using vector = l3d_polygon_mesh::vector;
     const auto at = [&](std::size_t i) { return mesh.vertices[face[i % 4]]; };
@@ -52,7 +52,7 @@ crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t
         if (!(s > 0 && s < 1 && t > 0 && t < 1))
             continue;
         const vector place = at(side) + along * s;
-        // In a twisted face, sides that seem to cross pass each other.
+        // Sides of a twisted quadrilateral cross as seen here, but pass each other in space.
         constexpr double near = 1e-3;
         if (l3d_length(at(side + 2) + other * t - place) <= near * l3d_length(along))
             return {true, side, s, place};
@@ -60,7 +60,8 @@ crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t
     return {};
 }
 
-/// Adds those of another mesh to an optional array, and what stands for those that one lacks.
+/// Appends another mesh's array to an optional array. A mesh without the array counts as having
+/// `missing` for each element.
 template <class T>
 void append_optional(std::vector<T>& to, std::size_t size, const std::vector<T>& more,
                      std::size_t more_size, const T& missing) {
@@ -174,17 +175,17 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
         face_ends.push_back(end + corner_offset);
 }
 
-/// Expects: the other mesh's faces are not added yet.
+/// Expects: the faces of `more` are not added yet.
 void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
     const auto first = index_of(faces());
-    // Faces without a name shall not become part of the last one here.
+    // A run without a name keeps the other mesh's first unnamed faces out of this mesh's last part.
     if (!parts.empty() && (more.parts.empty() || more.parts.front().first > 0))
         parts.push_back({"", first});
     for (const l3d_part_run& part : more.parts)
         parts.push_back({part.name, part.first + first});
 }
 
-/// Expects: the other mesh's faces are not added yet.
+/// Expects: the faces of `more` are not added yet.
 void l3d_polygon_mesh::append_materials(const l3d_polygon_mesh& more) {
     if (face_materials.empty() && more.face_materials.empty())
         return;

@@ -8,12 +8,12 @@
 
 namespace {
 
-/// Units: radians, at step i of n round a circle.
+/// The angle of step i of n around a circle. Units: radians.
 double angle(int i, int n) {
     return 2 * std::numbers::pi * i / n;
 }
 
-/// Adds a ring of vertices at this height, and returns the number of the first.
+/// Adds a ring of vertices at height z, and returns the index of its first vertex.
 std::uint32_t add_ring(l3d_polygon_mesh& mesh, int around, double radius, double z) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int i = 0; i < around; ++i)
@@ -22,7 +22,7 @@ std::uint32_t add_ring(l3d_polygon_mesh& mesh, int around, double radius, double
     return first;
 }
 
-/// A face of a ring's vertices, seen from above the z axis or from below.
+/// Adds a polygon of a ring's vertices that faces up the z axis, or down.
 void add_disc(l3d_polygon_mesh& mesh, std::uint32_t first, int around, bool from_above) {
     for (int i = 0; i < around; ++i)
         mesh.corners.push_back(first + static_cast<std::uint32_t>(from_above ? i : around - 1 - i));
@@ -84,7 +84,7 @@ l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius) {
 l3d_polygon_mesh l3d_box_mesh(double width, double height, double depth) {
     assert(width > 0 && height > 0 && depth > 0);
     l3d_polygon_mesh mesh;
-    for (std::uint32_t i = 0; i < 8; ++i) // bit k: the upper side along axis k
+    for (std::uint32_t i = 0; i < 8; ++i) // bit k set: the upper side along axis k
         mesh.vertices.push_back({(i & 1 ? width : -width) / 2, (i & 2 ? height : -height) / 2,
                                  (i & 4 ? depth : -depth) / 2});
     for (std::uint32_t axis = 0; axis < 3; ++axis) {

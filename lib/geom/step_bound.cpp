@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds on image errors, from control nets.
+// Bounds on image errors, from second differences of control nets.
 #include "geom/step_bound.h"
 
 #include <cmath>
@@ -12,7 +12,8 @@ point second_difference(const point& a, const point& b, const point& c) {
     return a - b * 2.0 + c;
 }
 
-/// The largest |D (x, y) - X0 D w| for X0 in a disc, divided by w_low.
+/// Norm of a difference D of homogeneous points: the largest |D (x, y) - X0 D w| / w_low over
+/// places X0 in the disc around a box.
 class seen_in {
 public:
     seen_in(const l3d_image_box& box, double w_low)
@@ -92,7 +93,7 @@ bool l3d_outside(std::span<const point> net, const l3d_image_box& box, double ne
         below = below && p[1] > box.bottom * p[2];
         behind = behind && p[2] <= near;
         beyond = beyond && p[2] >= far;
-        // A quick test: most nets have their first point in the picture.
+        // Most nets have their first point in the picture, which ends the test at once.
         if (!(left || right || above || below || behind || beyond))
             return false;
     }
@@ -154,7 +155,7 @@ double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_l
     const auto& p = curve.points;
     const point chord = in_space(p[3] - p[0]);
     const double length = l3d_length(chord);
-    // Tangents are positive weights of the control polygon's sides.
+    // Each tangent is a sum of the control polygon's sides with weights that are not negative.
     double sine = length > 0 ? 0 : 1;
     for (std::size_t i = 0; i < 3 && sine < 1; ++i) {
         const point side = in_space(p[i + 1] - p[i]);
@@ -188,7 +189,7 @@ l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n) {
     const point first = second_difference(p[0], p[1], p[2]) * (6 * moved);
     const point last = second_difference(p[1], p[2], p[3]) * (6 * moved);
     l3d_image_curve result = f;
-    for (std::size_t i = 0; i < 4; ++i) // f'' is linear
+    for (std::size_t i = 0; i < 4; ++i) // f'' is linear in t
         result.points[i] -= first + (last - first) * (static_cast<double>(i) / 3);
     return result;
 }

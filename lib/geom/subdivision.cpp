@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_subdivide: checks the cage, asks the plug-in, and hands on what faces have.
+// l3d_subdivide: checks the cage, calls the plug-in, and gives patches the looks of their faces.
 #include "geom/subdivision.h"
 
 #include "base/counted_p.h"
@@ -19,21 +19,20 @@ namespace {
 
 using vector = l3d_polygon_mesh::vector;
 
-/// Two vertices, the smaller one first.
+/// An edge's two vertices, the smaller one first.
 using edge = std::pair<std::uint32_t, std::uint32_t>;
 
 edge edge_between(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
 }
 
-/// The faces on both sides of an edge: the one that walks from the smaller vertex to the larger one
-/// first.
+/// The faces at an edge. The first walks from the edge's smaller vertex to the larger one.
 struct sides_of_edge {
     static constexpr std::uint32_t nothing = 0xffffffff;
     std::uint32_t faces[2] = {nothing, nothing};
 };
 
-/// The edges of a mesh whose faces have two sides.
+/// The edges of a mesh with at most two faces at each, which walk it in opposite directions.
 class cage_edges {
 public:
     explicit cage_edges(const l3d_polygon_mesh& mesh) : mesh_(mesh) {}
@@ -75,9 +74,9 @@ private:
         return "";
     }
 
-    /// Faces around a vertex that no edges join are more than one fan.
+    /// Complains of a vertex whose faces make more than one fan: no edges join all of them.
     std::string complaint_of_fans() const {
-        // Each fan has as many edges as faces, or one more if it is open.
+        // A fan has as many edges as faces, or one edge more if it is open.
         std::vector<std::uint32_t> faces(mesh_.vertices.size());
         for (const std::uint32_t corner : mesh_.corners)
             ++faces[corner];
@@ -93,7 +92,7 @@ private:
         return "";
     }
 
-    /// The number of faces around a vertex that edges join to this one.
+    /// The number of faces in the fan around `vertex` that holds face `first`.
     std::uint32_t fan_size(std::uint32_t first, std::uint32_t vertex) const {
         std::uint32_t size = 1;
         for (const bool forwards : {true, false}) {
@@ -108,7 +107,8 @@ private:
         return size;
     }
 
-    /// The face beyond the edge of a face that comes to a vertex, or that leaves it.
+    /// The face beyond the edge with which face `index` leaves a vertex, or comes to it. `nothing`
+    /// if the edge is a boundary.
     std::uint32_t beyond(std::uint32_t index, std::uint32_t vertex, bool leaves) const {
         const auto face = mesh_.face(index);
         const auto at = static_cast<std::size_t>(std::ranges::find(face, vertex) - face.begin());
@@ -121,7 +121,8 @@ private:
     std::map<edge, sides_of_edge> edges_;
 };
 
-/// The creases of the tags, and those where faces turn by more than an angle.
+/// The creases of the model's tags, and edges where the normals of two faces differ by more than
+/// `angle` degrees. `unknown` counts tags that name no edge.
 struct cage_creases {
     std::vector<std::uint32_t> vertices;
     std::vector<float> sharpness;
@@ -150,14 +151,14 @@ struct cage_creases {
             const vector a = model.mesh.area_vector(model.mesh.face(sides.faces[0]));
             const vector b = model.mesh.area_vector(model.mesh.face(sides.faces[1]));
             if (l3d_dot(a, b) < least * l3d_length(a) * l3d_length(b))
-                all[at] = 10; // for ever
+                all[at] = 10; // never smoothed
         }
         for (const auto& [at, sharp] : all)
             add(at, sharp);
     }
 };
 
-/// Receives patches.
+/// Collects the plug-in's patches.
 struct receiver {
     l3d_model_file& model;
     std::vector<std::uint32_t> faces; ///< the face of each patch
@@ -174,7 +175,8 @@ struct receiver {
     static void fail(void* to, const char* why) { static_cast<receiver*>(to)->complaint = why; }
 };
 
-/// Patches get the looks and parts of their faces. A face's colour becomes part of a look.
+/// Gives patches the looks and parts of their faces. Each pair of a material and a face's colour
+/// becomes a look.
 void hand_on(const std::vector<std::uint32_t>& faces, std::size_t first, l3d_model_file& model) {
     l3d_polygon_mesh& mesh = model.mesh;
     const std::size_t materials = mesh.materials.size();
@@ -205,7 +207,7 @@ void hand_on(const std::vector<std::uint32_t>& faces, std::size_t first, l3d_mod
                 {std::string(parts.name_of(faces[i])), static_cast<std::uint32_t>(first + i)});
 }
 
-/// The diagonal of the box of all vertices that faces have.
+/// The length of the diagonal of the box around all vertices that faces use.
 double size_of(const l3d_polygon_mesh& mesh) {
     vector least = mesh.vertices[mesh.corners.front()], most = least;
     for (const std::uint32_t corner : mesh.corners)

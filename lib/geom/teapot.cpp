@@ -9,7 +9,7 @@ std::string_view l3d_teapot_bpt() {
     return text;
 }
 
-/// The rim has 4 of the 28 patches, the body 8, handle and spout 4 each, and the lid 8.
+/// The body has 12 of the 28 patches, 4 of them its rim; handle and spout have 4 each, the lid 8.
 std::vector<l3d_part_run> l3d_teapot_parts() {
     return {{"body", 0}, {"handle", 12}, {"spout", 16}, {"lid", 20}};
 }

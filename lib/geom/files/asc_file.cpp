@@ -18,12 +18,12 @@ using l3d_detail::text_cursor;
 
 constexpr std::string_view blanks = " \t\r\v\f";
 
-/// One line, from which fields are taken from left to right.
+/// One line, whose fields are taken from left to right.
 class field_line {
 public:
     explicit field_line(std::string_view text) : rest_(text) { skip_blanks(); }
 
-    /// Takes `word`, and blanks behind it, if it is next.
+    /// Takes `word` and the blanks behind it, if it comes next.
     bool take(std::string_view word) {
         if (!rest_.starts_with(word))
             return false;
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    /// Gives materials the colours that their names tell.
+    /// Gives materials the colours that their names encode.
     void give_looks() {
         for (std::size_t i = 0; i < mesh_.materials.size(); ++i)
             if (const auto color = color_of(mesh_.materials[i])) {
@@ -145,7 +145,7 @@ private:
         return true;
     }
 
-    /// Reads a line about a camera; notes one about lights, fog or background as skipped.
+    /// Reads a line about a camera. A line about lights, fog or the background gets a note.
     void read_scene(field_line& line) {
         const auto takes = [&](std::initializer_list<std::string_view> words) {
             return std::ranges::any_of(words, [&](auto word) { return line.take(word); });
@@ -178,7 +178,7 @@ private:
             text_.note_once(what);
     }
 
-    /// A camera's line has its lens: "Camera (35mm)".
+    /// Begins a camera, whose line holds its lens: "Camera (35mm)".
     void begin_camera(field_line& line) {
         is_camera_ = std::exchange(has_new_name_, false);
         if (!is_camera_)
@@ -192,14 +192,14 @@ private:
         camera_lines_.push_back(text_.here());
     }
 
-    /// Reads "X:1 Y:2 Z:3" of a camera. Otherwise the line has no numbers, or those of a light.
+    /// Reads a camera's place, "X:1 Y:2 Z:3". A light's place is skipped.
     void place_camera(field_line& line, l3d_model_camera::vector l3d_model_camera::*place) {
         constexpr std::string_view axes[] = {"X:", "Y:", "Z:"};
         for (int i = 0; is_camera_ && i < 3 && line.take(axes[i]); ++i)
             (cameras_.back().*place)[i] = number_of(line.value());
     }
 
-    /// The number that the digits are; NaN if they are none.
+    /// The number that `digits` spells; NaN if it spells none.
     static double number_of(std::string_view digits) {
         double value = 0;
         const auto [end, error] =
@@ -208,7 +208,7 @@ private:
         return is_number ? value : std::numeric_limits<double>::quiet_NaN();
     }
 
-    /// Drops cameras that define no picture, with a note each.
+    /// Drops cameras without a place, target or lens, with a note each.
     void forget_odd_cameras() {
         const auto is_odd = [](const l3d_model_camera& c) {
             const auto is_place = [](const l3d_model_camera::vector& v) {
@@ -228,7 +228,7 @@ private:
         std::erase_if(cameras_, is_odd);
         for (l3d_model_camera& c : cameras_)
             if (c.eye[0] == c.target[0] && c.eye[1] == c.target[1])
-                c.up = {0.0, 1.0, 0.0}; // a plan, with y upwards
+                c.up = {0.0, 1.0, 0.0}; // it looks along z, so y is upwards
     }
 
     bool begin_object(field_line& line) {
@@ -267,7 +267,7 @@ private:
             return false;
         base_ = mesh_.vertices.size();
         first_face_ = mesh_.faces();
-        if (std::exchange(has_new_name_, false)) // else a long name is kept for each short line
+        if (std::exchange(has_new_name_, false)) // a long name is stored once, not per line
             mesh_.parts.push_back({object_, static_cast<std::uint32_t>(first_face_)});
         return true;
     }
@@ -284,7 +284,7 @@ private:
                            std::to_string(faces_) + " faces"));
     }
 
-    /// Takes the number of a vertex or a face and the colon; they come one after another.
+    /// Takes the index of a vertex or a face, and the colon. Indices must come in order.
     bool is_next(field_line& line, const char* what, std::size_t next, std::int64_t count) {
         std::int64_t number = 0;
         if (!text_.integer_in_text(line.value(), number, what) ||
@@ -327,7 +327,7 @@ private:
         return true;
     }
 
-    /// The groups of the last face, from 1 to 32: "1, 2".
+    /// Reads the smoothing groups of the last face, from 1 to 32: "1, 2".
     bool read_smoothing(field_line& line) {
         if (mesh_.faces() == first_face_)
             return text_.fail("smoothing groups before the first face of an object");
@@ -359,10 +359,10 @@ private:
     l3d_polygon_mesh& mesh_;
     std::vector<l3d_model_camera>& cameras_;
     std::vector<text_cursor::reading_place> camera_lines_;
-    bool is_camera_ = false; ///< the current object, the last of cameras_
+    bool is_camera_ = false; ///< whether the current object is the last of cameras_
     l3d_detail::face_materials materials_;
     std::string object_;                    ///< the name of the current object
-    bool has_new_name_ = false;             ///< whether no object bears the name yet
+    bool has_new_name_ = false;             ///< whether no mesh or camera has taken the name yet
     std::int64_t vertices_ = 0, faces_ = 0; ///< promised by the current mesh
     std::size_t base_ = 0, first_face_ = 0; ///< the mesh's first vertex and face
     l3d_detail::corner_normals normals_;

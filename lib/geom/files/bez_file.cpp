@@ -101,13 +101,14 @@ private:
             if (kind_.components == 4 && !divide(p, patch.weights))
                 return false;
         }
-        // A common weight of all points of a patch means nothing.
+        // A weight that all points of a patch share has no effect.
         if (std::ranges::all_of(patch.weights, [&](double w) { return w == patch.weights[0]; }))
             patch.weights.clear();
         return true;
     }
 
-    /// Takes a homogeneous point to space. Weights may be negative if all are the same.
+    /// Divides a homogeneous point by its weight, and keeps the weight. A patch's weights may be
+    /// negative if all are the same.
     bool divide(std::array<double, 3>& p, std::vector<double>& weights) {
         double weight = 0;
         if (!real(weight, "a weight"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cad_plugin: what the plug-in for STEP and IGES does, and the records that it gives.
+// cad_plugin: the interface of the plug-in for STEP and IGES, and the records that it returns.
 #ifndef L3D_GEOM_FILES_CAD_PLUGIN_P_H
 #define L3D_GEOM_FILES_CAD_PLUGIN_P_H
 
@@ -19,12 +19,13 @@ inline constexpr std::uint32_t cad_version = 1;
 
 /// The interface of the plug-in libl3d_cad.so.
 struct cad_plugin : plugin_interface {
-    /// Reads the text of a STEP file, or of an IGES file, and gives its surfaces as records to
-    /// take(to, bytes, size), piece by piece. Lengths are in millimetres.
+    /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
+    /// bytes, size), piece by piece. Lengths are in millimetres.
     ///
-    /// Shape:  records as cad_record lists them, each a number of that list and its fields. Texts
-    ///         and lists begin with their length.
-    /// Errors: 0, and one line in `why`, which has room for `room` bytes with the zero at its end.
+    /// Shape:  records as cad_record lists them: the kind's number, then its fields. Texts and
+    /// lists begin with their length.
+    /// Errors: returns 0, with one line in `why`, which has room for `room` bytes with the zero at
+    /// its end.
     int (*read)(const char* text, std::size_t size, int is_iges, void* to,
                 void (*take)(void* to, const void* bytes, std::size_t size), char* why,
                 std::size_t room);
@@ -32,17 +33,17 @@ struct cad_plugin : plugin_interface {
 
 /// The kinds of records. A curve is its degree, knots, and points of x, y, z and weight.
 enum class cad_record : std::uint64_t {
-    end,      ///< the last of what the file holds; what comes without it is cut off
-    effort,   ///< seconds, bytes: what it took, after the end
-    note,     ///< text: a thing that was left out or changed
+    end,      ///< the last record of the file's content; without it, the records were cut off
+    effort,   ///< seconds, bytes: time and memory of reading; follows `end`
+    note,     ///< text: about something left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
     part,     ///< name: of the faces that follow
     edge,     ///< tolerance, curve: edges count from 0
     curve,    ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
-    /// number of loops. Each loop is its number of curves. A curve of a loop is that of the edge
-    /// that it follows or l3d_no_edge, the edge's parameters at its ends, and a curve of u, v, 0
-    /// and weight.
+    /// number of loops. Each loop is the number of its curves, and the curves. A curve of a loop
+    /// begins with its edge's number or l3d_no_edge, and the edge's parameters at its ends. Then
+    /// comes a curve of u, v, 0 and weight.
     face,
 };
 
@@ -71,8 +72,8 @@ private:
     }
 };
 
-/// Reads what cad_writer wrote. After the end of the bytes all numbers are 0, and all lists empty.
-/// Lives: borrows the bytes.
+/// Reads the fields that cad_writer wrote. Beyond the end of the bytes, numbers are 0 and lists
+/// empty.
 class cad_reader {
 public:
     explicit cad_reader(std::string_view bytes) : rest_(bytes) {}

@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// The faces that each vertex is a corner of, and their areas.
+/// The faces around each vertex, and the area vectors of all faces.
 struct corner_normals::faces_around {
     explicit faces_around(const l3d_polygon_mesh& mesh)
         : ends(mesh.vertices.size() + 1), faces(mesh.corners.size()) {
@@ -30,7 +30,7 @@ struct corner_normals::faces_around {
         return groups == others || ((groups | others) < numbered && (groups & others) != 0);
     }
 
-    /// The mean of the faces around a vertex that share one of the groups.
+    /// The mean normal, weighted by area, of the faces around a vertex that share one of `groups`.
     vector normal(std::uint32_t vertex, std::uint64_t groups,
                   const std::vector<std::uint64_t>& of_faces) const {
         vector sum(0);
@@ -74,8 +74,8 @@ std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) cons
     return groups == 0 ? flat : groups | grouped;
 }
 
-/// Divides vertices: one stays with the first normal of its corners, and a new one is made for each
-/// other normal.
+/// Divides vertices: one keeps the first normal among its corners, and each other normal gets a new
+/// vertex at the same place.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
     const bool has_groups = std::ranges::any_of(
         of_faces_, [](std::uint64_t groups) { return groups != 0 && groups != unsaid; });
@@ -95,7 +95,7 @@ void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
             bool is_new = said[at] == free;
             if (is_new) {
                 said[at] = says;
-            } else if (says == flat || says != said[at]) { // no two flat faces share a vertex
+            } else if (says == flat || says != said[at]) { // two flat faces share no vertex
                 to = l3d_polygon_mesh::index_of(mesh.vertices.size());
                 is_new = says == flat;
                 if (says != flat) {

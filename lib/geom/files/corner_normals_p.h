@@ -18,7 +18,7 @@ namespace l3d_detail {
 ///
 /// A corner has the normal that it names. Without one, the smoothing groups of its face decide. The
 /// normal is then the mean, weighted by area, of those faces around the vertex that share a group
-/// with this face. A face in no group is flat. A face of which the file says nothing gets zero
+/// with this face. A face in no group is flat. A face without an entry in the file gets zero
 /// normals, so that creases are found by angles.
 /// Cost:    linear, except for a vertex at which faces of many groups meet: there, the product of
 ///          the numbers of faces and of groups.
@@ -31,32 +31,31 @@ public:
     /// The number of normals so far.
     std::size_t count() const { return normals_.size(); }
 
-    /// Gives the last corner of the mesh the normal of this number. False, and the corner gets
-    /// none, if the normal has no direction.
-    /// Expects: normal < count().
+    /// Gives the mesh's last corner the normal of this index. Returns false, and gives none, if the
+    /// normal has no direction.
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
-    /// Puts the last face of the mesh into smoothing groups, each a bit of the lower 32. A single
-    /// group may instead be `numbered` plus its number.
+    /// Puts the last face of the mesh into smoothing groups, one for each of the lower 32 bits. A
+    /// single group may instead be `numbered` plus its number.
     void give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups);
     static constexpr std::uint64_t numbered = std::uint64_t{1} << 63;
 
     /// Whether any corner has a normal, or any face has groups.
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
-    /// Gives the mesh its normals, once all is read. A vertex without a face gets the normal of its
-    /// own number, unless there are faces and none names a normal or group.
+    /// Gives the mesh its normals, once the whole file is read. A vertex without a face gets the
+    /// normal of its own index, unless there are faces and none names a normal or group.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
-    /// The entry of a face for which the file gives nothing.
+    /// The entry of a face whose groups the file does not give.
     static constexpr std::uint64_t unsaid = ~std::uint64_t{0};
 
-    // Other entries of a corner than the number of a normal, which is less than `none`: groups that
-    // are `numbered`, groups that are bits, `unsaid`, or a flat face. A vertex without a corner is
-    // free.
+    // said_by() returns the index of a normal, which is less than `none`, or else groups that are
+    // `numbered`, groups as bits with `grouped`, `unsaid`, or `flat`. A vertex without a corner is
+    // `free`.
     static constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
 
     struct faces_around;
@@ -64,8 +63,8 @@ private:
     void divide_vertices(l3d_polygon_mesh& mesh) const;
 
     std::vector<vector> normals_;
-    std::vector<std::uint32_t> of_corners_; ///< per corner, or none; may end early
-    std::vector<std::uint64_t> of_faces_;   ///< groups per face, or unsaid; may end early
+    std::vector<std::uint32_t> of_corners_; ///< normal per corner, or none; none beyond its end
+    std::vector<std::uint64_t> of_faces_;   ///< groups per face, or unsaid; unsaid beyond its end
 };
 
 } // namespace l3d_detail

@@ -26,7 +26,7 @@ std::uint32_t word_at(std::string_view text, std::size_t at) {
     return word;
 }
 
-/// The bytes of base64; padding may be left out. Errors: false for any other character.
+/// Appends the bytes of base64; padding may be missing. Returns false for any other character.
 bool decode_base64(std::string_view text, std::string& out) {
     while (text.ends_with('='))
         text.remove_suffix(1);
@@ -52,7 +52,7 @@ bool decode_base64(std::string_view text, std::string& out) {
     return true;
 }
 
-/// The name of a file in a URI, in which %20 is a blank.
+/// The name of a file that a URI encodes: %20 stands for a blank.
 std::string decoded_name(std::string_view uri) {
     std::string result;
     const auto digit = [](char c) {
@@ -82,12 +82,12 @@ template <class T> double little(const char* bytes) {
     return static_cast<double>(value);
 }
 
-/// The types of numbers, by OpenGL's codes.
+/// The types of components, by OpenGL's codes.
 struct component_type {
     std::uint64_t code;
     std::size_t bytes;
     double (*read)(const char*);
-    double most; ///< the number that stands for 1 in normalized ones; 0 if there are none
+    double most; ///< stands for 1 in normalized numbers; 0 if there are none of this type
 };
 constexpr std::array<component_type, 6> component_types{{{5120, 1, little<std::int8_t>, 127},
                                                          {5121, 1, little<std::uint8_t>, 255},
@@ -174,8 +174,8 @@ gltf_document::gltf_document(std::string_view text) : bytes_(text.size()) {
     read_container(text);
 }
 
-/// A .glb file is a header of three words, and chunks of a length, a type and bytes each: first
-/// JSON, then at most one of bytes.
+/// A .glb file is a header of three words, then chunks of a length, a type and bytes. The first
+/// chunk is JSON; at most one more, with binary data, is read.
 void gltf_document::read_container(std::string_view text) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     constexpr std::size_t header = 12, chunk_header = 8;
@@ -260,7 +260,7 @@ std::string gltf_document::bytes_of(const gltf_value& uri, const l3d_other_files
     is_file = true;
     std::string why = "cannot be read from a text alone", ignored;
     auto read = files ? files(decoded_name(text), why) : std::nullopt;
-    if (!read && files) // some programs write names as they are
+    if (!read && files) // some programs do not encode names
         read = files(text, ignored);
     if (!read)
         uri.fail(l3d_detail::quoted(text) + ": " + why);
@@ -299,7 +299,7 @@ std::string_view gltf_document::read_buffer(std::size_t index, const l3d_other_f
 }
 
 void gltf_document::take_memory(std::size_t bytes) const {
-    // A small file may well draw one thing hundreds of times.
+    // The 16 MB are for small files, which may well draw one thing hundreds of times.
     constexpr std::size_t most_per_byte = 32, always = std::size_t{16} << 20;
     taken_ += bytes;
     if (taken_ > std::max(always, most_per_byte * bytes_))
@@ -308,7 +308,7 @@ void gltf_document::take_memory(std::size_t bytes) const {
                          " times the memory of the file, and more than 16 MB");
 }
 
-/// The bytes of a buffer view, from a value that names it.
+/// The bytes of the buffer view that `index` names, and its stride: 0 if elements are packed.
 std::string_view gltf_document::view_of(const gltf_value& index, std::size_t& stride) const {
     const gltf_value view = root().element("bufferViews", index.whole());
     const std::uint64_t buffer = view.at("buffer").whole();
@@ -351,7 +351,7 @@ gltf_document::element_shape gltf_document::shape_of(const gltf_value& accessor,
     return {&*found, 1, normalized};
 }
 
-/// Numbers of a view, one element after the other or at its stride.
+/// Reads `count` elements of a view, packed or at the view's stride.
 void gltf_document::fill(const gltf_value& accessor, const gltf_value& view,
                          const element_shape& shape, std::size_t count, gltf_numbers& out) const {
     std::size_t stride = 0;
@@ -376,7 +376,7 @@ void gltf_document::fill(const gltf_value& accessor, const gltf_value& view,
                 shape.read(bytes.data() + offset + i * stride + k * shape.type->bytes);
 }
 
-/// Numbers that replace some of those of the view, or zeros.
+/// Replaces the elements that a sparse accessor lists.
 void gltf_document::fill_sparse(const gltf_value& accessor, const element_shape& shape,
                                 gltf_numbers& out) const {
     const gltf_value sparse = accessor.at("sparse");

@@ -38,9 +38,9 @@ public:
     gltf_value(const json& value, std::string place) : value_(&value), place_(std::move(place)) {}
 
     bool has(const char* name) const { return value_->is_object() && value_->contains(name); }
-    /// A member. Errors: if there is none, or this is no object.
+    /// A member of this object. Errors: it is missing, or this is no object.
     gltf_value at(const char* name) const;
-    /// An element of an array member. Errors: if there is no such element.
+    /// An element of an array member. Errors: it is missing.
     gltf_value element(const char* name, std::size_t index) const;
     /// The number of elements of an array member; 0 if it is left out.
     std::size_t count(const char* name) const;
@@ -65,12 +65,12 @@ private:
     std::string place_;
 };
 
-/// The numbers of an accessor as doubles. Normalized ones are brought to the range from -1 or 0 to
-/// 1.
+/// The numbers of an accessor as doubles. Normalized ones are scaled to -1 to 1, or 0 to 1 if
+/// unsigned.
 struct gltf_numbers {
     std::size_t count = 0;      ///< the number of elements
     std::size_t components = 1; ///< components of an element
-    std::vector<double> values; ///< element after element
+    std::vector<double> values; ///< components, element after element
 
     const double* at(std::size_t element) const { return &values[element * components]; }
 };
@@ -83,21 +83,21 @@ public:
     /// Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Reads the buffers. Call it once, before numbers are asked for. A fault of a buffer is an
-    /// error only once the buffer is used.
+    /// Reads the buffers. Call it once, before numbers(). A faulty buffer is an error only once it
+    /// is used.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
 
-    /// The numbers of an accessor. Its type must be one of `types`, such as "VEC3 VEC4". `at` is
-    /// the value that names the accessor. `is_index` asks for whole numbers that are not negative.
+    /// The numbers of the accessor that `at` names. The accessor's type must be one of `types`,
+    /// such as "VEC3 VEC4". `is_index` asks for whole numbers that are not negative.
     gltf_numbers numbers(const gltf_value& at, std::string_view types, bool is_index) const;
 
     /// The bytes of an element of `images`: they are in another file, in the text itself, or in a
     /// bufferView.
     std::string image_bytes(const gltf_value& image, const l3d_other_files& files) const;
 
-    /// Counts the memory that is taken, since a file may name the same numbers again and again.
+    /// Counts the bytes that reading takes, since a file may name the same numbers again and again.
     /// Errors: gltf_error beyond 32 times the files' size, if that is also beyond 16 MB.
     void take_memory(std::size_t bytes) const;
 
@@ -119,8 +119,8 @@ private:
     bool has_chunk_ = false;
     std::vector<std::string> owned_; ///< bytes of buffers that were decoded, or read from files
     std::vector<std::string_view> buffers_;
-    std::vector<std::optional<gltf_error>> faults_; ///< per buffer
-    std::size_t bytes_ = 0; ///< the size of the file and of those that it names
+    std::vector<std::optional<gltf_error>> faults_; ///< per buffer, why it cannot be read
+    std::size_t bytes_ = 0; ///< the size of the file and of the files that it names
     mutable std::size_t taken_ = 0;
 };
 

@@ -20,7 +20,7 @@ using l3d_detail::read_array;
 using matrix = l3d_matrix<double>;
 using vector = l3d_polygon_mesh::vector;
 
-/// Expects: not zero.
+/// The rotation of the quaternion x, y, z, w. Expects: q is not zero.
 matrix rotation_of(std::array<double, 4> q) {
     const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     for (double& component : q)
@@ -36,7 +36,7 @@ matrix rotation_of(std::array<double, 4> q) {
     return m;
 }
 
-/// The ways in which indices make triangles, by glTF's numbers.
+/// The modes in which indices make triangles, by glTF's numbers.
 enum : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
 
 class gltf_reader {
@@ -46,7 +46,7 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           materials_(document, model, name_, files) {}
 
-    /// Before the buffers, of which other versions think otherwise.
+    /// Call it before buffers are read: other versions define them otherwise.
     void check_version() {
         const std::string version = root_.at("asset").at("version").text();
         if (!version.starts_with("2."))
@@ -68,7 +68,7 @@ private:
     l3d_polygon_mesh& mesh() { return model_.mesh; }
     void note(const std::string& what) { model_.notes.push_back(name_ + ": " + what); }
 
-    /// Refuses those that change what the numbers here mean.
+    /// Refuses required extensions that change the meaning of the numbers read here.
     void check_extensions() {
         for (std::size_t i = 0; i < root_.count("extensionsRequired"); ++i) {
             const gltf_value extension = root_.element("extensionsRequired", i);
@@ -84,8 +84,8 @@ private:
                extension == l3d_detail::glossiness;
     }
 
-    /// Extensions that a file uses and that are not read, but for those of textures, which have a
-    /// note, and of descriptions. A few are named.
+    /// Notes the extensions that are used and not read, the first three by name. Those of textures
+    /// have their own note, and those of descriptions need none.
     void note_extensions() {
         constexpr std::size_t most_named = 3;
         std::string names;
@@ -113,7 +113,7 @@ private:
                 note(words);
     }
 
-    /// A rotation that is no direction turns nothing.
+    /// The rotation of a quaternion; the identity if it is zero or not finite.
     matrix turned_by(const std::array<double, 4>& q) {
         const auto is_finite = [](double component) { return std::isfinite(component); };
         const auto is_zero = [](double component) { return component == 0; };
@@ -176,7 +176,7 @@ private:
         return result;
     }
 
-    /// The nodes of the scene; without a scene, all that are nobody's children.
+    /// Reads the nodes of the scene; without a scene, all nodes that are no node's children.
     void read_scene() {
         struct pending {
             std::size_t node;
@@ -273,7 +273,7 @@ private:
         }
     }
 
-    /// Those of each vertex in the picture of the primitive's material; none if it has no picture.
+    /// The picture places of a primitive's vertices; none if its material has no picture.
     std::vector<l3d_polygon_mesh::picture_place> read_picture_places(const gltf_value& primitive,
                                                                      const gltf_value& attributes,
                                                                      std::size_t vertices) {
@@ -299,7 +299,7 @@ private:
         return result;
     }
 
-    /// Places, normals and colours of a primitive's vertices.
+    /// Reads places, normals and colours of a primitive's vertices, and returns their number.
     std::size_t read_vertices(const gltf_value& attributes, const matrix& to_scene) {
         const gltf_value at = attributes.at("POSITION");
         const gltf_numbers places = document_.numbers(at, "VEC3", false);
@@ -325,7 +325,7 @@ private:
         return places.count;
     }
 
-    /// Only a vertex that is used must be somewhere.
+    /// Fails for a vertex without a finite place only if an index names the vertex.
     void check_places(const gltf_value& at, std::span<const std::uint32_t> indices) {
         if (odd_.empty())
             return;
@@ -342,7 +342,7 @@ private:
                     std::to_string(vertices));
     }
 
-    /// By the cofactors of the placement, which keep normals normal.
+    /// Transforms normals by the cofactors of the placement, which keep them perpendicular.
     void read_normals(const gltf_value& at, const matrix& to_scene, std::size_t vertices) {
         const gltf_numbers normals = document_.numbers(at, "VEC3", false);
         check_count(at, normals.count, vertices);
@@ -442,7 +442,7 @@ private:
     l3d_detail::gltf_materials materials_;
     l3d_detail::vertex_colors colors_;
     std::size_t color_bytes_ = 0;
-    std::vector<std::size_t> odd_; ///< vertices of the primitive that are nowhere
+    std::vector<std::size_t> odd_; ///< vertices of the primitive without a finite place
     bool has_morphs_ = false, has_lines_ = false, lacks_places_ = false;
     bool has_odd_places_ = false, has_odd_normals_ = false, has_odd_rotations_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gltf_materials: base colours and their pictures; all else is noted.
+// gltf_materials: base colours and their pictures; everything else is noted.
 #include "geom/files/gltf_materials_p.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ std::uint32_t word_of(const std::array<double, 3>& light) {
     return word;
 }
 
-/// A material that says nothing of its metalness is of metal.
+/// Whether a material has looks that are not drawn. Its factors are 1 if left out: metal, and
+/// rough.
 bool says_more_than_color(const gltf_value& material) {
     std::array<double, 3> own_light{0, 0, 0};
     read_array(material, "emissiveFactor", own_light);
@@ -83,8 +84,8 @@ void gltf_materials::note_other_textures(const gltf_value& material) {
                           metal();
 }
 
-/// The picture of a texture that a material names. A fault is noted, so that no model is lost
-/// for a picture.
+/// The picture of a material's texture. A fault becomes a note, so that no model is lost for a
+/// picture.
 gltf_materials::picture_use gltf_materials::picture_of(const gltf_value& use) {
     try {
         const gltf_value texture = root_.element("textures", use.at("index").whole());
@@ -100,7 +101,8 @@ gltf_materials::picture_use gltf_materials::picture_of(const gltf_value& use) {
     }
 }
 
-/// Its place in the mesh. A faulty image is noted once, for the first of its textures.
+/// The index of a texture's picture in the mesh. A faulty image is noted once, for the first
+/// texture that uses it.
 int gltf_materials::picture_of_image(const gltf_value& texture) {
     constexpr std::uint64_t clamp = 33071, mirror = 33648, repeat = 10497;
     std::uint64_t wrap_u = repeat, wrap_v = repeat;

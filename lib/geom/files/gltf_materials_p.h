@@ -18,11 +18,11 @@
 
 namespace l3d_detail {
 
-/// The extension of glTF with the older kind of materials.
+/// The extension for materials of diffuse colour and glossiness, glTF's older model.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 /// Encodes a level of linear light as pictures do.
-/// Units: both from 0 to 1.
+/// Units: argument and result are from 0 to 1.
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);
 
@@ -53,13 +53,12 @@ public:
     /// Errors:  gltf_error; but a faulty picture becomes a note.
     void read();
 
-    /// The number of the set of picture places (TEXCOORD_0 and so on) that a material's picture
-    /// uses.
+    /// The n of the picture places TEXCOORD_n by which a material's picture is laid.
     /// Expects: read() was called.
     std::uint64_t set_of_places(std::size_t material) const { return sets_[material]; }
 
 private:
-    /// A picture's index in the mesh, and the set of picture places that it is laid by.
+    /// A picture's index in the mesh, and the n of its picture places TEXCOORD_n.
     struct picture_use {
         int place = l3d_material::no_picture;
         std::uint64_t set = 0;
@@ -76,10 +75,9 @@ private:
     l3d_model_file& model_;
     std::string name_;
     const l3d_other_files& files_;
-    /// Indices of the mesh's pictures, by image and by the codes for what is seen beyond borders in
-    /// u and in v.
+    /// Indices of the mesh's pictures, by image and by the codes for wrapping along u and v.
     std::map<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>, int> pictures_;
-    std::vector<std::uint64_t> sets_; ///< sets of places on pictures, one per material
+    std::vector<std::uint64_t> sets_; ///< set_of_places() of each material
     bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;
 };
 

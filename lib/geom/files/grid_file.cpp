@@ -10,10 +10,10 @@ namespace {
 
 using l3d_detail::text_cursor;
 
-/// The header's statements, in any order. Programs write them in either case.
+/// The values of the header, whose statements come in any order, in capitals or not.
 struct grid_header {
     std::int64_t columns = 0, rows = 0;
-    double spacing = 1, missing = -9999; // the format's own value, unless the header has another
+    double spacing = 1, missing = -9999; // missing: the format's default
 };
 
 std::string lower_case(std::string_view word) {
@@ -23,7 +23,7 @@ std::string lower_case(std::string_view word) {
     return result;
 }
 
-/// Reads the value of a statement.
+/// Reads the value of the statement `word`.
 bool read_statement(text_cursor& text, const std::string& word, grid_header& header) {
     double place = 0;
     if (word == "ncols")
@@ -37,14 +37,14 @@ bool read_statement(text_cursor& text, const std::string& word, grid_header& hea
     if (word == "nodata_value")
         return text.any_number(header.missing, "nodata_value");
     if (word == "xllcorner" || word == "yllcorner" || word == "xllcenter" || word == "yllcenter")
-        return text.number(place, "a place of the grid"); // the model is around the origin
+        return text.number(place, "a place of the grid"); // unused: the model is around the origin
     return text.fail(l3d_detail::quoted(text.token()) +
                      " is none of ncols, nrows, xllcorner, yllcorner, xllcenter, yllcenter, "
                      "cellsize and nodata_value");
 }
 
 bool is_number_begin(std::string_view token) {
-    return token.find_first_of("0123456789.") < 2; // a sign may stand before it
+    return token.find_first_of("0123456789.") < 2; // a sign may stand before the digits
 }
 
 bool read_grid(text_cursor& text, l3d_model_file& model) {
@@ -62,7 +62,7 @@ bool read_grid(text_cursor& text, l3d_model_file& model) {
     if (count > l3d_most_heights)
         return text.fail(std::to_string(header.columns) + " x " + std::to_string(header.rows) +
                          " heights are more than " + std::to_string(l3d_most_heights));
-    constexpr std::size_t shortest = 2; // a digit and a blank; the first one is taken already
+    constexpr std::size_t shortest = 2; // a digit and a blank; the first height is taken already
     if (!text.plausible(count - 1, "heights", shortest))
         return false;
     l3d_height_field field{static_cast<std::size_t>(header.columns), {}, header.spacing};

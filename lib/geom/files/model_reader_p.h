@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The code that readers of polygons share: materials by name, and the way a reader returns.
+// The code that readers of polygons share: materials by name, colours, normals and results.
 #ifndef L3D_GEOM_FILES_MODEL_READER_P_H
 #define L3D_GEOM_FILES_MODEL_READER_P_H
 
@@ -21,7 +21,7 @@
 
 namespace l3d_detail {
 
-/// The most vertices of a mesh, whose indices have 32 bits; a text that could name more is refused.
+/// The most vertices of a mesh, whose indices have 32 bits. A text that announces more is refused.
 inline constexpr std::int64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
 
 /// Gives materials to faces, by name. Lives: borrows the mesh and the names' text.
@@ -29,7 +29,7 @@ class face_materials {
 public:
     explicit face_materials(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// The index of a material, made when it is named for the first time.
+    /// The index of the material `name`, which is made at the name's first use.
     std::uint32_t named(std::string_view name) {
         const auto next = static_cast<std::uint32_t>(mesh_.materials.size());
         const auto [place, is_new] = indices_.try_emplace(std::string(name), next);
@@ -44,7 +44,7 @@ public:
         mesh_.face_materials.push_back(material);
     }
 
-    /// Stands for a missing material until all is read.
+    /// Stands for a missing material until the whole text is read.
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     /// Completes the materials of faces, patches and curves, once all is read. If some of a kind
@@ -79,8 +79,8 @@ public:
     }
 
     /// Gives a vertex a colour; vertices without one are white.
-    /// Units:   components from 0 to 1 or, if any is 2 or more, from 0 to 255. Others are clamped;
-    ///          NaN is the largest.
+    /// Units:   components from 0 to 1 or, if any is 2 or more, from 0 to 255. Values outside are
+    /// clamped; NaN counts as the largest.
     /// Expects: vertices come in their order.
     void give(std::size_t vertex, const double* color) {
         colors_.resize(vertex, white);
@@ -92,7 +92,7 @@ public:
         }
     }
 
-    /// Gives the mesh its colours, once all is read. Expects: a mesh whose faces have no colours.
+    /// Gives the mesh its colours, once the whole text is read. Expects: faces have no colours.
     void finish(l3d_polygon_mesh& mesh) {
         if (colors_.empty())
             return;
@@ -121,14 +121,14 @@ public:
     }
 
 private:
-    /// More than any component, so that it is the largest on either scale.
+    /// Larger than any component, so that it is clamped to white on either scale.
     static constexpr std::array<float, 3> white{256, 256, 256};
 
     std::vector<std::array<float, 3>> colors_;
     float largest_ = 0;
 };
 
-/// The word of a face's colour. Components beyond 0 to 1 are clamped, with a note.
+/// A face's colour as 0x00RRGGBB. Components beyond 0 to 1 are clamped, with a note.
 inline std::uint32_t color_of(text_cursor& text, const double* components) {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -143,7 +143,7 @@ inline std::uint32_t color_of(text_cursor& text, const double* components) {
 
 /// Appends a colour, 0x00RRGGBB, as three fractions of 1, to a line that has just ended.
 inline void append_color(std::string& text, std::uint32_t word) {
-    text.back() = ' '; // the line goes on
+    text.back() = ' '; // takes back the line's end
     append(text, (word >> 16 & 255) / 255.0, ' ');
     append(text, (word >> 8 & 255) / 255.0, ' ');
     append(text, (word & 255) / 255.0, '\n');
@@ -153,12 +153,12 @@ inline void append_color(std::string& text, std::uint32_t word) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Keeps coordinates that are not finite, or beyond 1e12. Programs write some for vertices that no
-/// face uses; these vertices become the origin.
+/// Collects coordinates that are not finite, or beyond 1e12. Programs write such coordinates for
+/// vertices that no face uses; these vertices become the origin.
 class odd_coordinates {
 public:
-    /// Checks a coordinate that was read for the next vertex, from the current token or `digits` in
-    /// it. One that is not allowed is kept, and becomes 0.
+    /// Checks a coordinate of the next vertex, read from the current token or from `digits` in it.
+    /// A coordinate that is not allowed is collected, and becomes 0.
     void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
                std::string_view digits = {}) {
         if (std::abs(value) <= l3d_bpt_largest_coordinate)
@@ -167,9 +167,9 @@ public:
         value = 0;
     }
 
-    /// Whether no vertex with such coordinates is a corner of the mesh, or used otherwise by
-    /// is_used(index).
-    /// Errors: as text_cursor::is_coordinate, at the first one in the text that is used.
+    /// Whether nothing uses a vertex with such coordinates: neither a corner nor, by
+    /// is_used(index), something else.
+    /// Errors: as text_cursor::is_coordinate, at the first coordinate in the text that is used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())
@@ -202,7 +202,7 @@ private:
     std::vector<found> found_;
 };
 
-/// Takes the three coordinates of the next vertex.
+/// Reads the three coordinates of the next vertex.
 inline bool read_vertex(text_cursor& text, l3d_polygon_mesh& mesh, odd_coordinates& odd) {
     std::array<double, 3> v{};
     for (double& value : v) {
@@ -223,7 +223,7 @@ inline bool has_direction(const l3d_polygon_mesh::vector& v) {
 inline constexpr const char* odd_normals_note =
     "normals that are zero or no numbers are computed from the faces";
 
-/// Makes normals without a direction zero. If the normals of all corners are zero, the mesh loses
+/// Sets normals without a direction to zero. If the normals of all corners are zero, the mesh loses
 /// its normals.
 inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
     const l3d_polygon_mesh::vector zero(0);
@@ -237,8 +237,8 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
         mesh.vertex_normals.clear();
 }
 
-/// Reads a model by read(cursor, model), which says whether all went well. Each reader of a format
-/// returns the result. The text from `comment`, if any, to the line's end is skipped.
+/// Reads a model by read(cursor, model), which returns success; the reader of each format returns
+/// the result. Text from `comment`, if any, to the end of its line is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

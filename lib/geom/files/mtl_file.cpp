@@ -14,20 +14,20 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// Statements of things that are not drawn; their loss is noted once for each kind.
+/// Statements of looks that are not drawn; each kind is noted once.
 constexpr std::string_view noted_statements[] = {
     "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",  "disp",
     "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
-/// Those whose loss few would see: what matters to reflections and refraction alone.
+/// Statements skipped without a note: refraction, sharpness of reflections, smooth textures.
 constexpr std::string_view silent_statements[] = {"Ni", "sharpness", "map_aat"};
 
-/// Ambient and own light, and physical models: lost if their numbers are not 0. Programs write
-/// "Ka 1 1 1" into every file.
+/// Ambient and own light, and physical models: noted only if their numbers say something. Programs
+/// write "Ka 1 1 1" into every file.
 constexpr std::string_view numbered_statements[] = {"Ka", "Ke",  "Pr",    "Pm",    "Ps",
                                                     "Pc", "Pcr", "aniso", "anisor"};
 
-/// The first model of lighting that has highlights.
+/// The first of the models of lighting, `illum`, that has highlights.
 constexpr std::int64_t highlights_from = 2;
 
 class mtl_reader {
@@ -69,7 +69,7 @@ private:
             text_.note(quoted(word) + " begins no statement of an .mtl file");
     }
 
-    /// Whether a number in the line is not 0; of ambient light, neither 0 nor 1.
+    /// Whether the line holds a number other than 0; for ambient light, other than 0 and 1.
     bool says_something(std::string_view word) {
         bool does = false;
         double value = 0;
@@ -97,8 +97,8 @@ private:
             read_picture(materials_.back().picture);
     }
 
-    /// Options, and the name of a file, which may have blanks. An option has a word or some numbers
-    /// behind it; "-clamp on" says that the picture's border goes on.
+    /// Reads options and the name of a file, which may have blanks. A word or some numbers follow
+    /// an option; "-clamp on" repeats the picture's border instead of the picture.
     void read_picture(l3d_mesh_picture& picture) {
         std::string_view line = text_.name_in_line();
         const auto word = [&] { return line.substr(0, line.find_first_of(" \t")); };
@@ -130,8 +130,8 @@ private:
         picture = read;
     }
 
-    /// "d" is how opaque a material is, "Tr" how clear; files have either, or both. With -halo,
-    /// what is seen edge on is opaque.
+    /// Reads opacity: "d" is how opaque a material is, "Tr" how clear; files have either, or both.
+    /// "-halo" would make surfaces opaque where they are seen edge on.
     void read_opacity(std::string_view word, l3d_material& look) {
         double value = 0;
         if (!text_.next_in_line())
@@ -148,12 +148,12 @@ private:
                               ", which is not from 0 to 1: skipped");
         (word == "d" ? opaque_ : clear_) = value;
         look.opacity = static_cast<float>(opaque_ ? *opaque_ : 1 - *clear_);
-        constexpr double same = 1e-3; // both are written with a few digits
+        constexpr double same = 1e-3; // files give them with a few digits
         if (opaque_ && clear_ && std::abs(*opaque_ + *clear_ - 1) > same)
             text_.note("'Tr' and 'd' do not add up to 1: 'd' is taken");
     }
 
-    /// One number in the line. A fault is noted.
+    /// Reads one number from the line; a fault becomes a note.
     bool number(double& value, const char* what) {
         if (text_.next_in_line() && text_.number_in(text_.token(), value, what))
             return true;
@@ -161,7 +161,7 @@ private:
         return false;
     }
 
-    /// Three components from 0 to 1, or one for all. Spectra and CIE's X, Y, Z are not read.
+    /// Reads three components from 0 to 1, or one for all. Spectra and CIE's X, Y, Z are not read.
     void read_color(std::uint32_t& color) {
         std::array<double, 3> components{};
         std::size_t count = 0;
@@ -186,8 +186,8 @@ private:
 
     text_cursor& text_;
     std::vector<l3d_named_material>& materials_;
-    bool has_highlights_ = true;           ///< the material being read has some
-    std::optional<double> opaque_, clear_; ///< likewise, as "d" and "Tr" have it
+    bool has_highlights_ = true;           ///< whether the current `illum` has highlights
+    std::optional<double> opaque_, clear_; ///< "d" and "Tr" of the current material
 };
 
 } // namespace

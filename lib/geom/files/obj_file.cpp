@@ -17,7 +17,7 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// Statements that are skipped, and whose loss nobody would see. All others make a note.
+/// Statements that are skipped without a note, since nobody sees their loss.
 constexpr std::string_view silent_statements[] = {"mg",    "lod",      "bevel",   "ctech",
                                                   "stech", "c_interp", "d_interp"};
 
@@ -38,7 +38,7 @@ public:
         };
         if (!surfaces_.finish())
             return false;
-        vertex_colors_.finish(mesh()); // by the numbers that the file has
+        vertex_colors_.finish(mesh()); // while vertices have the file's indices
         if (!mesh().picture_places.empty())
             mesh().picture_places.resize(mesh().corners.size());
         finish_normals();
@@ -99,7 +99,7 @@ private:
         return true;
     }
 
-    /// A part begins with the first thing that belongs to it. Those without any are forgotten.
+    /// Begins a part at the first thing that belongs to it. Names without any thing are forgotten.
     void begin_part(std::vector<l3d_part_run>& parts, bool& is_new, std::size_t first) const {
         if (is_new && !(part_.empty() && first == 0))
             parts.push_back({part_, static_cast<std::uint32_t>(first)});
@@ -107,15 +107,15 @@ private:
     }
 
     void skip(std::string_view word) {
-        // Once for each kind: there may be one for each vertex.
+        // One note for each kind: there may be a statement for each vertex.
         if (std::ranges::find(silent_statements, word) == std::end(silent_statements))
             text_.note_once("statements " + quoted(word) + " are skipped");
         while (text_.next_in_line())
             ;
     }
 
-    /// `s` and one word is a smoothing group, `off` or 0 none; with four numbers it is the part of
-    /// the picture that the window fills.
+    /// `s` with one word sets the smoothing group; `off` or 0 is none. With four numbers it sets
+    /// the part of the picture that the window fills.
     bool read_group_or_viewport() {
         if (!text_.next_in_line())
             return true;
@@ -141,7 +141,7 @@ private:
         return word(what) && read_window_from(first, window, what);
     }
 
-    /// Expects: the first number was taken before the current token, which is the second.
+    /// Expects: `first` is the window's first number, and the current token its second.
     bool read_window_from(std::string_view first, std::optional<l3d_model_window>& window,
                           const char* what) {
         l3d_model_window w;
@@ -159,7 +159,7 @@ private:
         return true;
     }
 
-    /// Skips a line whose word is unknown here.
+    /// Skips the rest of a line, with a note.
     bool skip_rest(const char* what) {
         while (text_.next_in_line())
             text_.note_once("what follows " + std::string(what) + " in its line is skipped");
@@ -185,8 +185,8 @@ private:
         }
         mesh().vertices.push_back(v);
         l3d_polygon_mesh::index_of(mesh().vertices.size());
-        // One number more is a weight. Three or four more are a colour, which some programs write,
-        // with a weight before it or a fourth component behind it.
+        // One more number is a weight. Three or four more are a colour, which some programs write,
+        // with a weight of 1 before it or a fourth component behind it.
         double more[4];
         std::size_t numbers = 0;
         while (numbers < 4 && text_.next_in_line())
@@ -216,8 +216,8 @@ private:
         return true;
     }
 
-    /// From the picture's bottom left corner, in the file. Numbers left out are 0, and so is the
-    /// place of a corner that names none.
+    /// Reads a place, which files measure from the picture's bottom left corner. Numbers left out
+    /// are 0, and so is the place of a corner that names none.
     bool read_picture_place() {
         double place[2] = {0, 0};
         for (int i = 0; i < 2 && text_.next_in_line(); ++i)
@@ -253,8 +253,8 @@ private:
         return true;
     }
 
-    /// A corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal. A slash may have
-    /// nothing behind it.
+    /// Reads a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal. A slash may
+    /// have nothing behind it.
     bool read_corner(std::string_view corner) {
         const std::size_t first = std::min(corner.find('/'), corner.size());
         std::uint32_t vertex = 0;
@@ -276,7 +276,8 @@ private:
         return true;
     }
 
-    /// No model is lost for a place in a picture.
+    /// Gives the last corner a place in its picture. A bad index becomes (0, 0), so that no model
+    /// is lost.
     void give_picture_place(std::string_view digits) {
         if (picture_places_.empty())
             return;
@@ -298,7 +299,7 @@ private:
         normals_.finish(mesh());
     }
 
-    /// Surfaces have copies of theirs, so that only those stay which faces use, too.
+    /// Drops control points, of which surfaces have copies, unless faces or tags use the vertices.
     void forget_control_points() {
         const std::vector<bool>& control = surfaces_.control_points();
         if (control.empty())
@@ -312,7 +313,7 @@ private:
             is_kept[crease.from] = is_kept[crease.to] = true;
         for (const auto& corner : model_.tags.corners)
             is_kept[corner.vertex] = true;
-        std::vector<std::uint32_t> place(is_kept.size()); // where a vertex goes
+        std::vector<std::uint32_t> place(is_kept.size()); // a kept vertex's new index
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < place.size(); ++i) {
             if (!is_kept[i])
@@ -345,14 +346,14 @@ private:
     l3d_detail::obj_surfaces surfaces_;
     l3d_detail::vertex_colors vertex_colors_;
     std::optional<std::uint32_t> material_;
-    std::string part_; ///< the name that faces and surfaces belong to
+    std::string part_; ///< the name of the part that comes next
     bool is_new_to_faces_ = false, is_new_to_patches_ = false;
-    /// The smoothing group of the faces that come: 0 if they are flat, nothing before the first
-    /// one.
+    /// The smoothing group of the faces that follow: 0 if they are flat, nothing before the first
+    /// `s`.
     std::optional<std::uint64_t> group_;
     std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
-    std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< that corners may name
-    std::vector<double> weights_; ///< per vertex; those left out at the end are 1
+    std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< places that corners may name
+    std::vector<double> weights_; ///< per vertex; 1 beyond its end
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

@@ -14,7 +14,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The numbers of a tag.
+/// A tag's name and arguments.
 struct tag_numbers {
     std::string name;
     std::vector<std::uint32_t> integers;
@@ -42,7 +42,7 @@ bool read_counts(text_cursor& text, std::array<std::int64_t, 3>& counts) {
     return true;
 }
 
-/// Whether a tag has so many reals as things that they are for, or one for all.
+/// Whether a tag has one real for each of its things, or one for all.
 bool has_reals(text_cursor& text, const tag_numbers& tag, std::size_t things) {
     return tag.reals.size() == 1 || tag.reals.size() == things ||
            text.fail("a tag '" + tag.name + "' of " + counted(things, tag.name + "s") + " has " +
@@ -76,7 +76,7 @@ bool read_numbers(text_cursor& text, const l3d_polygon_mesh& mesh, tag_numbers& 
             return false;
         if (!(number >= 0))
             return text.fail("a sharpness of " + std::string(text.token()) + " is negative");
-        tag.reals.push_back(static_cast<float>(number < 10 ? number : 10)); // 10 is for ever
+        tag.reals.push_back(static_cast<float>(number < 10 ? number : 10)); // 10 stays sharp
     }
     return true;
 }

@@ -10,11 +10,10 @@
 
 namespace l3d_detail {
 
-/// Reads a tag, of which the `t` was taken. Its name is followed by the numbers of its integers,
-/// reals and words, "2/1/0", and by these. Vertices and faces are counted from 0. Tags of other
-/// names are skipped with a note.
+/// Reads a tag behind its `t`: its name, the numbers of integers, reals and words, "2/1/0", and
+/// then these. Vertices and faces are counted from 0. Tags of other names are skipped with a note.
 /// Errors: false, after text.fail.
-/// Source: the shapes of OpenSubdiv, whose tags other programs write, too.
+/// Source: the shape files of OpenSubdiv, whose tags other programs write, too.
 bool read_obj_tag(text_cursor& text, const l3d_polygon_mesh& mesh, l3d_cage_tags& tags);
 
 /// The lines of all tags. Reading them gives the same tags.

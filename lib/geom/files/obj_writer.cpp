@@ -13,7 +13,7 @@ void append_vector(std::string& text, const char* word, double x, double y, doub
     l3d_detail::append(text, z, '\n');
 }
 
-/// Materials are known in the order of their names' first appearance.
+/// Names all materials, so that a reader numbers them in the mesh's order.
 void append_uses(std::string& text, const l3d_polygon_mesh& mesh) {
     for (const std::string& material : mesh.materials)
         text += "usemtl " + material + '\n';
@@ -41,11 +41,11 @@ void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
         append_vector(text, "vn ", n[0], n[1], n[2]);
 }
 
-/// Begins the parts whose first face or patch comes next.
+/// Begins the parts that start with face or patch number `thing`.
 void append_parts(std::string& text, const std::vector<l3d_part_run>& parts,
                   std::vector<l3d_part_run>::const_iterator& next, std::size_t thing) {
     if (thing == 0 && (next == parts.end() || next->first > 0) && text.find("\ng ") != text.npos)
-        text += "g\n"; // the name of the last patch or face goes on until the next one
+        text += "g\n"; // ends the part of the last patch or face
     for (; next != parts.end() && next->first <= thing; ++next)
         text += "g " + next->name + '\n';
 }
@@ -69,13 +69,13 @@ void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
     }
 }
 
-/// Control points of a surface as vertices; those of a rational one have weights.
+/// Writes control points of a surface as vertices, with weights if it is rational.
 template <class Points>
 void append_points(std::string& text, const Points& points, const std::vector<double>& weights) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         append_vector(text, "v ", points[i][0], points[i][1], points[i][2]);
         if (!weights.empty()) {
-            text.back() = ' '; // a weight goes on with the line
+            text.back() = ' '; // the weight is in the same line
             l3d_detail::append(text, weights[i], '\n');
         }
     }
@@ -86,8 +86,8 @@ void append_last_vertices(std::string& text, std::size_t count) {
         text += " -" + std::to_string(i);
 }
 
-/// The curves of loops, and the statements that give these to a surface. Numbers count back from
-/// the last.
+/// Writes the curves of loops, and returns the statements that give these curves to a surface.
+/// Numbers count back from the last curve.
 std::string trims_of(std::string& text, std::span<const l3d_trim_loop> loops, bool is_rational) {
     std::size_t left = 0;
     for (const l3d_trim_loop& loop : loops)
@@ -153,7 +153,7 @@ void append_curves(std::string& text, const l3d_model_file& model) {
         text += "deg " + std::to_string(curve.along().degree) + "\ncurv ";
         l3d_detail::append(text, curve.along().from, ' ');
         l3d_detail::append(text, curve.along().to, ' ');
-        text.pop_back(); // the vertices begin with a blank
+        text.pop_back(); // each index begins with a blank
         append_last_vertices(text, curve.points().size());
         text += '\n';
         append_knots(text, "parm u ", curve.along());
@@ -170,7 +170,7 @@ std::string l3d_write_obj(const l3d_model_file& model) {
     append_window(text, "w ", model.window);
     append_window(text, "s ", model.viewport);
     append_vertices(text, model.mesh);
-    // A material goes on until the next one: patches and faces without any come before it.
+    // A material goes on until the next one, so patches, curves and faces without any come first.
     const bool plain_patches = model.patch_materials.empty();
     const bool plain_curves = model.curve_materials.empty();
     const bool plain_faces = model.mesh.face_materials.empty();
@@ -202,7 +202,7 @@ std::string l3d_write_obj_surfaces(std::span<const l3d_nurbs_surface> surfaces) 
         l3d_detail::append(text, surface.u().to, ' ');
         l3d_detail::append(text, surface.v().from, ' ');
         l3d_detail::append(text, surface.v().to, ' ');
-        text.pop_back(); // the vertices begin with a blank
+        text.pop_back(); // each index begins with a blank
         append_last_vertices(text, surface.points().size());
         text += '\n';
         append_knots(text, "parm u ", surface.u());

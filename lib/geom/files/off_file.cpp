@@ -95,7 +95,8 @@ private:
              !whole(edges, "the number of edges", std::numeric_limits<std::int32_t>::min(),
                     std::numeric_limits<std::int32_t>::max())))
             return false;
-        // Three numbers of a digit and a blank; a face has at least its number of corners.
+        // A vertex has three numbers of a digit and a blank; a face has at least its number of
+        // corners.
         const std::size_t vertex = is_binary_ ? 3 * sizeof(float) : 3 * 2;
         const std::size_t face = is_binary_ ? 2 * sizeof(std::int32_t) : 2;
         vertices_ = static_cast<std::size_t>(vertices);
@@ -130,7 +131,7 @@ private:
         return read_looks();
     }
 
-    /// The colour of the last vertex, and its texture coordinates. In a text, a line that ends one
+    /// Reads the last vertex's colour and texture coordinates. In a text, a line that ends one
     /// number too early leaves out the fourth component of the colour.
     bool read_looks() {
         const std::size_t numbers = (kind_.color ? 4u : 0u) + (kind_.texture ? 2u : 0u);
@@ -188,7 +189,8 @@ private:
         return true;
     }
 
-    /// The rest of the face's line: whole numbers up to 255, or at least one fraction.
+    /// Reads a face's colour from the rest of its line: whole numbers up to 255, or fractions if
+    /// any has a point or an exponent.
     bool text_color(std::array<double, 4>& color, std::size_t& numbers) {
         bool whole_numbers = true;
         while (text_.next_in_line()) {
@@ -217,7 +219,7 @@ private:
         mesh_.face_colors.push_back(l3d_detail::color_of(text_, color.data()));
     }
 
-    /// A number that may be infinite or NaN.
+    /// Reads a number that may be infinite or NaN.
     bool any_real(double& value, const char* what) {
         return text_.any_number_or_float(value, is_binary_, what);
     }

@@ -17,14 +17,14 @@ std::size_t points_along(int degree) {
     return static_cast<std::size_t>(degree) + 1;
 }
 
-/// Reads the patches of a .bpt file, after a check whether the text can hold so many.
+/// Reads the patches of a .bpt file, after checking that the text can hold so many.
 bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& patches) {
     std::int64_t count = 0;
     if (!text.integer(count, "the number of patches"))
         return false;
     if (count <= 0)
         return text.fail("the number of patches is " + std::to_string(count) + ", not positive");
-    // The least patch has 2 degrees and 4 points, 14 numbers of one digit and one blank.
+    // The shortest patch has 2 degrees and 4 points: 14 numbers of one digit and one blank.
     constexpr std::size_t shortest = std::size_t{2} * (2 + 4 * 3);
     if (!text.plausible(count, "patches", shortest))
         return false;
@@ -68,8 +68,8 @@ void elevate(std::span<point> line, int degree, int target) {
     }
 }
 
-/// Brings the curve in the first degree + 1 places of `line` to degree 3 in the first four; false
-/// if that would change it.
+/// Brings the curve in the first degree + 1 places of `line` to degree 3 in the first four places.
+/// False if that would move the curve by more than `rounding`.
 bool make_cubic(std::vector<point>& line, int degree, double rounding) {
     if (degree <= 3) {
         elevate(line, degree, 3);
@@ -125,7 +125,7 @@ std::string l3d_write_bpt(std::span<const l3d_patch_points> patches) {
 
 std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_patch_points& patch) {
     const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
-    // A factor that all points have means nothing.
+    // A weight that all points share has no effect.
     const auto is_first = [&](double weight) { return weight == patch.weights.front(); };
     if (!well(patch.degree_u) || !well(patch.degree_v) ||
         !std::ranges::all_of(patch.weights, is_first))
@@ -135,8 +135,8 @@ std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_pa
     if (patch.points.size() != columns * rows)
         return std::nullopt;
 
-    // Raising 12 times rounds 3 times 2^-53 each; the cubic's inner points, (1 + 2 * 5) times; the
-    // file's own points were rounded as often: 2 * 36 + 11 is less than 2^7.
+    // Raising a degree 12 times has 36 roundings of 2^-53, and the cubic's inner points 1 + 2 * 5.
+    // The file's own points may be rounded as often: 2 * 36 + 11 is less than 2^7.
     double largest = 0;
     for (const point& p : patch.points)
         for (const double value : p)

@@ -21,7 +21,7 @@ std::vector<std::string> l3d_detail::plugin_folders() {
         if (folder.is_absolute())
             folders.push_back(folder.lexically_normal().string());
     };
-    // Programs with another user's rights do not take orders from the environment.
+    // The environment is ignored in programs that run with another user's rights.
     if (const char* const path = secure_getenv("L3D_PLUGIN_PATH"))
         for (std::string_view rest = path; !rest.empty();) {
             const std::size_t end = rest.find(':');
@@ -30,7 +30,7 @@ std::vector<std::string> l3d_detail::plugin_folders() {
         }
     Dl_info ours{};
     std::error_code unknown;
-    // A program is known by the name that it was started with, which may be relative.
+    // dladdr gives a program the name that it was started with, which may be relative.
     if (dladdr(reinterpret_cast<const void*>(&load_plugin), &ours) != 0 && ours.dli_fname) {
         const fs::path named = ours.dli_fname;
         const fs::path file = named.is_absolute() ? fs::canonical(named, unknown)
@@ -52,7 +52,8 @@ const l3d_detail::plugin_interface* l3d_detail::load_plugin(std::string_view nam
         std::error_code unknown;
         if (!fs::is_regular_file(file, unknown))
             continue;
-        // Binds all symbols at once, so that a missing one is an error now and not in mid-flight.
+        // Binds all symbols at once, so that a missing one is an error here rather than at its
+        // first call.
         void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (!handle) {
             why = "the plug-in cannot be loaded: " + printable(dlerror());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plug-ins of the library: code that needs another library, such as a CAD kernel, and that l3d
-// does without where it is not installed.
+// Plug-ins: code that needs another library, such as a CAD kernel. l3d does without those that are
+// not installed.
 #ifndef L3D_GEOM_FILES_PLUGIN_P_H
 #define L3D_GEOM_FILES_PLUGIN_P_H
 
@@ -12,30 +12,21 @@
 
 namespace l3d_detail {
 
-/// Begins the interface of every plug-in, a struct of functions that derives from it.
-///
-/// Functions take and give numbers of C's own types, never l3d_real. So one plug-in serves the
-/// libraries of all number types, and it links nothing of them.
+/// The head of every plug-in's interface, which is a struct of functions derived from this one.
 struct plugin_interface {
     /// Counted up whenever the struct or the meaning of its functions changes.
     std::uint32_t version;
     std::uint32_t size; ///< sizeof the whole struct
 };
 
-/// Finds the plug-in libl3d_NAME.so, and returns its symbol l3d_NAME_plugin, which is the struct.
-///
-/// Looks in each of plugin_folders(), in their order; the first file of the name is taken.
-/// Lives:  the plug-in stays loaded until the process ends.
-/// Errors: null, and `why` = one line without the name of a model: the package that is missing,
-///         or the file with its fault. Another version or size of the struct is a fault.
+/// Finds the plug-in libl3d_NAME.so, and returns its interface, the symbol l3d_NAME_plugin.
 const plugin_interface* load_plugin(std::string_view name, std::uint32_t version, std::size_t size,
                                     std::string& why);
 
-/// The folders with plug-ins. They are those of the environment variable L3D_PLUGIN_PATH, which
-/// stand apart by colons. Then come the folders beside the file that this code is in: lib/l3d
-/// beside a program's own folder, and l3d in the folder of a shared library. The last one is where
-/// plug-ins are installed. Only absolute folders are taken: code from where the user happens to be
-/// must not run.
+/// The folders with plug-ins. First come those of the environment variable L3D_PLUGIN_PATH,
+/// separated by colons. Next come folders near the file with this code: lib/l3d beside a program's
+/// own folder, and l3d in the folder of a shared library. The last is where plug-ins are installed.
+/// Relative folders are ignored: code from where the user happens to be must not run.
 std::vector<std::string> plugin_folders();
 
 } // namespace l3d_detail

@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// Whether the header makes sense as a whole.
+    /// Checks the header as a whole, and notes which data vertices and faces have.
     bool check() {
         for (const element& e : header_.elements()) {
             if (e.properties.empty() && e.count > 0)
@@ -162,8 +162,8 @@ private:
         return true;
     }
 
-    /// Components of colours are fractions up to 1, or whole numbers up to the largest of their
-    /// type; but those of four bytes are levels like those of one.
+    /// Scales a component of a colour to 0 to 1. Floats stay; whole numbers are divided by the
+    /// largest of their type, but those of four bytes by 255.
     static double scaled(const property& p, double value) {
         if (!is_color(p.means) || !is_whole(p.type))
             return value;
@@ -202,7 +202,7 @@ private:
             vertex_places_.push_back(place(seen(meaning::place_u), seen(meaning::place_v)));
     }
 
-    /// From the picture's bottom left corner, in the file.
+    /// A place in the picture. Files measure it from the picture's bottom left corner.
     l3d_polygon_mesh::picture_place place(double u, double v) {
         const l3d_polygon_mesh::picture_place is{static_cast<float>(u), static_cast<float>(1 - v)};
         if (std::isfinite(is[0]) && std::isfinite(is[1]))
@@ -211,7 +211,7 @@ private:
         return {};
     }
 
-    /// Gives the last face its places in the picture. Corners before that have none get (0, 0).
+    /// Gives the last face its places in the picture. Earlier corners without any get (0, 0).
     void add_places() {
         mesh_.picture_places.resize(mesh_.corners.size() - face_.size());
         if (face_places_.size() == 2 * face_.size())
@@ -248,11 +248,11 @@ private:
         mesh_.face_colors.push_back(l3d_detail::color_of(text_, color));
     }
 
-    /// Each corner makes a triangle with the two before it; every other one has its first two
-    /// swapped, so that all are counterclockwise from the same side. Triangles of no area join
-    /// strips to one.
+    /// Adds the triangles of a strip: each corner makes one with the two before it. Every other
+    /// triangle has its first two corners swapped, so that all are counterclockwise from the same
+    /// side. Degenerate triangles, which join strips, are left out.
     void add_strip() {
-        std::size_t run = 0; // where the strip at hand begins
+        std::size_t run = 0; // where the current strip begins
         for (std::size_t i = 0; i < face_.size(); ++i) {
             if (face_[i] == ends_strip) {
                 run = i + 1;
@@ -270,7 +270,7 @@ private:
 
     // ---- numbers
 
-    /// Takes the number of a property; whole ones are exact in a double, and others may be infinite
+    /// Reads the number of a property. Whole numbers are exact in a double; others may be infinite
     /// or NaN.
     bool number(const property& p, double& value, const char* what) {
         if (order_)
@@ -319,21 +319,21 @@ private:
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
-    /// Faces of strips have no colour; they get the grey that those of .off files get.
+    /// The grey of faces without a colour, such as those of strips; the same as for .off files.
     static constexpr std::uint32_t uncolored = 0xaaaaaa;
-    /// -1 among the corners of a strip.
+    /// The index -1, which ends a strip.
     static constexpr std::uint32_t ends_strip = std::numeric_limits<std::uint32_t>::max();
 
     l3d_detail::ply::header header_;
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
-    bool has_places_ = false, has_vertex_places_ = false; ///< in the picture: of corners, vertices
+    bool has_places_ = false, has_vertex_places_ = false; ///< of corners, of vertices
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};
     std::vector<std::uint32_t> face_;
-    std::vector<double> face_places_; ///< those of the face, as its row has them
+    std::vector<double> face_places_; ///< places of the current face: u, v per corner
     std::vector<l3d_polygon_mesh::picture_place> vertex_places_;
 };
 

@@ -17,7 +17,7 @@ struct type_name {
     std::size_t bytes;
 };
 
-/// In the order of number_type.
+/// The names and sizes of types, in the order of number_type.
 constexpr type_name type_names[] = {
     {"char", "int8", 1}, {"uchar", "uint8", 1}, {"short", "int16", 2},   {"ushort", "uint16", 2},
     {"int", "int32", 4}, {"uint", "uint32", 4}, {"float", "float32", 4}, {"double", "float64", 8}};

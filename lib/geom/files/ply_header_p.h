@@ -24,7 +24,7 @@ inline bool is_whole(number_type type) {
     return type < number_type::float32;
 }
 
-/// The meaning of a property for the reader. Properties without one are read and thrown away.
+/// The meaning of a property for the reader. Properties that mean nothing are read and dropped.
 enum class meaning {
     nothing,
     x,
@@ -83,7 +83,7 @@ public:
     /// The element of that kind, or null. Expects: not `other`.
     const element* find(row_kind kind) const;
 
-    /// The name of the picture in a comment as MeshLab writes it; empty without one.
+    /// The picture's name from a comment `TextureFile`, as MeshLab writes it; empty without one.
     std::string_view picture() const { return picture_; }
 
     /// The byte order of a binary file; nothing for a text.

@@ -16,10 +16,10 @@ using l3d_detail::text_cursor;
 
 constexpr std::size_t header_bytes = 80, count_bytes = 4;
 constexpr std::size_t begin_bytes = header_bytes + count_bytes;
-/// A normal and three corners of three floats each, and two bytes for any use.
+/// The size of a triangle: a normal and three corners of three floats, and two bytes for any use.
 constexpr std::size_t triangle_bytes = 12 * sizeof(float) + 2;
 
-/// The number of triangles that a binary file promises. Expects: text enough for it.
+/// The number of triangles that a binary file promises. Expects: the text has a whole header.
 std::uint64_t promised(std::string_view text) {
     std::uint64_t count = 0;
     for (std::size_t i = count_bytes; i-- > 0;)
@@ -27,12 +27,12 @@ std::uint64_t promised(std::string_view text) {
     return count;
 }
 
-/// Makes corners at one place one vertex, so that neighbours know of each other.
+/// Welds corners at the same place to one vertex, so that faces become neighbours.
 class welded_vertices {
 public:
     explicit welded_vertices(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// Adds a corner to the face that is being made.
+    /// Adds a corner to the current face.
     void add_corner(const std::array<double, 3>& at) {
         const auto next = l3d_polygon_mesh::index_of(mesh_.vertices.size());
         const auto [place, is_new] = places_.try_emplace(at, next);
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// Keywords may be in capitals.
+    /// Whether the token is `word`, in capitals or not.
     bool is_word(std::string_view word) const {
         return std::ranges::equal(text_.token(), word, [](char a, char b) {
             return std::tolower(static_cast<unsigned char>(a)) == b;
@@ -114,7 +114,7 @@ private:
             if (!read_facet())
                 return false;
         }
-        text_.name_in_line(); // again
+        text_.name_in_line(); // the name, repeated
         return true;
     }
 
@@ -145,7 +145,7 @@ private:
 
     bool read_triangle(bool& has_more) {
         float value = 0;
-        for (int i = 0; i < 3; ++i) // the normal follows from the corners, and may be anything
+        for (int i = 0; i < 3; ++i) // ignored, since the corners give the normal
             if (!text_.binary(value, std::endian::little, "a normal"))
                 return false;
         for (int corner = 0; corner < 3; ++corner) {
@@ -179,7 +179,8 @@ bool l3d_detail::is_binary_stl(std::string_view text) {
         return false;
     if (text.size() - begin_bytes == promised(text) * triangle_bytes)
         return true;
-    // A broken binary file: most programs begin its header with this word, and text has no zeros.
+    // A binary file of a wrong size: most programs begin its header so, and a text has no zero
+    // bytes.
     return text.starts_with("solid") && text.substr(0, begin_bytes).find('\0') != text.npos;
 }
 

@@ -7,9 +7,9 @@
 
 namespace l3d_detail {
 
-/// Whether a file is a binary .stl: its size is the one that its number of triangles asks for, or
-/// its header begins with "solid" and holds a zero byte. No text below 7 GB has that size. The
-/// bytes of its number would be 9 (a tab) or more, so the number would be at least 0x09090909.
+/// Whether a file is a binary .stl: its size agrees with its number of triangles, or its header
+/// begins with "solid" and holds a zero byte. A text below 7 GB cannot agree. Its bytes are 9 (a
+/// tab) or more, so the number would be at least 0x09090909.
 bool is_binary_stl(std::string_view text);
 
 /// Whether a file may be a binary .stl with more bytes behind its triangles. Other binary files may

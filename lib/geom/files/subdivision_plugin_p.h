@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The interface of the plug-in that makes patches of cages of subdivision surfaces.
+// The interface of the plug-in that makes patches from the cages of subdivision surfaces.
 #ifndef L3D_GEOM_FILES_SUBDIVISION_PLUGIN_P_H
 #define L3D_GEOM_FILES_SUBDIVISION_PLUGIN_P_H
 
@@ -21,27 +21,28 @@ struct subdivision_cage {
     const std::uint32_t* corners;
     std::uint32_t creases;
     const std::uint32_t* crease_vertices; ///< two of each crease
-    const float* crease_sharpness;        ///< subdivisions that stay sharp; 10 is for ever
-    std::uint32_t points;                 ///< vertices that are sharp themselves
+    const float* crease_sharpness;        ///< subdivisions that keep a crease; 10 is for ever
+    std::uint32_t points;                 ///< number of vertices that are sharp themselves
     const std::uint32_t* point_vertices;
     const float* point_sharpness;
     std::uint32_t holes;
-    const std::uint32_t* hole_faces; ///< faces of which no patches are made
+    const std::uint32_t* hole_faces; ///< faces without patches
     std::uint32_t keeps_corners;     ///< 1 if corners of boundaries are sharp, else 0
-    double wanted_error;             ///< the largest distance from the limit surface that is wanted
-    std::uint64_t most_patches;      ///< where more were needed, the error is larger
+    double wanted_error;             ///< the wanted bound of the distance from the limit surface
+    std::uint64_t most_patches;      ///< beyond this number the error grows instead
 };
 
 /// The receiver of patches.
 struct subdivision_sink {
     void* to;
     /// Takes 16 control points, x, y and z of each, u fastest; `face` is the face of the cage. A
-    /// patch's normal dS/du x dS/dv points to where the face's corners run counterclockwise.
+    /// patch's normal dS/du x dS/dv points to the side from which the face's corners run
+    /// counterclockwise.
     void (*take)(void* to, std::uint32_t face, const double* points);
     void (*fail)(void* to, const char* why);
 };
 
-/// The error that was reached, and how.
+/// The error that was reached, and the effort.
 struct subdivision_outcome {
     double error;         ///< bound of the patches' distance from the limit surface
     std::uint32_t levels; ///< subdivisions around the irregular vertices
@@ -50,14 +51,14 @@ struct subdivision_outcome {
 
 /// The plug-in's symbol, l3d_subdivision_plugin.
 struct subdivision_plugin : plugin_interface {
-    /// Makes patches within the error of the limit surface, face by face. Patches meet in the same
-    /// control points, or in the halves of such, bit for bit.
+    /// Makes patches within the wanted error of the limit surface, face by face. Neighbours meet
+    /// bit for bit: their boundary control points are the same, or halve the same curve.
     /// Errors: 0, after sink.fail with the reason; else 1.
     int (*subdivide)(const subdivision_cage* cage, const subdivision_sink* sink,
                      subdivision_outcome* outcome);
 };
 
-/// The version of that interface.
+/// The version of subdivision_plugin.
 inline constexpr std::uint32_t subdivision_plugin_version = 1;
 
 } // namespace l3d_detail

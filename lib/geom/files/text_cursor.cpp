@@ -16,10 +16,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// The last one, SUB, ends the text files of DOS.
+/// White space. The last character, SUB, ends the text files of DOS.
 constexpr std::string_view blanks = " \t\r\n\v\f\x1a";
 
-/// Programs of Microsoft's older compilers write 1.#IND, 1.#QNAN and 1.#INF.
+/// The mark of a number that is not finite: Microsoft's older compilers write 1.#IND, 1.#QNAN,
+/// 1.#INF.
 constexpr std::string_view microsofts_odd = "1.#";
 
 } // namespace

@@ -30,7 +30,7 @@ void append(std::string& text, double value, char after);
 /// Cost:    memory for the name, one error and at most most_notes notes.
 class text_cursor {
 public:
-    /// Notes are bounded, else a text of short odd lines would cost a multiple of its size.
+    /// The limit of notes: without it, a text of short odd lines would cost a multiple of its size.
     static constexpr std::size_t most_notes = 20;
 
     /// A comment begins with the character `comment` and ends with its line; 0 stands for no
@@ -50,7 +50,7 @@ public:
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Sets the place of values, such as " of vertex 3 of 8", that messages have until the next
+    /// Sets the place of values, such as " of vertex 3 of 8", that messages name until the next
     /// call.
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
@@ -93,7 +93,7 @@ public:
     /// Goes back to a place, so that a message can name it. Nothing can be taken after that.
     void go_back(const reading_place& to);
 
-    /// Makes a newline after a backslash white space from now on; it still counts as a line.
+    /// From here on, a newline after a backslash is white space, but still counts as a line.
     void join_lines_at_backslash() { joins_ = true; }
 
     /// Takes the next token as a number; `what` names it in messages.
@@ -151,7 +151,7 @@ public:
 private:
     bool ends(const char* what);
     std::string place() const;
-    /// The value that a message is about: the token, or the bytes' meaning in a binary file.
+    /// The value for a message: the token, or the decoded number in a binary file.
     std::string shown(double value, std::string_view digits) const;
     template <class Number>
     bool parsed(std::string_view digits, Number& value, const char* what, const char* kind);
@@ -173,7 +173,7 @@ private:
     std::ptrdiff_t line_ = 1;
     char comment_;
     char line_end_ = '\n';
-    bool ended_line_ = false; ///< the line's end has been taken, the next has not begun
+    bool ended_line_ = false; ///< the line's end is taken, the next line has not begun
     bool joins_ = false, is_binary_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_bicubic_approximation: Hermite's interpolation, and Bernstein coefficients of what it misses.
+// l3d_bicubic_approximation: Hermite interpolation at corners, and its error in Bernstein form.
 #include "geom/nurbs/bicubic_approximation.h"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// A polynomial in Bernstein form, m by n.
+/// Bernstein coefficients of a polynomial of degree m along u and n along v.
 template <class V> struct net {
     int m, n;
-    std::vector<V> c; // u fastest
+    std::vector<V> c; // u runs fastest
 
     net(int of_m, int of_n)
         : m(of_m), n(of_n), c(static_cast<std::size_t>((of_m + 1) * (of_n + 1)), V(0.0)) {}
@@ -51,7 +51,7 @@ template <class V> struct net {
                 result.at(r, k) = (at(r + 1, k) - at(r, k)) * double(n);
         return result;
     }
-    /// Divided by v, of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+    /// The quotient by v of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
         for (int r = 0; r < n; ++r)
@@ -68,7 +68,7 @@ double size_of(const vector& v) {
     return l3d_length(v);
 }
 
-/// By the convex hull, bounds the polynomial.
+/// Upper bound of the polynomial's size: its largest coefficient, by the convex hull.
 template <class V> double bound_of(const net<V>& of) {
     double most = 0;
     for (const V& value : of.c)
@@ -83,8 +83,8 @@ constexpr double binomial(int n, int k) {
     return result;
 }
 
-/// The weight of a_i b_j in the Bernstein coefficient i + j of the product of degrees m and n. All
-/// weights of one coefficient add up to 1.
+/// Weights of the products a_i b_j in Bernstein coefficient i + j of a product of degrees m and n,
+/// j fastest. The weights of one coefficient add up to 1.
 std::vector<double> product_weights(int m, int n) {
     std::vector<double> result;
     for (int i = 0; i <= m; ++i)
@@ -100,7 +100,7 @@ net<double> along_axis(const net<vector>& of, const vector& axis) {
     return result;
 }
 
-/// A product of two nets, for what `times` makes of two coefficients.
+/// The Bernstein net of a product of two polynomials; `times` multiplies two coefficients.
 template <class V, class A, class B, class Times>
 net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
     const std::vector<double> in_u = product_weights(a.m, b.m), in_v = product_weights(a.n, b.n);
@@ -117,7 +117,7 @@ net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
     return result;
 }
 
-/// Where the net's lines begin and which way they run, seen from one of its corners.
+/// A piece's control net, with rows and columns counted from one of its four corners.
 struct corner_view {
     const l3d_rational_piece& piece;
     bool from_right, from_top;
@@ -127,12 +127,13 @@ struct corner_view {
     }
 };
 
-/// The four control points at a corner. With d = P - S w for the corner's own S, the derivatives
-/// are S_u = m d_10 / w, S_v = n d_01 / w, and S_uv = (m n (d_11 - d_10 - d_01) - w_u S_v - w_v
-/// S_u) / w. Those along a boundary take nothing but the boundary's points.
+/// Sets the four control points at a corner S. With d = P - S w, the derivatives there are
+/// S_u = m d_10 / w, S_v = n d_01 / w,
+/// and S_uv = (m n (d_11 - d_10 - d_01) - w_u S_v - w_v S_u) / w.
+/// A derivative along a boundary depends on the boundary's points alone.
 ///
-/// Neighbours of a far larger weight would throw the points out of all proportion. They count as
-/// four times as heavy as the corner; cells that are small enough have none.
+/// A neighbour of a far larger weight would move control points far away, so it counts as at most
+/// four times as heavy as the corner. Small enough cells have no such neighbour.
 void fill_corner(const corner_view& of, bicubic& patch) {
     const double m = of.piece.degree_u, n = of.piece.degree_v;
     const point& p = of.at(0, 0);
@@ -156,7 +157,7 @@ void fill_corner(const corner_view& of, bicubic& patch) {
     patch.at(in_row, in_column) = s + su / 3.0 + sv / 3.0 + suv / 9.0;
 }
 
-/// A piece and its patch, turned so that an edge that is a point, if there is one, is at v = 0.
+/// A piece and its patch, turned so that v = 0 is an edge collapsed to a point, if there is one.
 struct turned {
     l3d_rational_piece piece;
     bicubic patch;
@@ -172,7 +173,7 @@ struct turned {
         }
     }
 
-    /// Whether all points of the row v = 0 are one but for rounding.
+    /// Whether all control points of the row v = 0 coincide, up to rounding.
     bool begins_in_a_point() const {
         double size = 0, away = 0;
         for (const vector& p : patch.points)
@@ -183,7 +184,7 @@ struct turned {
         return away <= 16 * unit * size;
     }
 
-    /// (u, v) becomes (v, 1 - u): normals keep their lengths and, all of them, their sides.
+    /// (u, v) becomes (v, 1 - u): a quarter turn, in which normals keep lengths and directions.
     void turn_right() {
         const l3d_rational_piece old = piece;
         const bicubic old_patch = patch;
@@ -244,14 +245,14 @@ bounds::bounds(const turned& of) {
         return;
     }
     error = (bound_of(d) + noise_) / least_w_;
-    if (of.has_pole) // where D is 0 but for rounding
+    if (of.has_pole) // D is 0 there, up to rounding
         for (int k = 0; k <= d.m; ++k)
             d.at(0, k) = vector(0.0);
     find_normal_error(of, w, b, d);
 }
 
-/// Where the edge v = 0 is a point, all that has a factor v is divided by it: the direction is the
-/// same.
+/// Where the edge v = 0 is a point, B_u, D and E_u have a factor v. Dividing by v keeps the
+/// direction of normals.
 void bounds::find_normal_error(const turned& of, const net<double>& w, const net<vector>& b,
                                const net<vector>& d) {
     net<vector> bu = b.by_u();
@@ -279,11 +280,11 @@ void bounds::find_normal_error(const turned& of, const net<double>& w, const net
         across = std::max(across, l3d_length(n - axis * along));
     }
     const double size_u = bound_of(bu), size_v = bound_of(bv);
-    least -= 64 * unit * (size_u + size_b_) * (size_v + size_b_); // differences and products round
+    least -= 64 * unit * (size_u + size_b_) * (size_v + size_b_); // rounding
     const double factor = of.has_pole ? d.n : 1;
     const double wu = bound_of(w.by_u()) + 2 * w.m * weight_noise_;
     const double wv = bound_of(w.by_v()) + 2 * w.n * weight_noise_;
-    // Bounds of the derivatives of E, or of its part along a direction.
+    // Bounds of the u and v derivatives of the error E = D / w, or of its component along an axis.
     const auto slopes = [&](const auto& of_u, const auto& of_v) {
         const double e_u = (bound_of(of_u) + factor * noise_) / least_w_;
         const double e_v = (bound_of(of_v) + noise_) / least_w_;

@@ -9,7 +9,8 @@
 
 namespace {
 
-/// A point as it is given, which it stays if it is picked, and in homogeneous coordinates.
+/// A control point, as given and in homogeneous coordinates. A point that no mean changes keeps its
+/// given coordinates exactly.
 struct point {
     std::array<double, 3> place{};
     std::array<double, 4> weighted{}; ///< x w, y w, z w, w
@@ -18,20 +19,20 @@ struct point {
 };
 using curve = std::vector<point>;
 
-/// A line of control points in memory: the first that exists, the distance from one to the next,
-/// and the number of missing ones before the first. No segment depends on those.
+/// A line of control points with a stride. The first `absent` points were never computed: no wanted
+/// segment depends on them.
 struct control_line {
     const point* first;
     std::size_t stride, absent;
     const point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
 };
 
-/// Whether a part of the span of knots from `span` on is wanted.
+/// Whether the knot span that begins at knots[span] overlaps the wanted range.
 bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
     return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
 }
 
-/// The control points that the wanted spans depend on: first, and one beyond the last.
+/// The control points on which wanted spans depend: the first, and the end beyond the last.
 std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d) {
     const auto n = static_cast<std::size_t>(d.degree);
     std::size_t first = n;
@@ -43,8 +44,8 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean; exactly a or b if the other's weight is 0, and never outside the two, so that
-/// coordinates stay below their limit.
+/// The weighted mean; exactly a or b if the other's weight is 0. It is clamped between a and b, so
+/// that coordinates stay below their limit.
 point between(const point& a, const point& b, double weight_a, double weight_b) {
     if (weight_b == 0 || a == b)
         return a;
@@ -63,7 +64,8 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
     return result;
 }
 
-/// The Bezier point `index` over [a, b], which lies in the span of knots from `span` on.
+/// Bezier point `index` of the segment over [a, b], within the knot span that begins at
+/// knots[span].
 point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
               double a, double b, std::size_t index) {
     const auto n = static_cast<std::size_t>(d.degree);
@@ -81,7 +83,7 @@ point blossom(const l3d_bspline_direction& d, const control_line& points, std::s
     return level[n];
 }
 
-/// The Bezier points of all segments, one after another.
+/// Appends the Bezier points of all wanted segments, one segment after another.
 void append_segments(const l3d_bspline_direction& d, const control_line& points, curve& result) {
     const auto n = static_cast<std::size_t>(d.degree);
     for (std::size_t span = n; span < d.points(); ++span) {
@@ -90,8 +92,8 @@ void append_segments(const l3d_bspline_direction& d, const control_line& points,
         const double a = std::max(d.knots[span], d.from);
         const double b = std::min(d.knots[span + 1], d.to);
         // Neighbours compute their common point from the same control points by the same
-        // operations. So it is the same bit for bit, since weights of zero pick a point without
-        // rounding.
+        // operations, and weights of zero pick a point without rounding. So the point agrees bit
+        // for bit.
         for (std::size_t index = 0; index <= n; ++index)
             result.push_back(blossom(d, points, span, a, b, index));
     }
@@ -154,7 +156,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
                                                  std::span<const double> weights) {
     assert(points.size() == u.points() * v.points());
     assert(weights.empty() || weights.size() == points.size());
-    const auto columns = static_cast<std::size_t>(u.degree) + 1; // points across a patch
+    const auto columns = static_cast<std::size_t>(u.degree) + 1; // control points across a patch
     const auto rows = static_cast<std::size_t>(v.degree) + 1;
     const std::size_t width = u.segments() * columns;
     const std::size_t height = v.segments() * rows;
@@ -169,7 +171,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
     wide.reserve(width * (end_row - first_row));
     for (std::size_t row = first_row; row < end_row; ++row)
         append_segments(u, {&net[row * u.points()], 1, 0}, wide);
-    curve lines; // the columns, one after another
+    curve lines; // Bezier points along u and v, column by column
     lines.reserve(width * height);
     for (std::size_t column = 0; column < width; ++column)
         append_segments(v, {&wide[column], width, first_row}, lines);

@@ -64,7 +64,7 @@ l3d_nurbs_curve l3d_nurbs_curve::polyline(std::vector<vector> points) {
 }
 
 l3d_nurbs_curve l3d_nurbs_curve::circle(double radius) {
-    // Four quarters of degree 2: where tangents meet, the weight is the cosine of 45 degrees.
+    // Four quarter circles of degree 2. The weight where tangents meet is the cosine of 45 degrees.
     constexpr double x[9] = {1, 1, 0, -1, -1, -1, 0, 1, 1};
     constexpr double y[9] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
     std::vector<vector> points;
@@ -87,7 +87,7 @@ l3d_nurbs_curve::vector l3d_nurbs_curve::evaluate(double t) const {
         along_, t, 0, [this](std::size_t i) { return homogeneous(i); }));
 }
 
-/// From S w = P: S' = (P' - S w') / w, and S'' = (P'' - 2 S' w' - S w'') / w.
+/// The product rule on S w = P gives S' = (P' - S w') / w and S'' = (P'' - 2 S' w' - S w'') / w.
 l3d_curve_jet l3d_nurbs_curve::derivatives(double t) const {
     l3d_vector<double, 4> p[3];
     for (int order = 0; order < 3; ++order)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipe_along: circles along a curve, and cubics between them.
+// l3d_pipe_along: circles around a curve, and cubics between the circles.
 #include "geom/nurbs_surface.h"
 
 #include "base/error.h"
@@ -13,7 +13,7 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// A place of the curve, and two unit vectors across it.
+/// A place of the curve, its unit tangent, and two unit vectors across the tangent.
 struct section {
     vector centre, tangent, normal, binormal;
 };
@@ -28,8 +28,8 @@ vector any_across(const vector& tangent) {
     return l3d_normalized(l3d_cross(tangent, axis));
 }
 
-/// The next section, turned about the tangent as little as may be. Source: Wang, Juettler, Zheng,
-/// Liu, Computation of rotation minimizing frames, ACM TOG 27, 2008: two reflections.
+/// The next section, turned about the tangent as little as possible, by two reflections. Source:
+/// Wang, Juettler, Zheng, Liu, Computation of rotation minimizing frames, ACM TOG 27, 2008.
 section next_section(const section& from, const vector& centre, const vector& tangent) {
     const auto reflected = [](const vector& v, const vector& by) {
         const double square = l3d_dot(by, by);
@@ -52,7 +52,7 @@ section section_at(const l3d_nurbs_curve& curve, double t, const section* before
     return {jet.place, tangent, normal, l3d_cross(tangent, normal)};
 }
 
-/// The parameters at the ends of all spans, each span cut into so many.
+/// The parameters that cut each knot span into `cuts` equal parts, with both ends of the curve.
 std::vector<double> places_along(const l3d_bspline_direction& along, int cuts) {
     std::vector<double> knots{along.from};
     for (const double knot : along.knots)
@@ -67,9 +67,9 @@ std::vector<double> places_along(const l3d_bspline_direction& along, int cuts) {
     return result;
 }
 
-/// A circle about each section, and cubics in between, one span each. Where nothing turns about the
-/// tangent T, a vector n across it changes by -(n.T') T, and T' is the part of c'' / |c'| across
-/// it.
+/// The surface through a circle around each section, with one cubic span between neighbours. In a
+/// frame that does not turn about the tangent T, a normal n has derivative -(n.T') T. T' is the
+/// part of c'' / |c'| across T.
 l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vector<double>& t,
                           const l3d_nurbs_curve& curve, double radius) {
     const l3d_nurbs_curve circle = l3d_nurbs_curve::circle(radius);
@@ -104,7 +104,7 @@ l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vecto
     return {circle.along(), std::move(along), std::move(points), std::move(weights)};
 }
 
-/// The farthest of points of the surface from the circle about the curve that they stand for.
+/// The largest distance of sampled points of the surface from the circles they stand for.
 double measured_on(const l3d_nurbs_surface& surface, const l3d_nurbs_curve& curve,
                    const std::vector<double>& t, double radius) {
     constexpr int places = 8;

@@ -28,16 +28,16 @@ constexpr std::array<named_shape, 5> shapes{{{"cone", l3d_cone_surfaces},
                                              {"sphere", l3d_sphere_surfaces},
                                              {"torus", l3d_torus_surfaces}}};
 
-/// Knots of a surface from curve to curve.
+/// The direction across a ruled surface, from its first curve to its second.
 l3d_bspline_direction from_0_to_1() {
     return l3d_bspline_direction::clamped(1, 2);
 }
 
 double corner_weight() {
-    return std::numbers::sqrt2 / 2; // where two tangents meet: the cosine of 45 degrees
+    return std::numbers::sqrt2 / 2; // the cosine of 45 degrees, where two tangents meet
 }
 
-/// Inserts knots of `to` that are not in the curve, as often as they are there.
+/// Inserts knots of `to` until each occurs in the curve as often as in `to`.
 l3d_nurbs_curve with_knots_of(l3d_nurbs_curve curve, const l3d_nurbs_curve& to) {
     const l3d_bspline_direction& wanted = to.along();
     for (const double t : wanted.knots)
@@ -47,7 +47,7 @@ l3d_nurbs_curve with_knots_of(l3d_nurbs_curve curve, const l3d_nurbs_curve& to) 
     return curve;
 }
 
-/// A revolved line: a cone, a cylinder or a disc.
+/// A line revolved about the y axis: a cone, a cylinder or a disc.
 l3d_nurbs_surface turned_line(const vector& from, const vector& to) {
     return l3d_revolved(l3d_nurbs_curve::polyline({from, to}));
 }
@@ -59,7 +59,7 @@ l3d_nurbs_surface l3d_revolved(const l3d_nurbs_curve& curve) {
     std::vector<double> weights;
     for (std::size_t row = 0; row < curve.points().size(); ++row) {
         const vector& p = curve.points()[row];
-        // A quarter takes x to -z and z to x. The tangents at both of its ends meet at their sum.
+        // A quarter turn maps (x, z) to (z, -x). The tangents at its ends meet at the ends' sum.
         std::array<vector, around> circle{};
         vector now = p;
         for (std::size_t i = 0; i < around; i += 2) {
@@ -71,7 +71,7 @@ l3d_nurbs_surface l3d_revolved(const l3d_nurbs_curve& curve) {
         }
         for (std::size_t i = 0; i < around; ++i) {
             for (int k = 0; k < 3; ++k)
-                circle[i][k] += 0.0; // no -0
+                circle[i][k] += 0.0; // turns -0 into 0
             points.push_back(circle[i]);
             weights.push_back(curve.weight(row) * (i % 2 == 0 ? 1 : corner_weight()));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spline_lines: what NURBS curves and surfaces do with one line of homogeneous control points.
+// spline_lines: evaluates a line of homogeneous control points, and inserts knots.
 #ifndef L3D_GEOM_SPLINE_LINES_P_H
 #define L3D_GEOM_SPLINE_LINES_P_H
 
@@ -15,8 +15,8 @@ namespace l3d_detail {
 using weighted = l3d_vector<double, 4>;
 using spline_line = std::vector<weighted>;
 
-/// The index of the span between different knots that holds t. At a knot it is the later span, at
-/// the end of the range the last one.
+/// The index i of the knot span, of positive length, that holds t: knots[i] <= t < knots[i + 1].
+/// The last span includes the end of the range.
 /// Expects: knots[degree] <= t <= knots[points()].
 inline std::size_t span_of(const l3d_bspline_direction& d, double t) {
     auto span = static_cast<std::size_t>(d.degree);
@@ -74,7 +74,7 @@ template <class At> spline_line with_knot(const l3d_bspline_direction& d, double
     return result;
 }
 
-/// The knots after the knot t is inserted once. Expects: t as for the control points.
+/// The knots after the knot t is inserted once. Expects: t as above.
 inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
     const auto place = static_cast<std::ptrdiff_t>(span_of(d, t) + 1);
     d.knots.insert(d.knots.begin() + place, t);
@@ -84,8 +84,8 @@ inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
 /// Why the knot t cannot be inserted; "" if it can.
 std::string knot_complaint(const l3d_bspline_direction& d, double t);
 
-/// Why these cannot be `wanted` control points and their weights; "" if they can. `weights` may be
-/// empty.
+/// Why `points` and `weights` are not `wanted` control points and their weights; "" if they are.
+/// `weights` may be empty.
 std::string points_complaint(const std::vector<l3d_vector<double, 3>>& points,
                              const std::vector<double>& weights, std::size_t wanted);
 
