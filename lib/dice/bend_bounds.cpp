@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_bend_bounds: block by block.
+// l3d_bend_bounds: bounds of the errors of depth and shade, block by block.
 #include "dice/bend_bounds.h"
 
 #include "dice/drawn_error.h"
@@ -16,16 +16,16 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// Error of grey levels beside interpolation: rounding to a whole level, and the arithmetic of
-/// floats, some 20 * 2^-24 of numbers up to 2^8 times what their terms cancel.
+/// Error of grey levels besides interpolation: rounding to a whole level, and float arithmetic. Its
+/// numbers are up to 2^8, and some 20 roundings of 2^-24 count as often as terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Bounds of |S_uuuv| and |S_uvvv| by the parameters of the piece's blocks: 18 times differences of
-/// its control points.
+/// Bounds of |S_uuuv| and |S_uvvv| in the parameters of a piece's blocks: 18 times fourth
+/// differences of its control net.
 struct mixed_thirds {
     double uuuv = 0, uvvv = 0;
 
-    /// Units: unit is the length of a scaled w of 1; x and y have `focal` as well.
+    /// Units: `unit` is the length that w = 1 stands for; x and y carry the factor `focal`, too.
     mixed_thirds(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal) {
         const auto third = [&](std::size_t line, bool turned) {
             const std::size_t first = turned ? line : 4 * line, step = turned ? 4 : 1;
@@ -43,10 +43,10 @@ struct mixed_thirds {
     }
 };
 
-/// Where vertices have normals, blocks whose normals may be off by more count as unproven.
+/// Where shades come from normals, blocks whose normals may err by more count as unproven.
 constexpr double most_normal = 1.0 / 64;
 
-/// Whether shades come from normals between those of vertices, rather than from levels.
+/// Whether pixels interpolate the normals of vertices, rather than levels.
 bool takes_normals(const l3d_dice_view& view) {
     return !view.makes_levels() && view.shading.mode != l3d_shade::error;
 }
@@ -62,7 +62,7 @@ bool is_seen(const l3d_block_needs& needs, std::size_t i) {
     return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
 }
 
-/// The needs of depth for the given blocks, as bits, and none for the others.
+/// Keeps the bends of the blocks whose bits are set, and clears those of the others.
 l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     l3d_block_needs result = needs;
     for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
@@ -71,14 +71,14 @@ l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     return result;
 }
 
-/// Error of levels that are linear over two triangles of a quad.
+/// Error of levels that are interpolated linearly over the two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
-/// Error of normals that are linear between those of corners, or in parameters over a quad.
-/// Clipping makes normals that are brought to length 1 again, at each of six planes: their error
-/// grows by less than the square of the angle between corners' normals (NUMERICS, section 24).
+/// Error of normals interpolated between corners, linearly over triangles or bilinearly over a
+/// quad. Clipping normalizes interpolated normals at each of seven planes. That adds at most the
+/// square of the angle between corners' normals (NUMERICS, section 24).
 double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bool clipped) {
     const double off = levels_off_linear(b, h_u, h_v) / per_cosine;
     const double apart = h_u * b.turn_u + h_v * b.turn_v;
@@ -87,7 +87,9 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
     return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
 }
 
-/// Error of levels in the slit along a side with steps h, if triangles reach that far.
+/// Error of levels in the slit along a side whose steps are h. Its triangles extend at most `bent`
+/// where levels bend, and `straight` where they are linear.
+/// Units: parameters of the block.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
 /// sides. All six depend on one parameter. So their parabola has the error of one along a line.
@@ -95,7 +97,7 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
 /// plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;
-    if (std::isinf(bent + straight)) // beyond the row's end
+    if (std::isinf(bent + straight)) // it reaches beyond the row's end
         return bent + straight;
     const auto cube = [](double x) { return x * x * x; };
     double off = 0;
@@ -106,10 +108,10 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
     return off;
 }
 
-/// Error of normals in a slit, which are linear over its triangles. Corners between the row's have
-/// the error of its chords, and once more as much since their length is made 1.
+/// Error of normals interpolated linearly over a slit's triangles. Triangle corners between the
+/// row's vertices have the error of the row's chords, and as much again for normalizing.
 double normals_off_slit(double h, double longest, double n_2, double turn) {
-    if (std::isinf(longest)) // beyond the row's end
+    if (std::isinf(longest)) // it reaches beyond the row's end
         return longest;
     const double apart = longest * turn;
     return longest > 0 ? (longest * longest / 8 + h * h / 4) * n_2 + apart * apart : 0;
@@ -117,8 +119,8 @@ double normals_off_slit(double h, double longest, double n_2, double turn) {
 
 } // namespace
 
-/// Blocks without a normal get all their bends as if along it; the distance of corners from a plane
-/// is measured when there are corners (l3d_most_off_plane).
+/// Blocks without bounded normals take whole second differences as bends along the normal. Their
+/// quads' distance from planes is measured once vertices exist (l3d_most_off_plane).
 void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_piece& of) const {
     unsigned without = 0;
     for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i)
@@ -128,7 +130,7 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     if (without == 0)
         return;
     const auto& p = piece.net.points;
-    // The net is scaled: x and y by the focal length and the scale of w, w by its scale alone.
+    // The net is scaled: x and y by the focal length and by w's scale, w by its scale alone.
     const double unit = 1 / w_per_length_;
     const auto size = [&](const l3d_image_point& d) {
         return unit * std::hypot(d[0] / focal_, d[1] / focal_, d[2]);
@@ -140,7 +142,7 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
             uu = std::max(uu, size(p[u] - p[u + 1] * 2.0 + p[u + 2]));
             vv = std::max(vv, size(p[v] - p[v + 4] * 2.0 + p[v + 8]));
         }
-    // Rounded up to floats.
+    // The factor 1 + 2^-23 makes up for rounding to floats.
     const double of_block = 6 * (1 + 0x1p-23) / (strips * strips);
     for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i) {
         if ((without >> i & 1) == 0)
@@ -153,8 +155,8 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     }
 }
 
-/// The bends of a piece's blocks. Each lies in one of the patch's blocks, or is made of several,
-/// since the piece is a part of the patch by halves. So all factors are powers of two.
+/// The bends of a piece's blocks. A piece is made by halving the patch. So each of its blocks lies
+/// in one of the patch's blocks or consists of several, and all factors are powers of two.
 auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -> of_piece {
     of_piece result;
     const bool is_whole = piece.u1 - piece.u0 == 1 && piece.v1 - piece.v0 == 1;
@@ -183,7 +185,8 @@ void l3d_bend_bounds::take_block(const l3d_patch_part& piece, int strips, std::s
     const std::size_t at = static_cast<std::size_t>(strips) * row + column;
     const double size_u = (piece.u1 - piece.u0) / strips, size_v = (piece.v1 - piece.v0) / strips;
     const auto blocks_of = [](double low, double size, std::size_t i) {
-        // Blocks begin and end at multiples of powers of two: a little inside is exact enough.
+        // Blocks end at multiples of powers of two: points a little inside are in the right block
+        // despite rounding.
         const double from = low + size * (static_cast<double>(i) + 0x1p-10);
         const double end = low + size * (static_cast<double>(i + 1) - 0x1p-10);
         return std::array{static_cast<std::size_t>(across * from),
@@ -191,7 +194,7 @@ void l3d_bend_bounds::take_block(const l3d_patch_part& piece, int strips, std::s
     };
     const auto columns = blocks_of(piece.u0, size_u, column);
     const auto rows = blocks_of(piece.v0, size_v, row);
-    // The size of one of the piece's blocks in one of the patch's.
+    // The size of the piece's blocks in units of the patch's.
     const auto u = static_cast<float>(across * size_u), v = static_cast<float>(across * size_v);
     const auto take = [&](const l3d_surface_bends::lanes& from, l3d_surface_bends::lanes& most,
                           float scale) {
@@ -214,7 +217,8 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
     const double levels = std::max(view.shade_tolerance - rounded_level - l3d_most_level_error,
                                    view.shade_tolerance / 4);
     const double more_steps = std::cbrt(1 / levels);
-    // Fewest steps come from sides of at most l3d_largest_quad pixels.
+    // Least steps give sides of l3d_largest_quad pixels. Raised by at most this ratio, they give
+    // sides of finest_quad pixels.
     constexpr double finest_quad = 6;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
     const bool keeps_shade = !takes_normals(view);
@@ -223,8 +227,8 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
     const mixed_thirds mixed(piece.net.points, needs.strips, 1 / w_per_length_, focal_);
     needs.keeps_bends = true;
     std::array<double, l3d_block_needs::most_blocks> scale{};
-    // Corners of blocks without normals are measured after they are diced. Half of the error of
-    // snapping is kept free for them: most quads there are flat but for snapping.
+    // Blocks without normals are measured after dicing. Half of the snapping error stays free for
+    // them: most of their quads are flat but for snapping.
     const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
     for (std::size_t i = 0; i < count; ++i)
         if (is_seen(needs, i)) {
@@ -335,7 +339,7 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };
-    // Both ends of a column's side; those of the next one are the quad's other two.
+    // The two vertices of a column on the rows of a quad; the next column has the quad's other two.
     using side = std::array<vector, 2>;
     const auto off_plane = [&](const side& left, const side& right) {
         const vector normal = l3d_cross(right[1] - left[0], left[1] - right[0]);
@@ -366,8 +370,8 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
 
-/// Asks for more steps: both parts of the error fall with their square. Snapping does not, and may
-/// exceed the budget.
+/// Asks for more steps where quads are too far from planes. The bounded and the measured error fall
+/// with the square of the steps. The error of snapping does not, and may exceed the budget.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
     if (needs.without_normals == 0)
@@ -376,7 +380,7 @@ bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                        depth_budget * l3d_bend_error_of(only(needs, needs.without_normals), plan);
     if (off <= depth_budget + l3d_snapped_planes)
         return false;
-    constexpr double most = 2; // the measured quads may be far larger than the smaller ones
+    constexpr double most = 2; // smaller quads may be far flatter than the measured ones
     const double more = std::min(std::sqrt(off / depth_budget), most);
     for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
         if ((needs.without_normals >> i & 1) != 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_turn_normals, l3d_turn_levels: a row's vertices side by side in SIMD lanes.
+// l3d_turn_normals, l3d_turn_levels: turn a grid's light to its visible side, in SIMD lanes.
 #include "dice/facing_fix.h"
 
 #include "raster/surface_part.h"
@@ -26,14 +26,14 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vertices along a side of a grid, at most.
+/// The most vertices along a side of a grid.
 constexpr std::size_t most_along =
     std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1;
 
-/// Columns are taken so many at a time; rows of a grid have room for whole vectors.
+/// A vector of columns; rows of a grid have room for whole vectors.
 using floats = hn::CappedTag<float, 16>;
 
-/// The side that all of a grid shows, 1 or -1; 0 if it shows both.
+/// The one side that all vertices of a grid show, 1 or -1; 0 if the grid shows both sides.
 HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
     const floats d;
     const auto columns = static_cast<std::size_t>(grid.columns);
@@ -52,7 +52,7 @@ HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
     return hn::GetLane(hn::MinOfLanes(d, least)) > 0 ? -1.0F : 0.0F;
 }
 
-/// A vertex on a grid's border, the next one inwards, and where the side between them has its bend.
+/// A vertex on a grid's border, its inner neighbour, and the bend of the side between them.
 struct border_side {
     std::size_t at, inner;
     std::size_t component, bend_at; ///< indices into l3d_micro_grid::normal
@@ -73,9 +73,10 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
     }
 }
 
-/// The sign of a grid's light; that of dS/du x dS/dv where the grid shows both sides. Calls
-/// negate(vertex) for border vertices whose normal belongs to the other side than the inner
-/// neighbour's; is_other(border_side) decides where they show different sides.
+/// Returns the sign that turns a grid's light to the eye: 1, so that light stays that of dS/du x
+/// dS/dv, if the grid shows both sides. Calls negate(vertex) for border vertices whose normal
+/// belongs to the other side than their inner neighbour's. is_other(border_side) decides that where
+/// the two show different sides.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {
@@ -93,8 +94,8 @@ HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& i
     return grid.shows_both ? 1 : side;
 }
 
-/// Visits each vector of vertices of the grid, with its beginning and the offset of the next row, 0
-/// in the last.
+/// Calls visit(at, down) for each vector of vertices: the index of the first, and the offset of the
+/// next row, 0 in the last row.
 template <class Visit>
 HWY_ATTR HWY_INLINE void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
@@ -126,9 +127,9 @@ HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
     });
 }
 
-/// Turns the levels of vertices and the bends of sides to the side of the surface that is seen. A
-/// bend is the height of a side's middle above the mean of its ends. It is 0 where an end had the
-/// wrong side's normal, since then the middle's is unknown.
+/// Turns the levels of vertices and the bends of sides to the visible side of the surface. A bend
+/// is the level in a side's middle above the mean of its ends' levels. It is 0 where an end's level
+/// was negated, since the middle's is then unknown.
 HWY_ATTR void turn_levels(float* away, float* level, l3d_micro_grid& grid) {
     const floats d;
     const auto is_other = [&](const border_side& of) {

@@ -13,11 +13,11 @@
 
 namespace {
 
-/// A triangle cut by seven planes has at most ten corners. Rounding can make a needle turn back and
-/// forth across a plane: it covers nothing, and its excess corners are dropped.
+/// A clipped triangle: after seven planes it has at most ten corners. Rounding can make a needle
+/// turn back and forth across a plane. It covers nothing, so its excess corners are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 10> corners;
-    std::array<bool, 10> is_cut{}; ///< the side from a corner to the next is a new border
+    std::array<bool, 10> is_cut{}; ///< whether the side from a corner to the next is a new border
     std::size_t count = 0;
 
     void add(const l3d_clip_vertex& v, bool cut) {
@@ -32,7 +32,7 @@ struct polygon {
 struct plane {
     l3d_image_point normal;
     double offset = 0;
-    bool makes_border = false; ///< it may cut inside of the picture
+    bool makes_border = false; ///< whether it may cut inside of the picture
 
     double distance(const l3d_image_point& h) const { return l3d_dot(normal, h) - offset; }
 };
@@ -44,7 +44,7 @@ bool before(const l3d_image_point& a, const l3d_image_point& b) {
     return false;
 }
 
-/// The point of the edge from a to b on the plane, the same as from b to a.
+/// The point where the edge from a to b crosses the plane, bit for bit the same as from b to a.
 l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut,
                          const l3d_dice_view& view) {
     if (before(b.h, a.h))
@@ -78,7 +78,7 @@ polygon cut_by(const polygon& in, const plane& cut, const l3d_dice_view& view) {
     return out;
 }
 
-/// The planes that bound the part that can be drawn.
+/// The planes that bound drawable points: near, far, section and guard band.
 std::array<plane, 7> planes_of(const l3d_dice_view& view) {
     const double g = l3d_guard_band;
     return {{{{0, 0, 1}, view.near, true},
@@ -90,7 +90,7 @@ std::array<plane, 7> planes_of(const l3d_dice_view& view) {
              {{0, -1, g}, 0}}};
 }
 
-/// Gives a point that can be drawn its pixel position.
+/// Gives a drawable point its pixel position.
 void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     const l3d_snapped s = l3d_snap(v.h[0], v.h[1], v.h[2]);
     v.dice.vertex.x = s.x + view.centre_x();
@@ -99,7 +99,7 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.drawable = true;
 }
 
-/// Notes the sides of a fan of triangles, the first of which is given, that are new borders.
+/// Notes the sides of a polygon that are new borders. Its fan of triangles begins at index `first`.
 void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
     for (std::size_t i = 0; i < shape.count; ++i) {
         if (!shape.is_cut[i])
@@ -139,8 +139,8 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
                        const l3d_dice_view& view, l3d_diced_piece& out) {
     if (a.drawable && b.drawable && c.drawable)
         return out.add_triangle(a.dice, b.dice, c.dice);
-    // Triangles in the near or the far plane, or in that of a section, are not drawn. Slits in such
-    // a plane would have long chords, as edges there are left out.
+    // Triangles within the near or far plane, or within a section's, are not drawn. Slits in such a
+    // plane would have long chords, as its edges are left out.
     const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
     if (farthest <= view.near || nearest >= view.far ||
         view.section.cuts_off(std::array{a.h, b.h, c.h}))

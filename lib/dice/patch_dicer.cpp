@@ -8,14 +8,13 @@
 
 namespace {
 
-/// The largest depth at which halved parameters are exact in doubles, with room for the strips'
-/// quarters.
+/// The most halvings after which parameters are exact in doubles, with room for strips' quarters.
 constexpr int deepest = 48;
 
-/// Vertices for the rest when a patch is in l3d_most_pieces pieces: an eighth of l3d_most_samples.
+/// The most vertices of the pieces that still wait when no more are cut.
 constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
 
-/// Vertices of a grid.
+/// The number of vertices of a plan's grid.
 std::int64_t samples_of(const l3d_step_plan& plan) {
     std::int64_t columns = 1, rows = 1;
     for (std::size_t i = 0; i < static_cast<std::size_t>(plan.strips); ++i) {
@@ -29,15 +28,15 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// The cost of the coarsest grid of a piece, four strips of one step each way: 25 samples. It is
+/// The cost of a piece's coarsest grid, four strips of one step each way: 25 samples. It is
 /// reserved for each waiting piece.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// The factor by which a clipped piece's bounds grow if w of its chords errs by `error` instead of
 /// the planned near / 2. Where the interpolated w is near, the exact one is at least w = near -
-/// error: errors are divided by it instead of near / 2. The transform's error of w is at most near
-/// / 32, and counts as part of w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25 times 2.
-/// From w = near / 4 on nothing is known.
+/// error, so errors are divided by this w. The transform's error of w is at most near / 32, and
+/// counts in w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25 times 2. Below w = near / 4
+/// there is no bound.
 double growth_by_depth(double error, double near) {
     const double w = near - error;
     if (w >= near / 2)
@@ -45,7 +44,7 @@ double growth_by_depth(double error, double near) {
     return w >= near / 4 ? 1.25 * near / (2 * w) : std::numeric_limits<double>::infinity();
 }
 
-/// The error of w in the triangles of a piece.
+/// Bound of the error of w that chords of the plan's triangles make.
 double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
     const auto strips = static_cast<std::size_t>(plan.strips);
     const auto least = [&](const auto& steps) {
@@ -86,8 +85,7 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     }
 }
 
-/// Whether there is a piece to cut, and the budget would still draw its halves and all waiting
-/// pieces.
+/// Whether a piece is to be cut, and the budget would still draw its halves and all waiting pieces.
 template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     if (waiting_.empty() || waiting_.front().excess <= 1)
         return false;
@@ -103,7 +101,7 @@ bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const ta
     return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
-/// Puts a piece among the waiting ones: to be cut if its excess is above 1, else to be drawn last.
+/// Puts a piece among the waiting ones. It is cut if its excess is above 1, else drawn last.
 template <class T>
 void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
     waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});
@@ -140,7 +138,7 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     return result;
 }
 
-/// Draws a piece, or lets it wait for being cut.
+/// Leaves out a piece that is outside, draws it, or lets it wait to be cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&
@@ -156,7 +154,7 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
         wait(p, how.plan, how.excess);
 }
 
-/// Takes a piece in lanes; false, with nothing done, if that is impossible.
+/// Dices a piece in lanes, or lets it wait. False, with nothing done, if lanes cannot dice it.
 template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& of) {
     double edge_vertex = 0;
     for (const l3d_piece_side& side : p.sides)
@@ -200,8 +198,8 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
         most /= 2;
     } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, false) > cost));
     // Errors of unbalanced vertices fall at least with the square of the steps. So does the error
-    // of w, which magnifies errors of vertices. That comes to 1 + ratio^2 / 8 + 1 / 8, and 1.25
-    // ratio^2 is more.
+    // of w, which magnifies vertex errors by 1 + ratio^2 / 8 + 1 / 8 instead of
+    // l3d_vertex_accuracy::in_front. That is at most 1.25 ratio^2.
     if (ratio > 1) {
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;
@@ -240,7 +238,7 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Counts the bounds of depth and shade of a piece whose slits' vertices err by row_depth_error.
+/// Counts a piece's bounds of depth and shade. The vertices of its slits err by row_depth_error.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
                                        double row_depth_error, task& of) const {
@@ -250,7 +248,7 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
     of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
-/// Counts a drawn piece whose slits' vertices err by row_error.
+/// Counts a drawn piece. The vertices of its slits err by row_error.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
                                bool in_lanes, task& of) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_piece_bounds: blocks, and the accuracy of vertices.
+// l3d_piece_bounds: the nets of blocks, and the accuracy of vertices.
 #include "dice/piece_bounds.h"
 
 #include "geom/forward_difference.h"
@@ -11,7 +11,8 @@
 
 namespace {
 
-/// Largest coordinates, and largest first, second and third differences along v.
+/// Largest size of a net's coordinates, and of their first, second and third differences along v.
+/// Shape: by the order of differences.
 struct magnitudes {
     std::array<double, 4> xy{}, w{};
 
@@ -30,8 +31,8 @@ struct magnitudes {
     }
 };
 
-/// Error of walking n steps in T along one of `strips` equal parts of [0, 1], with registers of
-/// `unit` times the coordinates. Differences of order k shrink by strips^k.
+/// Error of walking n steps in T along one of `strips` equal parts of [0, 1]. Registers hold `unit`
+/// times the coordinates. Differences of order k shrink by strips^k.
 template <class T>
 double walking_error(const std::array<double, 4>& size, double unit, int n, int strips) {
     const double s = strips, whole = l3d_balanced_reach * unit;
@@ -43,7 +44,7 @@ double walking_error(const std::array<double, 4>& size, double unit, int n, int 
 
 /// The power of two that brings w to at most 2^8 and, within the guard band, x and y to at most
 /// 2^22. Differences of third order may take eight times that, and 32.32 has 31 integer bits.
-/// Expects: 0 < largest_w < 2^200 and so on, as the image transform's scale makes sure.
+/// Expects: 0 < largest_w < 2^200; the image transform's scale sees to it.
 template <class T> double register_unit(double largest_w) {
     if constexpr (l3d_is_fixed<T>)
         return std::exp2(7 - std::floor(std::log2(largest_w)));
@@ -96,11 +97,11 @@ void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d
     const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
     vertex_error_ = accuracy.drawn_error(w_ratio);
     error_w_ = accuracy.error_w;
-    // Depths of a parallel projection are what is left of w, too little for most registers.
+    // Depths of a parallel projection are small differences of w, too small for most registers.
     if (!whole_ || view.is_parallel())
         return;
 
-    // The error of vertices that are walked, if that is exact enough.
+    // The error of vertices that are walked by forward differences, if that is exact enough.
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
     unit_ = register_unit<T>(size.w[0]);
     accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);
@@ -108,7 +109,7 @@ void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d
     accuracy.error_w += walk_w;
     accuracy.snap_error += l3d_snap_error<T>(accuracy.reach) - l3d_snap_error<T>(0);
     const double walking = accuracy.drawn_error(w_ratio);
-    // An error of w counts along the line of sight.
+    // An error of w moves a vertex along the line of sight: `focal` / w pixels for a unit of w.
     const double more = walking - vertex_error_ + view.focal * walk_w / accuracy.w_low;
     walked_ = more <= view.walk_allowance(vertex_error_);
     if (walked_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cell_bounds: sheets of pieces, the proof that one fills a cell, and its light.
+// l3d_cell_bounds: joins pieces to sheets, proves that one fills a cell, and bounds its light.
 #include "dice/certificate/cell_bounds.h"
 
 #include "dice/certificate/doubt_light_p.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// More pieces in one cell are not told apart: they are one sheet that may end anywhere.
+/// If a cell has more pieces, none are joined: each is a sheet that may end in the cell.
 constexpr std::size_t most_pieces = 256;
 
 using l3d_detail::interval;
@@ -22,7 +22,8 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
 }
 
-/// The range of a piece along a side, walked round its patch.
+/// The range of a piece along a side of its patch, in the sense in which sides are walked around
+/// the patch.
 interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     switch (side) {
     case 0:
@@ -36,7 +37,7 @@ interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     }
 }
 
-/// Whether two pieces meet, and whether the surface may fold there.
+/// Whether two pieces meet, and whether the surface may fold where they do.
 struct meeting {
     bool is_there = false, may_fold = false;
 
@@ -61,8 +62,9 @@ struct meeting {
     }
 };
 
-/// Whether some place of a piece is proven to lie in a cell: the one nearest to the cell's middle.
-/// Newton's method, from the linear picture of the piece; the last step is exact evaluation.
+/// Whether some place of a piece is proven to lie in a cell. Newton's method looks for the place
+/// nearest to the cell's middle. It begins with the piece's linear picture, and evaluates each step
+/// exactly.
 bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice_view& view) {
     constexpr int steps = 3;
     const l3d_doubt_bounds& b = leaf.bounds;
@@ -123,7 +125,7 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
     }
 }
 
-/// Joins all pieces that meet in the cell. The root of a sheet holds its facts.
+/// Joins all pieces that meet in the cell to sheets. The root of a sheet holds its facts.
 void l3d_cell_bounds::connect() {
     const bool are_too_many = pieces_.size() > most_pieces;
     for (std::size_t i = 0; i < members_.size(); ++i)
@@ -144,8 +146,8 @@ void l3d_cell_bounds::connect() {
             sheets_[root_of(i)].may_end = true;
 }
 
-/// Finds the sheets in the cell. A sheet that does not end in the cell fills it if one of its
-/// places lies there, and is outside if it misses the middle.
+/// Finds the sheets in the cell. A sheet that does not end there fills the cell if one of its
+/// places is in it, and is absent if it misses the cell's middle.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;
@@ -162,7 +164,7 @@ void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& v
     }
 }
 
-/// The w beyond which all is hidden; infinite where the background may be seen.
+/// The w beyond which everything is hidden; infinite where the background may be seen.
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
@@ -200,7 +202,7 @@ l3d_doubt_verdict l3d_cell_bounds::judge(const l3d_image_box& cell,
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
-        if (pieces_[i]->has_no_area) // other sheets may end here
+        if (pieces_[i]->has_no_area) // it has no light, but other sheets may end here
             continue;
         const l3d_light_bounds here = l3d_detail::light_in(*pieces_[i], cell, background);
         if (is_any)

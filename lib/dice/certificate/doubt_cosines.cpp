@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cosines, put_lamps: by quotients of polynomials.
+// cosines, put_lamps: bounds by quotients of polynomials.
 #include "dice/certificate/doubt_cosines_p.h"
 
 #include <algorithm>
@@ -12,13 +12,13 @@ using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Normals that differ more from their common axis have no bound but that of all levels.
+/// Where normals differ more from their common axis, cosines are only known to be from -1 to 1.
 constexpr double least_cosine = 1.0 / 16;
 
 /// The half-way vector between lamp and eye over a piece, nearly a linear function of the place.
 struct half_way {
     vector middle{0.0, 0.0, 0.0}, along_x{0.0, 0.0, 0.0}, along_y{0.0, 0.0, 0.0};
-    double reach = 2; ///< its largest distance from the middle
+    double reach = 2; ///< its largest distance from `middle`
     double off = infinite;
 
     /// If v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with the least
@@ -54,8 +54,8 @@ struct half_way {
     }
 };
 
-/// The most that a channel's level changes for each unit of a cosine, in the brightest channel.
-/// Shape: for n.l, then for n.h.
+/// The most by which the brightest channel's level changes for each unit of a cosine.
+/// Shape: of n.l, of n.h.
 std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lamp,
                             double most_facing) {
     double scattered = 0, mirrored = 0;
@@ -68,7 +68,7 @@ std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lam
             255 * mirrored * k * std::pow(std::max(most_facing, 0.0), k - 1)};
 }
 
-/// The error of a line, or its range where that is less.
+/// The error of a line, or half of its range where that is less.
 double off_of(const l3d_doubt_line& line) {
     return std::min(line.off, (line.most - line.least) / 2);
 }
@@ -80,7 +80,7 @@ seen_normals::seen_normals(const std::array<vector, count>& normals) {
         axis += n;
     const double length = l3d_length(axis);
     axis = length > 0 ? axis * (1 / length) : vector(0.0);
-    double slope = 0; // these are squares
+    double slope = 0; // slope, most_across and longest are squares in the loop
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const vector& n = normals[i];
         const double q = l3d_dot(n, axis), whole = l3d_dot(n, n);
@@ -99,9 +99,9 @@ seen_normals::seen_normals(const std::array<vector, count>& normals) {
     most_slope = std::sqrt(slope);
 }
 
-/// With n = q (a + r), where a is the normals' axis and r across it, the cosine is (a.l + r.l)
-/// / sqrt(1 + r.r). r.l is a quotient of polynomials. It is bounded like the picture of a
-/// piece. Normals are known to `normal_off`.
+/// With n = q (a + r), where a is the normals' axis and r is across it, the cosine is (a.l + r.l) /
+/// sqrt(1 + r.r). Here r.l is a quotient of polynomials, which is bounded like a piece's picture.
+/// Normals are known to within `normal_off`.
 cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const vector& light) {
     if (!(seen.most_slope < infinite))
         return;
@@ -148,7 +148,6 @@ cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const v
     most = std::min(1.0, scaled(along + most_r, false) + known_to + turned);
 }
 
-/// Turns a linear function of the parameters into one of the place.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b) {
     l3d_doubt_line result;
     result.middle = of.middle;
@@ -158,7 +157,6 @@ l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b) {
     return result;
 }
 
-/// Puts a line into a result, or a range alone if the line is no better.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line) {
     if (line.off < (most - least) / 2)
         into = line;

@@ -14,8 +14,8 @@ namespace l3d_detail {
 /// Rounding of sums of a few dozen products in double, some 2^-53 each, with much to spare.
 inline constexpr double rounding = 0x1p-40;
 
-/// A linear function of a piece's parameters, from -1/2 to 1/2, that fits values at the four
-/// corners.
+/// The linear function of a piece's parameters, from -1/2 to 1/2, that is nearest to values at the
+/// four corners.
 struct plane {
     double middle = 0, in_u = 0, in_v = 0;
 
@@ -33,7 +33,7 @@ struct plane {
     double range() const { return std::abs(in_u) + std::abs(in_v); }
 };
 
-/// A piece's normals, along their common axis and across it.
+/// A piece's normals, split into parts along their common axis and across it.
 struct seen_normals {
     using vector = l3d_normal_polynomial::vector;
     static constexpr std::size_t count =
@@ -59,15 +59,15 @@ struct cosines {
             const l3d_normal_polynomial::vector& light);
 };
 
-/// Turns a linear function of the parameters into one of the place.
+/// Turns a linear function of the parameters into one of the place in the picture.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
 /// Sets bounds to a line and its range, or to the range alone if the line is no better.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
 /// Sets the bounds for all lamps of the piece's lighting, and the level's spread, which tells
-/// whether smaller pieces would be better known.
-/// Expects: all else is set; w > 0.
+/// whether halves of the piece would be better known.
+/// Expects: all other bounds are set; w > 0.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// light_in, lone_sheet: levels of one white light, or Blinn's rule and fog.
+// light_in, lone_sheet: light by levels of one white lamp, or by Blinn's rule and fog.
 #include "dice/certificate/doubt_light_p.h"
 
 #include "raster/color/srgb_light.h"
@@ -9,32 +9,33 @@
 namespace l3d_detail {
 namespace {
 
-/// A cell whose level changes by more is cut in so many rows and columns for the mean of its light.
+/// For the mean of its light, a cell whose level changes by more is cut into finer_cuts rows and
+/// columns.
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;
 
-/// Lamps' mean light is known to so many levels, or cells are cut in more rows and columns, as long
-/// as that helps: by a quarter at least.
+/// Lamps' mean light shall be known to within known_levels. Until it is, cells are cut into more
+/// rows and columns, as long as that reduces the spread by a quarter.
 constexpr double known_levels = 0.5, worth_while = 0.75;
 constexpr int most_cuts = 16;
 
-/// Levels above ambient light of a piece in a cell.
+/// Bounds of a piece's levels above ambient light in a cell.
 interval levels_in(const l3d_doubt_bounds& b, const l3d_image_box& cell) {
     const auto [least, most] = b.range(b.level, cell);
     return {std::max(0.0, least), std::max(0.0, most)};
 }
 
-/// The level that a piece's line has at a place.
+/// The level of a piece's line at a place in the picture.
 double level_at(const l3d_doubt_bounds& b, double x, double y) {
     return b.level.at(x - b.at_x, y - b.at_y);
 }
 
-/// The light of a level above ambient light, in a channel that has this part of white.
+/// The light of a level above ambient light, in a channel with the part `part` of white.
 double light_above_ambient(double level, double part) {
     return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
 }
 
-/// The light of levels between two bounds, of a material.
+/// Bounds of a material's light for levels between two bounds.
 l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) {
     return l3d_light_bounds::by_parts(color, [&](double part) {
         return std::array{light_above_ambient(levels.low, part),
@@ -44,7 +45,7 @@ l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) 
 
 /// Bounds of the mean light of a cell whose level is between line - below and line + above. Light
 /// is a convex function of the level, and so of the place. So the mean over a square is at least
-/// the middle's, and at most the mean of the corners'.
+/// the light in its middle, and at most the mean of its corners' light.
 interval mean_light(const l3d_doubt_bounds& line, double below, double above,
                     const l3d_image_box& cell, double part) {
     const double change =
@@ -66,11 +67,11 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
-/// The lamps' light in a channel: least and most, for a surface that is white or mirrors all.
+/// Bounds of a lamp's light: scattered by a white surface, and mirrored by a perfect mirror.
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 
-    /// A lamp behind the surface adds nothing. So its mirrored light ends at once where n.l is 0.
+    /// A lamp behind the surface adds nothing, so its mirrored light ends abruptly where n.l is 0.
     lamp_amounts(const interval& lit, const interval& facing, const l3d_doubt_patch& of) {
         constexpr double of_lamps = 0.9;
         scattered = {of_lamps * std::max(0.0, lit.low), of_lamps * std::max(0.0, lit.high)};
@@ -83,14 +84,14 @@ struct lamp_amounts {
     }
 };
 
-/// Fades a channel's level into the fog's: a mean of two is between those of both ends.
+/// Blends a channel's level with the fog's. The extremes are at the ends of the share's range.
 interval faded(const interval& level, double fog, const interval& share) {
     const auto mean = [&](double of, double part) { return of + part * (fog - of); };
     return {std::min(mean(level.low, share.low), mean(level.low, share.high)),
             std::max(mean(level.high, share.low), mean(level.high, share.high))};
 }
 
-/// The light of lamps and fog, from ranges of the cosines and of w.
+/// Bounds of the light of lamps and fog, from ranges of the cosines and of w.
 l3d_light_bounds light_by_lamps(const l3d_doubt_patch& of, const light_ranges& ranges,
                                 const l3d_light_bounds& background) {
     const l3d_doubt_lighting& lighting = *of.lighting;

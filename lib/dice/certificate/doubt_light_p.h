@@ -23,8 +23,8 @@ struct interval {
     }
 };
 
-/// The numbers that decide the light of a piece: its level, or the cosines of all lamps and w. All
-/// are nearly linear in the place.
+/// The numbers that decide the light of a piece: its level, or the cosines of all lamps and w. Each
+/// is nearly linear in the place.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
@@ -35,19 +35,18 @@ struct light_lines {
 };
 using light_ranges = std::array<interval, light_lines::most>;
 
-/// Bounds of the light of a piece in a cell. `background` counts if it is the colour of the fog.
+/// Bounds of the light of a piece in a cell. `background` is used where fog has its colour.
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
 /// The mean light of a sheet that fills a cell, where nothing else is seen. It follows from the
-/// lines of the best known piece, and the range of all others around these.
-/// Lives: borrows cell, background and leaves.
+/// lines of the best known piece, and from how far all other pieces' lines differ.
 class lone_sheet {
 public:
     lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)
         : cell_(cell), background_(background) {}
 
-    /// Offers a piece as the best known one. Expects: all are offered before any is added.
+    /// Offers a piece as the best known one. Expects: all pieces are offered before any is added.
     void offer(const l3d_doubt_leaf& leaf);
     /// Adds a piece that touches the cell.
     void add(const l3d_doubt_leaf& leaf);
@@ -62,10 +61,10 @@ private:
     const l3d_image_box& cell_;
     const l3d_light_bounds& background_;
     const l3d_doubt_leaf* best_ = nullptr;
-    const l3d_doubt_leaf* first_ = nullptr; ///< first of the leaves that are added
+    const l3d_doubt_leaf* first_ = nullptr; ///< the leaf added last
     bool is_one_look_ = true, is_known_ = true;
     l3d_light_bounds light_;       ///< light of all pieces added
-    light_ranges ranges_, beside_; ///< ranges of the numbers; distances from the best piece's
+    light_ranges ranges_, beside_; ///< ranges of the lines; differences from the best piece's lines
 };
 
 } // namespace l3d_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_doubt_tile: cells and pieces, halved together.
+// l3d_doubt_tile: halves cells and pieces together.
 #include "dice/certificate/doubt_tile.h"
 
 #include "raster/color/srgb_light.h"
@@ -11,35 +11,37 @@
 
 namespace {
 
-/// Cells that may show several surfaces are no smaller than 2^-4 pixel, those that show one no
-/// smaller than 2^-3. Cells of drawn surfaces are no smaller than 2^-3, or than the bound.
+/// The finest cells: 2^-4 pixel where they may show several surfaces, 2^-3 where they show one.
+/// Cells that judge the drawing are no smaller than 2^-3, or than the bound.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// Pixels are cut no further if fewer of their levels are unknown. Single smaller cells may have
-/// more unknown levels, in proportion to 1 / their width, since they are small parts of a pixel.
+/// A pixel is cut no further if its level is known to within this. A cell's level may be less well
+/// known, in proportion to 1 / its width, since the cell is a small part of its pixel.
 constexpr double fine_levels = 1;
 
-/// From cells of 2^-3 pixel on, pixels are cut further only if more of their levels are unknown.
+/// From cells of 2^-3 pixel on, a pixel is cut further only if its level is known less well than
+/// this.
 constexpr int costly = 3;
 constexpr double costly_levels = 4;
 
-/// Pieces are plain up to this size; their bounds must be as good as this. Units: pixels, levels in
-/// whole pixels, parts of a cell.
+/// A piece is plain up to this size if its bounds are as good as this.
+/// Units: pixels; levels in cells of a whole pixel; parts of a cell.
 constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 
-/// Limit of one tile; above it, nothing is known of the tile.
+/// The most leaves of a tile; with more, nothing is known of the tile.
 constexpr std::size_t most_leaves = 100'000;
 
-/// A piece that is a smaller part of its patch is not cut further. Only pieces around the eye get
-/// so small without becoming small in the picture.
+/// A piece that is a smaller part of its patch is not cut. Only pieces around the eye get so small
+/// without becoming small in the picture.
 constexpr double least_part = 0x1p-24;
 
-/// The area of the light that may be left out in a tile. At the steepest part of sRGB's curve it
-/// makes 12.92 * 255 times as many levels: a third of the allowance for rounding.
+/// The largest area without light that a tile may leave out. At the steepest part of sRGB's curve
+/// it makes 12.92 * 255 times as many levels: a third of the allowance for rounding.
 constexpr double most_left_out = 1e-8;
 
-/// The area of the narrowest box along the line from one corner to the farthest other point, where
-/// points may err by `pad`. The picture lies in the box, as in its control points' hull.
+/// The area of a box around a piece's picture, along the line from one corner to the farthest
+/// control point. Points may err by `pad`. The picture lies in the convex hull of its control
+/// points.
 double area_along(const l3d_image_patch& net, double pad) {
     const auto place = [](const l3d_image_point& p) {
         return std::array<double, 2>{p[0] / p[2], p[1] / p[2]};
@@ -62,7 +64,7 @@ double area_along(const l3d_image_patch& net, double pad) {
         high = std::max(high, aside);
     }
     return 2 * (length + pad) *
-           (high - low + 2 * pad); // twice: points may lie to both sides of one
+           (high - low + 2 * pad); // twice the length: points may lie on either side of the first
 }
 
 } // namespace
@@ -90,7 +92,7 @@ void l3d_doubt_tile::begin(const l3d_doubt_view& view, const l3d_pixel_box& tile
 void l3d_doubt_tile::begin_cells(std::vector<cell>&& cells) {
     cells_ = std::move(cells);
     grown_ = 0;
-    if (cells_.empty()) // the grid would be large
+    if (cells_.empty()) // the finer grid would be large
         return;
     const std::size_t across = static_cast<std::size_t>(side) << fineness_;
     grid_.assign(across * across, -1);
@@ -109,7 +111,8 @@ l3d_image_box l3d_doubt_tile::box_of(const cell& c) const {
     return {left, top, left + size, top + size};
 }
 
-/// Visits the grown cells that a box reaches, until `visit` returns false.
+/// Calls visit(index) for each cell that a box reaches when grown by grown_, until it returns
+/// false.
 template <class Visit>
 void l3d_doubt_tile::for_cells(const l3d_image_box& box, const Visit& visit) const {
     const int across = side << fineness_;
@@ -142,8 +145,8 @@ void l3d_doubt_tile::add(const l3d_doubt_piece& whole) {
     cut(whole, leaves_);
 }
 
-/// Whether smaller pieces would not be better known: a piece whose picture and light are nearly a
-/// plane's need not be as small as a cell.
+/// Whether halving a piece would not make it better known. A piece whose picture and light are
+/// nearly linear need not be as small as a cell.
 bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
     const double of_cell = std::ldexp(1.0, -fineness_);
     const double size = std::max(b.box.width(), b.box.height());
@@ -154,7 +157,7 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
 
 /// Whether a piece that reaches past the eye lies outside the tile. Most of such a piece is far
 /// beside the picture, and would be cut until its parts are as small as the near distance. The tile
-/// is grown by the corners' error at the near plane, and by a pixel to spare.
+/// is grown by the control points' error at the near plane, and by a pixel to spare.
 bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
     const l3d_dice_view& view = view_->view;
     const l3d_image_box window = view.window(tile_).grown(grown_);
@@ -162,8 +165,8 @@ bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) co
     return l3d_outside(piece.net.points, window.grown(1 + off), near - piece.of->error_w, view.far);
 }
 
-/// Whether a piece is seen so exactly from its edge that it has no light. Its area adds to
-/// areas_left_out_.
+/// Whether a piece is seen so nearly edge-on that its light may be left out. If so, its area counts
+/// in areas_left_out_.
 bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
     const l3d_doubt_patch& of = *piece.of;
     const double least = piece.net.w().least;
@@ -218,7 +221,7 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
         cut(half, into);
 }
 
-/// Lists the leaves of each cell, in their order.
+/// Lists the leaves that touch each cell, in the leaves' order.
 void l3d_doubt_tile::sort_leaves() {
     first_.assign(cells_.size() + 1, 0);
     for (const l3d_doubt_leaf& leaf : leaves_)
@@ -242,7 +245,8 @@ l3d_doubt_pixel& l3d_doubt_tile::pixel_of(const cell& c) {
                                             (c.column >> fineness_))];
 }
 
-/// Bounds a cell. The result counts only if smaller cells cannot tell more.
+/// Bounds a cell, and adds the result to its pixel. is_cut() takes the result back where smaller
+/// cells may tell more.
 void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
     const l3d_image_box box = box_of(c);
     const double part = std::ldexp(1.0, -2 * fineness_);
@@ -277,7 +281,7 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
         judge_.mark_seen(is_needed_);
 }
 
-/// Whether smaller cells may tell more of a cell. Then its own result is taken back.
+/// Whether smaller cells may tell more of a cell. If so, takes back the cell's own result.
 bool l3d_doubt_tile::is_cut(cell& c) {
     l3d_doubt_pixel& pixel = pixel_of(c);
     c.of_light = c.of_light && pixel.is_open;
@@ -289,7 +293,7 @@ bool l3d_doubt_tile::is_cut(cell& c) {
     return c.of_light || c.of_drawing;
 }
 
-/// Judges all cells, and returns the quarters of those that are to be cut.
+/// Judges all cells, and returns the quarters of the cells that are to be cut.
 std::vector<l3d_doubt_tile::cell> l3d_doubt_tile::judge_cells() {
     for (std::size_t i = 0; i < cells_.size(); ++i)
         judge_cell(cells_[i], std::span(touching_).subspan(first_[i], first_[i + 1] - first_[i]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_doubts: patches to tiles, and the drawn picture beside the exact one.
+// l3d_frame_doubts: gives patches to tiles, and compares the drawn picture with exact bounds.
 #include "dice/certificate/frame_doubts.h"
 
 #include "raster/color/srgb_light.h"
@@ -14,14 +14,15 @@ namespace {
 using vector = l3d_vector<double, 3>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Rounding of the sums of light in double and of the map's floats. Units: levels.
+/// Rounding of sums of light in double, and of the map's floats. Units: levels.
 constexpr double rounding = 1e-4;
 
-/// With larger bounds of places, pixels are not searched for other surfaces: all of a pixel may
-/// show another one. Units: pixels.
+/// With larger bounds of places, pixels are not searched for other surfaces: any part of a pixel
+/// may show another surface.
+/// Units: pixels.
 constexpr double most_searched = 2;
 
-/// The rows of a matrix from the world, as seen from the eye, to (x, y, w).
+/// The rows for x, y and w of the matrix from the world, as seen from the eye, to the picture.
 std::array<vector, 3> rows(const l3d_matrix<double>& m) {
     const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
     return {row(0), row(1), row(3)};
@@ -36,7 +37,8 @@ std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
             l3d_cross<double>(x, y) * part};
 }
 
-/// The largest distance of a drawn word from light between bounds, in its worst channel.
+/// The largest distance of a drawn pixel from bounds of its light, over the channels. Units:
+/// levels.
 double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     double result = 0;
     for (std::size_t i = 0; i < light.least.size(); ++i) {
@@ -47,12 +49,12 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     return std::min(result + rounding, 255.0);
 }
 
-/// Rounding of normals: their coefficients are sums of some dozens of products of differences,
-/// followed by some dozens of halvings, and a matrix.
+/// Relative rounding of normals. Their coefficients are sums of some dozens of products of
+/// differences, followed by some dozens of halvings, and a matrix.
 constexpr double normal_rounding = 0x1p-44;
 
-/// The largest length of a normal: a net's largest component is 1 (l3d_normal_net) before it is
-/// turned.
+/// Upper bound of the length of an instance's normals. The largest component of a net is 1
+/// (l3d_normal_net) before a placement turns it.
 double longest_normal(const l3d_patch_instance& instance) {
     double sum = 2;
     for (int row = 0; row < 3; ++row)
@@ -61,7 +63,7 @@ double longest_normal(const l3d_patch_instance& instance) {
     return sum;
 }
 
-/// The first light, and the further ones.
+/// All lamps of the frame, the first light before the further ones.
 std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vector& first) {
     std::vector<l3d_doubt_lamp> result{{first, frame.lighting.color}};
     for (std::size_t i = 0; i < frame.lighting.count; ++i) {
@@ -80,15 +82,15 @@ double determinant_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-/// Finds the patches that may reach the picture. It keeps only boxes, since nets are large.
+/// Finds the patches that may reach the picture. Only their boxes are kept, since nets are large.
 void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
-    sides_.clear(); // another model may have come to a gone one's address
+    sides_.clear(); // a new model may have the identity of a gone one
     patches_.clear();
     const l3d_dice_view& view = view_.view;
     const double near = view.camera_near > 0 ? view.camera_near : view.near;
     const l3d_image_box window =
         view.window().grown(1 + (std::isfinite(view_.bound_px) ? view_.bound_px : 0.0));
-    // The rays of a parallel projection turn by less than half of the window in the far eye.
+    // The far eye of a parallel projection has rays that turn by less than half of the window.
     const double off_of_normals =
         normal_rounding + (view.is_parallel() ? std::hypot(window.width(), window.height()) /
                                                     std::max(view.focal, 1.0)
@@ -104,7 +106,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
             const bool is_curved = !model.is_exact();
-            // In the world's unit.
+            // The surface's error in the world's unit.
             const double off =
                 is_curved && model.surface_error() > 0
                     ? frame.curved.places * (model.surface_error(i) / model.surface_error())
@@ -155,8 +157,8 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     return whole;
 }
 
-/// Bounds the light of a box: the mean over all choices of the transparent instances that reach it,
-/// each present or not.
+/// Bounds the light of a box's pixels: the weighted mean over all subsets of the transparent
+/// instances that reach the box.
 std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
                                                                   const l3d_pixel_box& box,
                                                                   l3d_doubt_tile& tile) const {

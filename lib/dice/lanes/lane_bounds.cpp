@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds of the sixteen blocks of a patch in SIMD lanes.
+// The needs of a patch's sixteen blocks in SIMD lanes.
 #include "dice/lanes/lane_bounds_p.h"
 
 #include <algorithm>
@@ -23,24 +23,24 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, points>;
 
-/// The error that the rounding of floats can add to a second or mixed difference d as it is seen in
-/// the image, |d (x, y) - X0 d w| + r |d w|. Units: the largest w times the reach of the centred
-/// box.
+/// Error that the rounding of floats can add to the norm of a second or mixed difference d in the
+/// image, |d (x, y) - X0 d w| + r |d w|.
+/// Units: the largest w times the reach of the centred box.
 ///
 /// The net is rounded, then summed up twice from four products: 9 roundings of 2^-24, of numbers up
-/// to 1 in these units. A difference has 4 of these points and 4 roundings of its own, 40 in all.
-/// With the error of X0 d w it is 80 in x and in y, and sqrt(2) times 80 in both. The error of r |d
-/// w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative` has the
-/// relative error of the norm's own eight operations.
+/// to 1 in these units. A difference has 4 of these points and 4 roundings of its own: 40 in all.
+/// With X0 d w there are 80 in x and in y, and sqrt(2) times 80 for both together. The error of r
+/// |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative` covers the
+/// eight operations of the norm.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same for third and fourth differences of a whole net. They are made in doubles and rounded
+/// The same for third and fourth differences of a whole net, made in doubles and rounded to floats
 /// once. In these units the differences of x and y are at most 16. Those of w, which is positive,
-/// are at most 8. Their own rounding is 16 + 8, that of X0 d w is 8, and that of X0 is 8. As seen,
-/// that is sqrt(2) (16 + 8 + 8 + 8) = 57.
+/// are at most 8. Their rounding is 16 + 8, that of X0 d w is 8, and that of X0 is 8. In the image
+/// norm that is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
-/// The same for w alone.
+/// The rounding of second and mixed differences of w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
 /// Rounding of a projected point, relative to the reach of the centred box: 9 roundings in x
@@ -56,8 +56,7 @@ bool section_leaves(const double* net, const l3d_image_section& cut) {
     return all;
 }
 
-/// Measures box and depths of the whole net, and whether it is ordinary. The comparisons fail for
-/// NaN.
+/// Measures box and depths of the whole net, and sets `ordinary`. Comparisons are false for NaN.
 HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
     const doubles d;
     auto left = hn::Set(d, HUGE_VAL), top = left, nearest = left;
@@ -92,7 +91,7 @@ HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds&
                    section_leaves(net, view.section);
 }
 
-/// Moves the net to the middle of its visible part.
+/// Centres the net on the middle of its visible part.
 HWY_ATTR void centre(lane_bounds& out) {
     centred_net& net = out.net;
     net.x = static_cast<std::int32_t>((out.seen.left + out.seen.right) / 2);
@@ -112,7 +111,7 @@ HWY_ATTR void centre(lane_bounds& out) {
     net.largest_xy = hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
-/// A number a lane, as doubles.
+/// Stores lanes as doubles, from out[lane] on.
 HWY_ATTR HWY_INLINE void put(float_lanes value, l3d_block_needs::per_block& out, std::size_t lane) {
     alignas(64) float numbers[points];
     hn::Store(value, floats(), numbers);
@@ -120,28 +119,28 @@ HWY_ATTR HWY_INLINE void put(float_lanes value, l3d_block_needs::per_block& out,
         out[lane + i] = static_cast<double>(numbers[i]);
 }
 
-/// Largest |x' / w| or |y' / w| of the net, about its centre.
+/// Largest |x' / w| or |y' / w| of the centred net.
 double reach_of(const lane_bounds& of) {
     const double x = of.net.x, y = of.net.y;
     return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
 }
 
-/// Image boxes in which width and height add up to less than this need bounds of depth too: see
+/// Blocks whose image box has less width and height together need bounds of depth, too: see
 /// l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
-/// The inputs of bounds of blocks besides their nets, about the net's centre.
+/// The inputs of bounds of blocks besides their nets. Places are relative to the net's centre.
 struct block_surroundings {
-    const l3d_image_box& window; ///< the largest part that is seen
+    const l3d_image_box& window; ///< the largest box that is seen
     float reach;                 ///< largest |x' / w| or |y' / w|
-    float grown_by;              ///< largest distance of vertices from the net's box
+    float grown_by;              ///< largest distance of vertices beyond the net's box
     float deep_below;            ///< width and height together below which depth matters
     float most_w;
 };
 
-/// Finds the needs of the blocks in lanes from `lane` on.
+/// Finds the needs of one vector of blocks, from block `lane` on.
 HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
                                      const block_surroundings& in, l3d_block_needs& needs) {
     // The visible part of each block.
@@ -180,7 +179,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(image_bound(six, uu), needs.uu, lane);
     put(image_bound(nine, uv), needs.uv, lane);
     put(image_bound(six, vv), needs.vv, lane);
-    // In front of the near plane w may be off by an eighth.
+    // In front of the near plane w may be off by an eighth of itself.
     const auto depth_bound = [&](float_lanes factor, const largest_of& of) HWY_ATTR {
         const auto rounded_up = hn::Add(of.depth, hn::Set(d, depth_rounding));
         return hn::IfThenElseZero(deep, hn::Mul(hn::Mul(hn::Set(d, 8.0F), factor), rounded_up));
@@ -189,13 +188,13 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(depth_bound(nine, uv), needs.depth_uv, lane);
     put(depth_bound(six, vv), needs.depth_vv, lane);
 
-    // Fewest steps, by the gaps of the control points.
+    // Fewest steps, by the gaps between control points.
     const auto per_gap = hn::Set(d, static_cast<float>(3 / l3d_largest_quad));
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_u)), needs.least_u, lane);
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
 }
 
-/// The norm for the visible part of a net.
+/// The image norm for the visible part of a net.
 HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
     const floats d;
     const double width = seen.width(), height = seen.height();
@@ -205,7 +204,7 @@ HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
             hn::Set(d, static_cast<float>(diagonal / 2))};
 }
 
-/// The norm of each of `Count` differences, whose components lie side by side.
+/// Computes the image norm of each of `Count` differences, stored component by component.
 template <std::size_t Count>
 HWY_ATTR HWY_INLINE void norms_of(const float (&at)[3][Count], const seen_norm& norm,
                                   float (&image)[Count]) {
@@ -243,7 +242,7 @@ struct mixed_differences {
     }
 };
 
-/// The error that balanced vertices add: bounds for steps of the blocks, from the whole net.
+/// Bounds the error that balancing of vertices adds, from the whole net, in the blocks' parameters.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;
@@ -264,9 +263,9 @@ HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     out.needs.uuvv = bound(differences::uuvv, differences::end, 36.0 / 256);
 }
 
-/// Needs of sixteen blocks.
+/// Finds the needs of sixteen blocks.
 HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
-    // Homogeneous points may be scaled: w to at most 1, so that squares stay in a float's range.
+    // Homogeneous points may be scaled. With w of at most 1, squares stay in a float's range.
     const double scale = 1 / out.most_w;
     alignas(64) float net[3][points];
     for (std::size_t k = 0; k < 3; ++k)
@@ -292,12 +291,12 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     bound_mixed(view, out);
 }
 
-/// Differences of a whole net, side by side: 8 second ones along u, 8 along v, 9 mixed ones.
+/// Differences of a whole net: 8 second ones along u, 8 along v, 9 mixed ones.
 struct net_differences {
     static constexpr std::size_t along_u = 0, along_v = 8, mixed = 16, end = 25, room = 32;
     alignas(64) float at[3][room] = {};
 
-    /// The differences are of doubles, scaled and then rounded.
+    /// Differences are taken of doubles, then scaled and rounded to floats.
     net_differences(const centred_net& net, double scale) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double* p = net.points[k];
@@ -319,7 +318,7 @@ struct net_differences {
     }
 };
 
-/// Needs of a small net, which is one block: its differences in lanes.
+/// Finds the needs of a small net, which is one block: its differences are in lanes.
 HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     l3d_block_needs& needs = out.needs;
     needs = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The needs of a patch, its blocks side by side in SIMD lanes.
+// The needs of steps of a patch, its blocks side by side in SIMD lanes.
 #ifndef L3D_DICE_LANES_LANE_BOUNDS_P_H
 #define L3D_DICE_LANES_LANE_BOUNDS_P_H
 
@@ -32,9 +32,9 @@ struct lane_bounds {
     l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen
 };
 
-/// Finds the needs of a patch in lanes. The slow twin is l3d_needs_of. The needs here exceed those
-/// of the twin by at most the rounding of floats, so they are bounds, too.
-/// Cost: no more than one block takes in scalar code.
+/// Finds the needs of a patch in lanes. The slow twin is l3d_needs_of. The needs here exceed its
+/// needs by at most the rounding of floats, so they are bounds, too.
+/// Cost: at most that of one block in scalar code.
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out);
 
 } // namespace l3d_detail

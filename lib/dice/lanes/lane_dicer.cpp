@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lane_dicer: the stages of an ordinary patch.
+// l3d_lane_dicer: plans, walks, lights and closes an ordinary patch.
 #include "dice/lanes/lane_dicer.h"
 
 #include "geom/block_fixed.h"
@@ -22,8 +22,8 @@ using l3d_detail::lane_register;
 /// and the weights of forward differences. 25 * 27^2 < 2^15.
 constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
-/// Error of walking most_steps steps in T, for coordinates up to `largest`. Differences of control
-/// values are at most 2, 4, 8 times those, and shrink in `strips` parts.
+/// Error of walking l3d_most_steps_whole steps in T, for coordinates up to `largest`. Differences
+/// of control values are at most 2, 4 and 8 times that, and shrink in `strips` parts.
 template <class T> double walking_error(double largest, int strips) {
     const double s = strips;
     return l3d_forward_difference_error<T>(l3d_most_steps_whole, largest, 2 * largest / s,
@@ -40,16 +40,16 @@ l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& 
 
 } // namespace
 
-/// The largest number that stands for w in registers.
+/// The largest number that registers of w hold.
 template <class T> double l3d_lane_dicer<T>::walked_w(const l3d_dice_view& view) const {
     if (!view.is_parallel())
         return bounds_.most_w;
-    // Numbers below this are nothing but rounding.
+    // Smaller numbers are nothing but rounding.
     const double least = 0x1p-52 * view.w_middle;
     return std::max({least, bounds_.most_w - view.w_middle, view.w_middle - bounds_.least_w});
 }
 
-/// The error that rounding adds, if registers err by walk_xy and walk_w at the end.
+/// The error of vertices in pixels, if registers err by walk_xy and walk_w after the last step.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                                        double snap_error) const {
@@ -70,7 +70,7 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     accuracy.seen_reach = around_centre(seen);
     accuracy.reach = around_centre(view.drawn_box(hull));
     accuracy.snap_error = snap_error;
-    // The errors of the transform, and of moving the centre, count for places in the whole picture.
+    // The errors of the transform, and of moving the centre, apply to places in the whole picture.
     const double moved = 4 * 0x1p-53 * bounds_.most_w * hull.reach();
     return accuracy.drawn_error(l3d_vertex_accuracy::in_front) +
            l3d_vertex_error(view.error_xy + moved, view.error_w, seen.reach(),
@@ -92,7 +92,7 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
     const auto exact_enough = [&](double walk_xy, double walk_w, double snap, double allowance) {
         vertex_error_ = vertex_error(view, walk_xy, walk_w, snap + centre_snap);
         walk_w_ = walk_w;
-        // An error of w counts along the line of sight.
+        // An error of w moves the vertex along the line of sight.
         return vertex_error_ + view.focal * walk_w / bounds_.least_w - exact <= allowance;
     };
 
@@ -191,7 +191,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
                              const l3d_dice_view& view, l3d_diced_piece& out) {
     l3d_surface_part& part = out.part;
     walk(view, part);
-    constexpr int most_more = 2; // each round may double the steps
+    constexpr int most_more = 2; // each round at most doubles the steps
     const double depth_budget = view.chord_budget(depth_error_);
     for (int more = 0;
          more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals and levels of a grid in SIMD lanes.
+// Normals and levels of a grid's vertices in SIMD lanes.
 #include "dice/lanes/lane_light_p.h"
 
 #include "dice/facing_fix.h"
@@ -55,12 +55,11 @@ using float_lanes = hn::Vec<floats>;
 
 using six_lanes = std::array<float_lanes, quintic_weights::order>;
 
-/// Six vectors: the values of `at` for 0 to 5.
+/// Six vectors: at(0) to at(5).
 template <class At> HWY_ATTR HWY_INLINE six_lanes six_of(const At& at) {
     return {at(0), at(1), at(2), at(3), at(4), at(5)};
 }
 
-/// Sum of six products.
 HWY_ATTR HWY_INLINE float_lanes weighed(const six_lanes& a, const six_lanes& b) {
     const auto low =
         hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
@@ -88,7 +87,7 @@ HWY_ATTR HWY_INLINE float_lanes over_length(const normal_lanes& n) {
                               hn::Div(hn::Set(d, 1.0F), hn::Sqrt(square)));
 }
 
-/// A vector of the net's columns, as nets along v.
+/// A vector of columns of a normal net: Bernstein coefficients along v.
 struct net_columns {
     static constexpr std::size_t order = quintic_weights::order;
     alignas(64) float at[3][order][lane_columns];
@@ -125,7 +124,7 @@ public:
         : ray_(direction_of(shading.ray)), right_(direction_of(shading.ray_right)),
           down_(direction_of(shading.ray_down)) {}
 
-    /// l3d_away_from_eye, operation by operation.
+    /// Does the operations of l3d_away_from_eye, one by one, so that results agree bit for bit.
     HWY_ATTR HWY_INLINE float_lanes away(const normal_lanes& n, const l3d_micro_grid& grid,
                                          std::size_t at) const {
         const floats d;
@@ -145,7 +144,7 @@ private:
     normal_lanes ray_, right_, down_;
 };
 
-/// Writes vertices column vector by column vector, from top to bottom.
+/// Calls the writer for each vertex: vector by vector of columns, from top to bottom.
 template <class Writer>
 HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
                                       const l3d_micro_grid& grid, Writer& writer) {
@@ -187,7 +186,7 @@ HWY_ATTR void normals(const l3d_normal_net::float_net& net, const lane_parameter
     for_vertices(u, v, grid, writer);
 }
 
-/// Levels of vertices, and of the middles of sides in place of bends.
+/// Writes levels of vertices, and levels of the middles of sides in place of bends.
 struct level_writer {
     const l3d_normal_net::float_net& net;
     const quintic_weights &in_u, &in_v, &beside_u, &beside_v;

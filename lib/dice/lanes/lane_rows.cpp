@@ -23,16 +23,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// For each strip, the point where it starts, [coordinate][column], and one more for the last
-/// strip's end. Besides, four registers of three coordinates, [4 * coordinate +
-/// difference][column], of the balanced curve from there on.
+/// The starts of a vector of columns. `point` has the first point of each strip,
+/// [coordinate][column], and the last strip's end. `at` has four registers of each coordinate, [4 *
+/// coordinate + difference][column], of the balanced curve in each strip.
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
     alignas(64) Number point[5][3][lane_columns];
     alignas(64) Number at[4][registers][lane_columns];
 };
 
-/// Stores starts in the registers' type.
+/// Stores a start in the registers' type; fixed-point registers take it times `scale`.
 HWY_ATTR HWY_INLINE void put(hn::Vec<doubles> value, double, float* out) {
     const hn::Rebind<float, doubles> d;
     hn::Store(hn::DemoteTo(d, value), d, out);
@@ -51,7 +51,7 @@ HWY_ATTR HWY_INLINE void put(hn::Vec<doubles> value, double scale, std::int64_t*
     hn::Store(hn::ConvertTo(d, raw), d, out);
 }
 
-/// Registers as numbers that can be divided.
+/// Converts registers to floating point, for division.
 template <class D> using float_tag = hn::RebindToFloat<D>;
 template <class D, class V> HWY_ATTR HWY_INLINE auto as_float(D, V value) {
     if constexpr (hwy::IsFloat<hn::TFromD<D>>())
@@ -60,7 +60,7 @@ template <class D, class V> HWY_ATTR HWY_INLINE auto as_float(D, V value) {
         return hn::ConvertTo(float_tag<D>(), value);
 }
 
-/// Rounds to nearest, as 32-bit integers.
+/// Rounds to the nearest integers of 32 bits.
 template <class D> HWY_ATTR HWY_INLINE auto snapped(D, hn::Vec<D> value) {
     if constexpr (sizeof(hn::TFromD<D>) == 4)
         return hn::NearestInt(value);
@@ -79,7 +79,7 @@ struct power_form {
     double at[3][4][4];
 };
 
-/// The powers of a net, whose w is counted from w_middle.
+/// The power form of a net, with w_middle subtracted from w.
 HWY_ATTR power_form powers_of(const centred_net& net, double w_middle) {
     power_form result;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -95,8 +95,8 @@ HWY_ATTR power_form powers_of(const centred_net& net, double w_middle) {
     return result;
 }
 
-/// Forward differences of powers: of a0 + a1 t + a2 t^2 + a3 t^3 from t on with step h they are
-/// f(t), d1 . (a1, a2, a3), d2 . (a2, a3) and d3 a3.
+/// Weights of forward differences of a0 + a1 t + a2 t^2 + a3 t^3 at t with step h: f(t), d1 . (a1,
+/// a2, a3), d2 . (a2, a3) and d3 a3.
 struct difference_weights {
     double t, d1[3], d2[2], d3;
     double moved; ///< see lane_parameters
@@ -112,7 +112,7 @@ struct difference_weights {
     }
 };
 
-/// Finds the starts of the columns at u, for all strips, in lanes from i on.
+/// Finds the starts of one vector of columns, from `column` + i on, for all strips.
 template <class Number>
 HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
                                const difference_weights* weights, std::size_t column, std::size_t i,
@@ -122,7 +122,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
     const auto moved = hn::Load(d, walk.u.moved + column + i);
     const auto six = hn::Set(d, 6.0), two = hn::Set(d, 2.0);
     for (std::size_t k = 0; k < 3; ++k) {
-        // Powers of v of the column's curve: its coefficients at u, balanced along u.
+        // The column's curve in powers of v: the bicubic at u, balanced along u.
         const auto at_u = [&](std::size_t power) HWY_ATTR {
             const double* a = powers.at[k][power];
             const auto bend = hn::Set(d, a[2]), twist = hn::Mul(hn::Set(d, a[3]), t);
@@ -163,7 +163,7 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
     }
 }
 
-/// Walks lanes from i on of the columns that begin with `column`.
+/// Walks one vector of columns, from `column` + i on, down all strips.
 template <class Number, bool Parallel>
 HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Number>& starts,
                                    std::size_t column, std::size_t i, l3d_micro_grid& grid) {
@@ -176,7 +176,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const double divisor = Parallel ? walk.w_middle : 1 / walk.register_w;
     const auto to_pixels =
         hn::Set(df, static_cast<real>(l3d_subpixel_one / divisor / walk.register_xy));
-    // Two factors, since their product may not fit a float where its product with 1 / w does.
+    // Two factors: their product may not fit a float, though its product with 1 / w does.
     [[maybe_unused]] const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
     [[maybe_unused]] const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
@@ -214,7 +214,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
         emit(hn::Load(d, point[0] + i), hn::Load(d, point[1] + i), hn::Load(d, point[2] + i));
     };
 
-    // Each strip starts exactly; from row to row only differences are added.
+    // Each strip starts from exact values; from row to row only differences are added.
     for (int b = 0; b < walk.strips; ++b) {
         emit_point(b);
         const auto* from = starts.at[b];

@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// The number of columns or rows that are taken at a time. Beyond the last one, the arrays hold
-/// finite numbers.
+/// The number of columns or rows that are taken at a time. Beyond the last one, arrays hold finite
+/// numbers.
 inline constexpr std::size_t lane_columns = 16;
 
 /// Parameters along one direction of a grid of at most 4 strips.
@@ -20,20 +20,20 @@ struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
-    alignas(64) double moved[room]; ///< part of its second derivative by which a vertex is moved
+    alignas(64) double moved[room]; ///< part of the second derivative by which vertices move
     std::size_t count = 0;
 
-    /// The count, rounded up to whole vectors.
+    /// The count, rounded up to whole vectors of lane_columns.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
-    /// The middles between neighbouring parameters, and the last parameter itself at the end.
+    /// The middles between neighbouring parameters; at the end, the last parameter itself.
     lane_parameters middles() const;
 
-    /// Sets the parameters i / n of each strip, balanced or not. The last one, and all behind it,
-    /// are 1.
+    /// Sets the parameters i / n of each strip, and their `moved` if balanced. The last parameter,
+    /// and all behind it, are 1.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 
-    /// Maps the parameters to the stretch from low to high.
+    /// Maps parameters from [0, 1] to [low, high].
     void place(double low, double high);
 };
 
@@ -51,15 +51,16 @@ struct lane_walk {
         origin_y; ///< place of x' / w' = 0 in the picture, in sub-pixels from its corner
     double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
     float depth_scale = 1;
-    /// In a parallel projection, the w that registers leave out, and the change of depth with w;
-    /// else 0.
+    /// In a parallel projection, the w that registers leave out, and the change of depth for a unit
+    /// of w; else 0.
     double w_middle = 0, depth_slope = 0;
 };
 
 /// Walks all columns by forward differences, projects and snaps their points, and writes them. Each
 /// column starts exactly, in double, at each strip. The slow twin is l3d_strip_walker.
 /// Expects: the grid has as many columns and rows as there are parameters; every point is in the
-/// guard band. Cost:    9 additions a column and step, one division and a few products a vertex.
+///          guard band.
+/// Cost:    9 additions a column and step, one division and a few products a vertex.
 void walk_in_lanes(const lane_walk& walk, lane_register kind, l3d_micro_grid& grid);
 
 } // namespace l3d_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control nets of blocks as combinations of the whole net's control points.
+// Weights that make the control nets of blocks from a whole control net.
 #ifndef L3D_DICE_LANES_LANE_WEIGHTS_P_H
 #define L3D_DICE_LANES_LANE_WEIGHTS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_outlines: close sheets, and visible outlines.
+// l3d_frame_outlines: marks pixels with close sheets, and with visible outlines.
 #include "dice/outlines/frame_outlines.h"
 
 #include "dice/outlines/outline_search.h"
@@ -17,7 +17,7 @@ void l3d_frame_outlines::begin(const l3d_patch_scene& scene, const l3d_matrix<do
     view_ = view;
     focal_ = focal;
     depth_by_pixel_ = depth_by_pixel;
-    sides_.clear(); // another model may have come to a gone one's address
+    sides_.clear(); // a new model may have the identity of a gone one
     depths_.begin(view.size, focal, depth_by_pixel);
 }
 
@@ -35,7 +35,7 @@ void l3d_frame_outlines::add(const l3d_placed_patch& patch,
 
 void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double near) {
     mask_.begin(view_.size);
-    // The bound of places stands for an unknown bound of depth.
+    // If depth has no bound, the bound of places stands for it.
     const double depth_bound = std::isfinite(depth_bound_px) ? depth_bound_px : bound_px;
     const double bound = std::max(bound_px, depth_bound);
     for (int y = 0; y < view_.size.height; ++y)
@@ -51,7 +51,7 @@ void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double n
         const l3d_patch_model& model = instance.model();
         const auto eye = l3d_eye_of(to_image);
         for (std::size_t i = 0; eye && i < model.patches().size(); ++i) {
-            // Backs that are not drawn have no outlines.
+            // A patch that shows backs alone, which are not drawn, has no outlines.
             if (view_.one_sided && model.facing(i).away_from(*eye, 1) == l3d_facing_cones::all)
                 continue;
             const auto& patch = model.patches()[i];

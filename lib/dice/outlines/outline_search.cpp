@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_outline_search: halving, bounds, straight pieces.
+// l3d_outline_search: halves pieces, bounds them, and marks nearly straight outlines.
 #include "dice/outlines/outline_search.h"
 
 #include <algorithm>
@@ -13,30 +13,31 @@ namespace {
 using vector = l3d_vector<double, 3>;
 using place = l3d_picture_place;
 
-/// Smallest size of a piece that is tested for being hidden: around a smaller one, the surface at
-/// an outline cannot be told from one that hides it. Units: pixels.
+/// Smallest size of a piece that is tested for being hidden. Around smaller pieces, the surface at
+/// an outline cannot be told from one that hides it.
+/// Units: pixels.
 constexpr double least_asked = 8;
 
-/// Largest size of a piece in which sides are searched, and longest line of an outline.
+/// Largest size of a piece whose sides and folds are searched, and longest line of an outline.
 /// Units: pixels.
 constexpr double longest_line = 16;
 
 /// Halvings down to 2^-20 of a patch along both directions; beyond, nothing is known.
 constexpr int most_levels = 40;
 
-/// Pieces in a frame; beyond it, the rest is taken as boxes.
+/// The most pieces of a frame. Beyond them, pieces count as boxes.
 constexpr std::int64_t most_pieces = std::int64_t{1} << 21;
 
-/// Normals are sums of 36 products of differences of coordinates.
+/// Relative rounding of normals: sums of 36 products of differences of coordinates.
 constexpr double rounding = 256 * 0x1p-53;
 
 double mean(double a, double b) {
     return (a + b) / 2;
 }
 
-/// The distance of a piece's or a curve's picture from a linear one, whose value is X. It is sum
-/// B_i (x_i - X w_i), which equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean), since sum B_i
-/// X_i = X.
+/// The distance of a piece's or a curve's picture from a linear one of value X. With d_i = x_i -
+/// X_i w_i it is sum B_i (x_i - X w_i) over w. The sum equals sum B_i d_i + sum B_i (X_i - X) (w_i
+/// - w_mean), since sum B_i X_i = X.
 struct linear_error {
     double most = 0, least_w = 0, most_w = 0;
 
@@ -77,7 +78,8 @@ l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal,
       depth_bound_(depth_bound), farthest_near_(farthest_near),
       allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths), mask_(mask) {}
 
-/// Takes a patch's share of errors: its near planes are no farther than these errors push them.
+/// Sets errors and near planes for a patch's share of the view's errors. The near planes are no
+/// farther than these errors push them.
 void l3d_outline_search::take_share(double share) {
     view_.take_share(whole_, share);
     radius_ = bound_ + view_.error_xy / std::max(view_.near, 1e-300);
@@ -100,8 +102,8 @@ void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
     search(whole);
 }
 
-/// n.(S - E) over the piece. With the middle C of the points it is n.(C - E) + n.(S - C), and along
-/// the normals' common axis S - C is nearly nothing.
+/// Bernstein coefficients of n.(S - E) over the piece. With the middle C of the points it is n.(C -
+/// E) + n.(S - C). Along the normals' common axis S - C is nearly nothing.
 l3d_outline_search::level_set<l3d_outline_search::order>
 l3d_outline_search::facing_of(const piece& p) const {
     vector axis(0.0);
@@ -201,7 +203,7 @@ void l3d_outline_search::split(const piece& p) {
             along_v += l3d_length(p.patch.at(i + 1, line) - p.patch.at(i, line));
         }
     const bool in_u = along_u >= along_v;
-    // On the heap, since the recursion is as deep as there are halvings.
+    // On the heap: the recursion is as deep as there are halvings.
     const auto halves = std::make_unique<std::array<piece, 2>>(l3d_halves(p, in_u));
     auto& [low, high] = *halves;
     std::tie(low.patch, high.patch) = in_u ? p.patch.split_u() : p.patch.split_v();
@@ -212,8 +214,8 @@ void l3d_outline_search::split(const piece& p) {
     search(high);
 }
 
-/// Whether everything drawn in and around a box hides the surface. It must be nearer than the
-/// surface's nearest point by as much as the surface bends, since that goes on beside the piece.
+/// Whether everything drawn in and around a box hides the piece. It must be nearer than the piece's
+/// nearest point by the piece's range of depth, since the surface goes on beside the piece.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const bool is_parallel = view_.is_parallel();
     const auto depth = [&](double of_w) {
@@ -238,7 +240,8 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
 }
 
 /// Sets the bits of pixels whose centres are no farther than `radius` from the line between two
-/// places. Units: pixels from the picture's centre.
+/// places.
+/// Units: pixels from the picture's centre.
 void l3d_outline_search::add_line(place from, place to, double radius) {
     for (place* end : {&from, &to})
         *end = {end->x + view_.size.width / 2.0, end->y + view_.size.height / 2.0};
@@ -258,14 +261,14 @@ void l3d_outline_search::add_line(place from, place to, double radius) {
         }
 }
 
-/// Expects: w > 0 in the box.
+/// Marks the pixels that a box's outlines may reach. Expects: w > 0 in the box.
 void l3d_outline_search::add_box(const l3d_image_box& box) {
     const place middle{mean(box.left, box.right), mean(box.top, box.bottom)};
     add_line(middle, middle, fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
-/// Adds places as one line, wider by their distance from it. False, with nothing done, if it would
-/// be too long or too wide.
+/// Marks pixels around places that lie nearly on a line, which is widened by their distance from
+/// it. False, with nothing done, if it would be too long or too wide.
 bool l3d_outline_search::add_straight(const place* places, std::size_t count, double error,
                                       double radius) {
     place from = places[0], to = places[0];
@@ -306,8 +309,9 @@ void l3d_outline_search::add_curve(const l3d_image_curve& curve, int level) {
     add_curve(high, level + 1);
 }
 
-/// Adds the places where a polynomial may be 0: a strip of the piece, as wide as the polynomial's
-/// distance from a linear one; its picture is nearly a line. True if it is added, or empty.
+/// Marks the places where a polynomial may be 0. They are a strip of the piece, as wide as the
+/// polynomial's distance from a linear one; the strip's picture is nearly a line. True if the strip
+/// is marked, or empty.
 template <std::size_t N>
 bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     constexpr std::size_t end = N - 1;
@@ -326,8 +330,8 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     if (std::abs(middle) - (std::abs(in_s) + std::abs(in_t)) / 2 > off)
         return true;
 
-    // Corners of the strip: the unit square's corners in it, and the crossings of its two lines
-    // with the square.
+    // Corners of the strip: the unit square's corners within it, and the points where the strip's
+    // two lines cross the square's sides.
     constexpr std::size_t most_corners = 12;
     place corners[most_corners];
     std::size_t count = 0;

@@ -353,7 +353,7 @@ private:
     std::optional<std::uint64_t> group_;
     std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
     std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< places that corners may name
-    std::vector<double> weights_; ///< per vertex; 1 beyond its end
+    std::vector<double> weights_;                                 ///< per vertex; 1 beyond its end
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };
