@@ -9,8 +9,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Limit of a panel's share of the picture; a larger hint would hide its subject.
-constexpr int largest_share = 5, largest_share_of_lesson = 4; // one part of so many
+/// A hint covers at most one part in so many of the picture: a larger one would hide its subject.
+constexpr int largest_share = 5, largest_share_of_lesson = 4;
 
 } // namespace
 
@@ -37,7 +37,7 @@ void captioned::key_event(int key) {
     follow();
 }
 
-/// Hides the hint: people who press a button look at the picture, not at words upon it.
+/// Hides the hint on a press: whoever presses a button looks at the picture, not at words upon it.
 void captioned::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::button_press && hint_is_shown()) {
         hint_seconds_ = 0;
@@ -47,7 +47,7 @@ void captioned::pointer_event(const l3d_event& event) {
     follow();
 }
 
-/// Forgets the covered pixels: nothing of the old picture is left.
+/// Forgets the covered pixels, since nothing of the old picture is left.
 void captioned::resize_event(l3d_size size) {
     covered_ = {};
     std::vector<std::uint32_t>().swap(picture_); // {} would keep the memory
@@ -97,7 +97,7 @@ bool captioned::skip_event() {
     return shown_.skip_event();
 }
 
-/// Puts back what the panel hides.
+/// Puts back the pixels that panels cover.
 void captioned::uncover() {
     const l3d_pixels pixels = screen_.pixels();
     for (int y = covered_.top; y < covered_.bottom; ++y) {
@@ -108,7 +108,7 @@ void captioned::uncover() {
     covered_ = {};
 }
 
-/// Draws the panels, if there are some, and keeps the picture below.
+/// Draws the panels that are to be seen, and keeps the picture below.
 void captioned::cover() {
     texts_.clear();
     l3d_panel message;
@@ -174,7 +174,7 @@ std::vector<l3d_panel> captioned::help_pages() const {
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-/// Hints from the longest down to the key alone.
+/// Hints, from the longest to the key alone.
 std::vector<l3d_panel> captioned::hints() const {
     constexpr std::size_t most_keys = 4; // as many as one remembers
     l3d_panel what, taught;

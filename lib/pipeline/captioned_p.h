@@ -72,7 +72,7 @@ private:
     bool is_old_ = false;       ///< the drawn panel is not the wanted one
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;
-    std::vector<l3d_pixel_box> texts_; ///< the panels in the covered box
+    std::vector<l3d_pixel_box> texts_; ///< the places of the drawn panels
 };
 
 } // namespace l3d_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_report: as JSON and in words.
+// l3d_frame_report, l3d_polygon_report: JSON and words.
 #include "pipeline/frame_report.h"
 
 #include "base/counted_p.h"
@@ -37,7 +37,8 @@ l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// Patches are counted from 0, in the order of the scene and of its models.
+/// The patches over the tolerance. The worst is counted from 0 in its model, and its instance in
+/// the scene.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)
@@ -93,7 +94,7 @@ std::string l3d_frame_report::json() const {
     return line.dump();
 }
 
-/// The parts that were left out of patches that were drawn.
+/// Lines about what was left out of patches that were drawn.
 std::string l3d_frame_report::left_out_in_part() const {
     std::string text;
     if (dice.back_blocks > 0)

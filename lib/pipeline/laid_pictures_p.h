@@ -15,7 +15,7 @@
 namespace l3d_detail {
 
 /// Collects the pictures on a frame's patches, for the rasterizer to paint. Each quad gets a name:
-/// a number in place of a material.
+/// a number in place of its material's.
 class laid_pictures {
 public:
     /// Starts a frame. Returns the paints for its shading; null if no picture lies on the scene.
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// A patch that stands for a part of a piece has a part of the piece's picture.
+    /// The part of a piece's picture that lies on a patch, which may be a part of the piece.
     static picture_map map_of(const l3d_patch_model& model, const l3d_laid_picture& picture,
                               std::size_t patch) {
         const std::size_t piece = model.piece_of(patch);

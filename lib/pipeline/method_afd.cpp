@@ -18,7 +18,7 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// The rasterizer of processors serves where GL cannot inspect or has no fog.
+/// The rasterizer of processors draws what GL cannot: inspection, and fog.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
     const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();
@@ -38,7 +38,7 @@ l3d_method_afd<T>::next_batch(const l3d_surface_rasterizer& surface) {
 }
 
 /// Draws batch after batch, so that patches behind nearer batches need not be diced. Most scenes
-/// are one batch; nobody then needs the depth of the whole picture, unless it is asked for.
+/// are one batch, which needs no depth of the whole picture unless it is asked for.
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;

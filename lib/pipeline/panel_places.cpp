@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel_places: the choice among free rectangles, and their rest beside a panel.
+// panel_places: chooses among free rectangles, and keeps their rest beside a panel.
 #include "pipeline/panel_places_p.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ l3d_pixel_box panel_places::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel&
     return box;
 }
 
-/// Removes a box: each rectangle leaves up to four, one on each side of it.
+/// Takes a box out of the free rectangles: each leaves up to four, one on each side of the box.
 void panel_places::remove(const l3d_pixel_box& box) {
     if (box.empty())
         return;

@@ -14,10 +14,9 @@ namespace l3d_detail {
 /// Finds places for panels in the free rest of a picture. The rest is kept as its largest free
 /// rectangles, which overlap.
 ///
-/// Among the rectangles that hold a panel unwrapped, the panel takes the one nearest to its corner:
-/// first along its edge of the picture, then farther from the edge. If none does, it is wrapped
-/// more narrowly in the largest rectangle that holds it so. At last it takes the largest rectangle,
-/// with smaller letters.
+/// Among the rectangles that hold a panel unwrapped, the panel takes the nearest to its corner,
+/// first in x, then in y. If there is none, the panel is wrapped in the largest rectangle that
+/// holds it so. Else it takes the largest rectangle, with smaller letters.
 class panel_places {
 public:
     panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)

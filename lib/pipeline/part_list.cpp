@@ -18,7 +18,7 @@ using l3d_detail::printable;
 constexpr std::array<l3d_color, 8> palette{0x00e69f00, 0x0056b4e9, 0x00009e73, 0x00f0e442,
                                            0x000072b2, 0x00d55e00, 0x00cc79a7, 0x00999999};
 
-/// A name cut to a width: the first letters, and three dots.
+/// A name cut to a width: its first letters, and three dots.
 std::string shortened(const std::string& name, int width, const l3d_panel_style& style) {
     const std::string whole = printable(name);
     if (style.font.width(whole, style.size) <= width)
@@ -143,7 +143,7 @@ l3d_pixel_box l3d_part_list::box(l3d_size picture, const l3d_panel_style& style)
     return {0, 0, std::min(std::max(picture.width / 3, least), picture.width / 2), picture.height};
 }
 
-/// The number of lines that have room, below the title.
+/// The number of lines with room below the title.
 std::size_t l3d_part_list::lines() const {
     const int room = box_.bottom - box_.top - 2 * padding_ - line_;
     return static_cast<std::size_t>(std::max(room / line_, 0));

@@ -25,14 +25,15 @@
 
 namespace {
 
-/// The map of doubt cannot tell folds of a curved model more exactly than its normals are, and then
-/// doubts whole tiles. Two levels of normals more are an eighth of the error. One level does for
-/// spheres and tori, two for a hull with cusps (docs/NUMERICS.md, section 25).
+/// With the map of doubt, normals of curved models may have an eighth of the usual error: two
+/// levels more. The map tells folds no more exactly than normals are known, and else doubts whole
+/// tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md, section
+/// 25).
 constexpr double finer_for_map = 8;
 
 using l3d_detail::stopwatch;
 
-/// A unit normal that is off by one changes a level by so much at most: NUMERICS, section 1.
+/// The most levels by which a shade changes if its unit normal is off by 1: NUMERICS, section 1.
 constexpr double lambert_levels = 229.5;
 
 void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene) {
@@ -130,8 +131,8 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe(now.shading);
     else
         fill_surfaces(now, parts, times);
-    // A part may have a larger share of the budget than in a whole frame, and the rest a smaller
-    // one.
+    // A part that is short of budget has the whole frame drawn. Its share of the budget may have
+    // been larger than in a whole frame, and the rest's smaller.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
         changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
@@ -186,7 +187,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     if (settings_.lateral_only)
         stages_->view.focal = 0;
     stages_->view.keep = settings_.keep;
-    if (settings_.antialias) // surfaces between pixel centres still show in parts of pixels
+    if (settings_.antialias) // smooth edges show surfaces between pixel centres, too
         stages_->view.keep.centreless = stages_->view.keep.dicing = true;
     stages_->view.one_sided = settings_.one_sided;
     if (settings_.section)
@@ -219,9 +220,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw: none if the picture is right as it is. All is drawn if earlier
-/// drawing on top may have to go, since its place is unknown. So it is from three quarters of the
-/// picture on, where a part costs nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw: none if it is right as it is. The whole is drawn if earlier
+/// drawing on top, whose place is unknown, may have to go. So it is from three quarters of the
+/// pixels on, where parts cost nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -239,8 +240,8 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
 }
 
-/// Boxes around the old and new places of moved instances, grown by `reach`; more than `most`
-/// pixels become the whole picture.
+/// Boxes around the old and new places of moved instances, grown by `reach`; the whole picture if
+/// they have more than `most` pixels.
 l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach) {
     const l3d_matrix<double>& to_image = stages_->transform.matrix();
     l3d_pixel_boxes parts;
@@ -262,7 +263,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach)
     return reached;
 }
 
-/// Keeps the picture, and the bound that belongs to it.
+/// Keeps the picture with its bounds.
 void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
@@ -319,16 +320,17 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                        ? settings_.own.error + shade_bound_of_fog()
                                        : std::numeric_limits<double>::infinity();
     }
-    // A quad may be without proof for two reasons, and in each band that it reaches.
+    // A quad may be unproven for two reasons, and counts in each band that it reaches.
     report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
-    // Each part had all patches before it. Those that reach into several are counted in each.
+    // Each part counts all patches of the scene, and those it does not touch as unchanged. A patch
+    // that reaches into several parts counts as drawn in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
 }
 
-/// Draws some of the scene, and adds to the report.
+/// Draws a scene into a part of a picture, and adds to the report.
 void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_stage_times& times) {
     const l3d_method_frame frame{.scene = of.scene,
                                  .materials = of.scene.materials(),
@@ -353,8 +355,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
 }
 
 /// Adds the bounds of the kept pixels to the report. A whole frame might have diced further patches
-/// beside the parts, or some that earlier batches do not hide. Only one thing is known of those:
-/// their steps would keep the tolerance.
+/// beside the parts, or patches that earlier batches do not hide. All that is known of these
+/// patches is that their steps would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
@@ -369,7 +371,7 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     now.coarsest = std::max(now.coarsest, kept.coarsest);
 }
 
-/// Compares surfaces with the exact picture as long as nothing is drawn on top of them.
+/// Compares surfaces with the exact picture, before anything is drawn on top of them.
 void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -418,7 +420,7 @@ void l3d_pipeline_afd::draw_on_top(const l3d_shading& shading) {
         changed_ = l3d_whole(stages_->view.size);
 }
 
-/// Lines hide nothing and have no depth: a depth that is asked for is empty.
+/// Lines hide nothing and have no depth, so a depth that is asked for is cleared.
 void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;

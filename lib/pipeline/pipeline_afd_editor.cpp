@@ -43,7 +43,8 @@ void l3d_pipeline_afd_editor::edit(const l3d_patch_model& model,
     reshape();
 }
 
-/// All motion of the pointer is heard while there are handles that it may be over.
+/// Shows or hides the handles. While they are shown, the screen reports all motion of the pointer,
+/// which may come over one.
 void l3d_pipeline_afd_editor::show_handles(bool shown) {
     is_editing_ = shown;
     settings().depth = shown || settings().depth; // tells which lines are hidden
@@ -57,7 +58,7 @@ void l3d_pipeline_afd_editor::switch_handles() {
     show_handles(!is_editing_);
 }
 
-/// Each piece of the scene's only model becomes a surface.
+/// Edits the scene's only model: each of its pieces becomes a surface.
 void l3d_pipeline_afd_editor::edit_scene() {
     if (scene().instances().size() != 1 || scene().transparent_count() > 0)
         return controls().say("no control points to drag: the scene is not one opaque model");
@@ -72,7 +73,7 @@ l3d_handle_view l3d_pipeline_afd_editor::handle_view() {
 
 void l3d_pipeline_afd_editor::pointer_event(const l3d_event& event) {
     using effect = l3d_control_handles::effect;
-    // Ctrl and Shift keep their meaning: places are measured, and the eye moves.
+    // Presses with Ctrl or Shift keep their meaning: they measure places, or move the eye.
     const bool is_free =
         event.type == l3d_event_type::button_press && (event.control || event.shift);
     const effect what =
@@ -112,7 +113,7 @@ void l3d_pipeline_afd_editor::reshape() {
     is_changed_ = false;
 }
 
-/// Several events of one frame make the model once.
+/// Makes the model once for all events of a frame.
 void l3d_pipeline_afd_editor::draw_event() {
     if (is_changed_)
         reshape();
@@ -124,7 +125,7 @@ void l3d_pipeline_afd_editor::draw_overlay() {
         handles_->draw(rasterizer(), handle_view(), settings().wireframe ? nullptr : &depth());
 }
 
-/// Times are for people in a window: pictures in files are the same each time.
+/// Times are for people in a window: pictures in files shall be the same each time.
 l3d_standing_panel l3d_pipeline_afd_editor::standing_panel() {
     l3d_panel panel;
     if (!is_editing_)

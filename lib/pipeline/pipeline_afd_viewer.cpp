@@ -71,8 +71,8 @@ void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     controls_.say("error at most " + counted(formatted("%.3g", settings().tolerance), "pixels"));
 }
 
-/// Takes the next shade, without `error` where no bound exists, and without the shades of the other
-/// key.
+/// Takes the next shade. It skips `error` if the method has no bound, and the inspecting shades,
+/// which have a key of their own.
 void l3d_pipeline_afd_viewer::take_next_shade() {
     const std::size_t count = l3d_shades_of_normals + settings().method.has_bound();
     const std::size_t after = static_cast<std::size_t>(settings().shade) + 1;
@@ -84,7 +84,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// Takes the next inspecting shade; after the last one, light again.
+/// Takes the next inspecting shade; light follows the last one.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());
@@ -176,8 +176,8 @@ void l3d_pipeline_afd_viewer::draw_panels() {
     controls_.draw(rasterizer(), lines, key, standing);
 }
 
-/// Explains the colours to people in a window: pictures in files have only their own legend. A
-/// shade that shows numbers is asked for with its scale.
+/// The scale of the shade's colours. That of the error is for windows alone; pictures in files have
+/// a scale of inspection if they ask for it.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
     const bool is_filled = !settings().wireframe && !settings().drawing;
@@ -231,7 +231,7 @@ l3d_part_list& l3d_part_switch::list() {
         const l3d_patch_model& placed = instances_[i].shown;
         if (now.source_identity() != placed.source_identity() ||
             now.paint_identity() != placed.paint_identity())
-            instances_[i] = {now, now}; // it was placed since the last call, and is whole
+            instances_[i] = {now, now}; // placed since the last call, and still whole
         for (const std::string& name : instances_[i].whole.parts().names())
             if (known.insert(name).second)
                 names.push_back(name);
@@ -240,7 +240,7 @@ l3d_part_list& l3d_part_switch::list() {
     return list_;
 }
 
-/// A model in the colours of the list, without its hidden parts.
+/// The model in the colours of the list, without its hidden parts.
 l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     l3d_patch_model result = whole;
     std::vector<std::size_t> hidden;
@@ -256,7 +256,8 @@ l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     return hidden.empty() ? result : result.without(hidden);
 }
 
-/// Another model takes an instance's material and opacity away, which are kept here.
+/// Places the models as listed; false, with the list undone, if nothing were left. Placing a model
+/// drops its instance's material and opacity, so they are set again.
 bool l3d_part_switch::apply() {
     list();
     std::vector<l3d_patch_model> models;

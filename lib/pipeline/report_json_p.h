@@ -22,17 +22,16 @@ struct left_out {
     std::int64_t count;
 };
 
-/// The counts of all reasons, each by its name.
+/// The counts of all reasons, by their names.
 json counts_json(std::span<const left_out> reasons);
 
 /// The first entries of a report's line of JSON.
 json head_json(const l3d_common_report& report);
 
-/// Adds the times that every frame has to an object of times.
+/// Adds the times that all frames have to an object of times.
 void add_times(json& times, const l3d_common_times& more);
 
-/// Adds the last entries of a report's line: pixels, the names of the reasons that occurred, the
-/// hash.
+/// Adds the last entries of a report's line: pixels, names of the reasons that occurred, and hash.
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
 
 /// Explains what was left out: a line for each reason that occurred, with its count among `all`

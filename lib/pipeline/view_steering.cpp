@@ -13,10 +13,10 @@ namespace {
 using vector = l3d_camera::vector;
 
 /// A drag across 360 pixels is one turn.
-constexpr double drag_turn = 1; // degrees
-/// Zoom for a notch of the wheel.
+constexpr double drag_turn = 1; // degrees for a pixel
+/// Factor of zoom for a notch of the wheel.
 constexpr double notch_zoom = 1.1;
-/// Zoom for a pixel of a drag: 70 pixels are a factor of two.
+/// Factor of zoom for a pixel of a drag: 70 pixels double it.
 constexpr double pixel_zoom = 1.01;
 /// Just beyond the sine at which l3d_camera::orbit stops, 0.02.
 constexpr double sine_beside_pole = 0.021;
@@ -86,13 +86,13 @@ void l3d_view_steering::pan(double right, double down) {
 void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
-    // Places nearer than `near` are not drawn.
+    // The place must stay beyond the near plane, or it would not be drawn.
     const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near_z;
     if (is_seen && there.is_valid())
         camera_ = there;
 }
 
-/// Looks from a direction; from above or below, the model's back or front is upright in the
+/// Looks from a direction. From above or below, the model's back or front is upright in the
 /// picture.
 void l3d_view_steering::look_from(double right, double up, double front) {
     const l3d_upright stands(up_ = upright_);
@@ -115,8 +115,8 @@ void l3d_view_steering::look_from_opposite() {
         camera_.orbit(180, 0);
 }
 
-/// Moves the eye beside the pole, where turning has an upright direction again, and keeps the
-/// picture's.
+/// Moves the eye a little off the pole, where turning has an upright direction again. The picture
+/// keeps its upright.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;
@@ -207,8 +207,7 @@ bool l3d_view_steering::go_on(const l3d_event& motion) {
     return false;
 }
 
-/// Moves the eye so that the grabbed place stays under the pointer, which moved so many pixels
-/// right and down.
+/// Moves the eye so that the grabbed place stays under the pointer, which moved by these pixels.
 void l3d_view_steering::move(double right, double down) {
     const l3d_camera::frame axes = camera_.axes();
     const double pixel = depth_of(grabbed_) / camera_.focal_length(screen_.pixels().size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_viewer_controls: the table of keys, and its users.
+// l3d_viewer_controls: keys, pointer and panels that all viewers share.
 #include "pipeline/viewer_controls.h"
 
 #include "base/formatted_p.h"
@@ -22,7 +22,7 @@ using l3d_detail::formatted;
 constexpr double key_turn = 5; // degrees
 constexpr double zoom_factor = 1.1;
 constexpr double pan_share = 0.05; // share of the picture's smaller side
-/// The key t: a turn in six seconds.
+/// Degrees a second after the key t: a turn in six seconds.
 constexpr double usual_turntable = 60;
 
 [[maybe_unused]] bool each_key_is_in_one_row(const std::vector<l3d_viewer_row>& rows) {
@@ -53,7 +53,7 @@ void l3d_viewer_controls::add(l3d_viewer_row row) {
     assert(each_key_is_in_one_row(rows_));
 }
 
-/// Rows of the eye.
+/// The rows of keys that move the eye.
 std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
     const auto towards = [this](int right, int down) {
         return [this, right, down] { arrow(right, down); };
@@ -81,7 +81,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
             {"Ctrl+click", "what is there; a second one: distance, angle"}};
 }
 
-/// Rows of the model's sides, by the keys that Blender has for them.
+/// The rows of keys that show the model's sides, as Blender has them.
 std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     const auto look = [this](double right, double up, double front) {
         return [this, right, up, front] {
@@ -99,7 +99,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     };
 }
 
-/// Rows of the program.
+/// The rows of keys for the program.
 std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                                            std::function<void()> reset) {
     const auto pause = [this] {
@@ -149,7 +149,7 @@ void l3d_viewer_controls::switch_projection() {
     say(steering_.switch_projection() ? "parallel projection" : "perspective");
 }
 
-/// An arrow, or its digit on the number pad.
+/// Acts on an arrow key, or on its digit on the number pad.
 void l3d_viewer_controls::arrow(int right, int down) {
     const double angle = key_turn * turn_speed_;
     if (control_) {
@@ -163,7 +163,7 @@ void l3d_viewer_controls::arrow(int right, int down) {
     }
 }
 
-/// Zooms by signs that need Ctrl, since they mean another thing alone.
+/// Zooms by + and - with Ctrl; alone, these keys belong to the program.
 bool l3d_viewer_controls::zoom_key(int key) {
     if (!control_ || (key != '+' && key != '-'))
         return false;
@@ -204,8 +204,8 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
 
 namespace {
 
-/// The angle of two normals. With an error of length e each, it is off by 2 asin(e / 2) for each,
-/// and by rounding.
+/// The angle of two normals in words. Errors of length e change it by at most 2 asin(e / 2), and by
+/// rounding.
 std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
     const double sine = l3d_length(l3d_cross(a.normal, b.normal));
     const double cosine = l3d_dot(a.normal, b.normal);
@@ -220,7 +220,7 @@ std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
 
 } // namespace
 
-/// Measures: every other click ends a distance.
+/// Measures a place; every second click ends a distance.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;
@@ -266,7 +266,7 @@ l3d_panel_style l3d_viewer_controls::panel_style() const {
     return style;
 }
 
-/// All keys, in as many panels as the window needs.
+/// All keys, on as many pages as the window needs.
 std::vector<l3d_panel> l3d_viewer_controls::help_pages() const {
     l3d_panel all;
     for (const l3d_viewer_row& row : rows_)
@@ -296,7 +296,8 @@ l3d_panel l3d_viewer_controls::status_panel(std::span<const std::string> lines) 
     return status;
 }
 
-/// A ring around each place, and a line between two, with dark rims to be seen on any ground.
+/// Draws a ring around each marked place, and a line between two. Dark rims make them visible on
+/// any ground.
 void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     const double unit = std::max(1.0, screen_.text_scale());
     l3d_path path;
@@ -316,7 +317,8 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// Places the panels: the answer to a key has room first, help takes the rest.
+/// Places the panels. The message has room first; help follows it if the others would leave too
+/// little.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
@@ -356,7 +358,7 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// The number of pictures that began before the last, or 1 for a single one.
+/// The number of pictures that began before the last one, or 1 for a single picture.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
@@ -364,7 +366,7 @@ std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point be
 
 } // namespace
 
-/// Notes the beginning of a picture, and drops old ones. The last is kept: it tells the time that
+/// Notes the beginning of a picture, and drops old pictures. The last is kept: it tells how long
 /// drawing takes.
 void l3d_picture_pace::begin() {
     begin_ = now_();
@@ -401,7 +403,7 @@ std::string l3d_picture_pace::text() const {
     const double rate = per_second();
     if (rate == 0)
         return formatted("drawn in %.1f ms", milliseconds());
-    constexpr double few = 10; // their tenths can be told apart
+    constexpr double few = 10; // tenths of fewer can be told apart
     return formatted("%.*f pictures a second, each drawn in %.1f ms", rate < few ? 1 : 0, rate,
                      milliseconds());
 }

@@ -19,7 +19,7 @@ class wire_lines {
 public:
     explicit wire_lines(wire_picture& picture) : picture_(picture) {}
 
-    /// Draws the lines of these parts. Expects: parts that note their borders, if lines are smooth.
+    /// Draws the lines of these parts. Expects: the parts note their borders, if lines are smooth.
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// Adds the sides of quads that no triangles stand for.
+    /// Adds the sides of quads that triangles do not replace.
     void add_uncut(const l3d_micro_grid& g) {
         for (int r = 0; r + 1 < g.rows; ++r)
             for (int c = 0; c + 1 < g.columns; ++c) {
@@ -61,9 +61,9 @@ private:
     }
 
     /// Adds the lines along a part's four sides. A side with a noted border is drawn as this
-    /// border, which its neighbour has, too. The grid's own line differs from it by a part of the
-    /// tolerance, and two such lines would look like one that is too bright. The triangles of the
-    /// slit between them are not seen.
+    /// border, which the neighbour shares. The grid's own line differs from the border by a part of
+    /// the tolerance, and two such lines would look like one too bright line. The triangles of
+    /// the slit between them are not seen.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

@@ -28,7 +28,7 @@ struct wire {
     std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     float from_inv_w = 0, to_inv_w = 0;
 
-    /// The line between the pixels of its ends: a shift rounds down, also below zero.
+    /// The line between the pixels of its ends. A shift rounds down, below zero, too.
     l3d_line_2d sharp() const {
         return {x0 >> l3d_subpixel_bits, y0 >> l3d_subpixel_bits, x1 >> l3d_subpixel_bits,
                 y1 >> l3d_subpixel_bits};
@@ -82,8 +82,8 @@ public:
     }
 
 private:
-    /// Draws wide lines with square ends. All smooth ones become one path, so that pixels under
-    /// several are covered once.
+    /// Draws wide lines with square ends. Smooth lines become one path, so that pixels under
+    /// several lines are covered once.
     void draw_wide(std::span<const wire> wires) {
         path_.clear();
         for (const wire& w : wires) {
@@ -151,7 +151,7 @@ public:
 private:
     static constexpr std::uint32_t whole_cover = 255;
 
-    /// Notes the depths along a line; for a wide line over its width, and up to its corners.
+    /// Notes the depths along a line; along a wide line, over its width and up to its corners.
     void note_depths(const wire& w) {
         const double change = double{w.to_inv_w} - double{w.from_inv_w};
         visit_side({w.x0, w.y0, w.from_inv_w, {}}, {w.x1, w.y1, w.to_inv_w, {}}, picture_.size(),

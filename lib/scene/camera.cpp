@@ -14,14 +14,15 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// `v` turned about an axis through the origin. Units: degrees.
+/// A vector turned about an axis through the origin. Units: degrees.
 vector turned(const vector& v, const vector& axis, double degrees) {
     const auto m = l3d_rotation<double>(axis, degrees);
     const auto r = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
     return {r[0], r[1], r[2]};
 }
 
-/// The unit vector of any length; squares of very long or short ones would leave a double's range.
+/// The unit vector of a vector of any length. Squares of very long or short ones would leave a
+/// double's range.
 vector unit_of_any_length(const vector& v) {
     const double longest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     return l3d_normalized(vector{v[0] / longest, v[1] / longest, v[2] / longest});

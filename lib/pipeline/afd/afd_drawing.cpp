@@ -13,14 +13,14 @@
 
 namespace {
 
-/// Lengths of dashes of hidden lines, and of the gaps between them. Units: pixels.
+/// Lengths of the dashes of hidden lines, and of the gaps between dashes. Units: pixels.
 constexpr double dash = 5, gap = 4;
 
 std::int32_t in_subpixels(double pixels) {
     return static_cast<std::int32_t>(std::lround(pixels * l3d_subpixel_one));
 }
 
-/// Cuts lines into the wires that are drawn.
+/// Cuts drawn lines into wires: hidden lines into dashes.
 class wires_of_lines {
 public:
     explicit wires_of_lines(const l3d_shading& shading) : shading_(shading) {}
@@ -73,7 +73,7 @@ private:
 
 } // namespace
 
-/// As a wireframe, it has no depth.
+/// Lines have no depth: as for a wireframe, it is cleared.
 void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
     untouched_ = false;
     if (wants_depth()) {
@@ -84,7 +84,7 @@ void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
                                         l3d_line_settings::most_tolerance);
     const l3d_line_drawing drawn =
         l3d_draw_lines(scene_, camera_, stages_->view.size, {.tolerance = tolerance});
-    // Wider than a pixel, so that all lines are one path, which covers joints once.
+    // Wider than a pixel, so that all lines become one path, which covers joints once.
     constexpr double width = 1.25;
     l3d_detail::wire_picture picture(rasterizer_, screen_->pixels(), shading, settings_.antialias,
                                      width * std::max(1.0, screen_->text_scale()));

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uint32_t net_color = 0x00ff9030, mark_color = 0x00ffd873;
 
-/// Lines between points in the image; patches share equal ones. A line that reaches behind the near
-/// plane is left out.
+/// Lines between points of the image; equal ones of several patches are kept once. A line that
+/// reaches behind the near plane is left out.
 class image_lines {
 public:
     explicit image_lines(const l3d_dice_view& view) : view_(view) {}
@@ -51,7 +51,7 @@ l3d_image_point at(curve p, double t) {
 }
 
 void add_curve(image_lines& to, const curve& of) {
-    constexpr int chords = 16; // for a quarter of a circle, radius 400 px, within half a pixel
+    constexpr int chords = 16; // a quarter circle of 400 px radius: within half a pixel
     for (int i = 0; i < chords; ++i)
         to.add(at(of, static_cast<double>(i) / chords),
                at(of, static_cast<double>(i + 1) / chords));
@@ -59,7 +59,7 @@ void add_curve(image_lines& to, const curve& of) {
 
 } // namespace
 
-/// The 24 edges of every control net.
+/// Draws the 24 edges of every control net.
 void l3d_pipeline_afd::draw_nets() {
     untouched_ = false;
     image_lines lines(stages_->view);
@@ -75,7 +75,7 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    // A smooth line does not cover transparent pixels.
+    // A smooth line would not cover transparent pixels.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
     l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale())
         .draw(lines.all());

@@ -21,7 +21,7 @@ struct cell {
     unsigned instances = 0;
 };
 
-/// Disjoint boxes that cover the given ones, each with the set of boxes that hold it.
+/// Disjoint boxes that cover the given ones. Bit i of each is set if box i holds it.
 std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
     std::vector<std::int32_t> columns, rows;
     for (const l3d_pixel_box& box : boxes) {
@@ -123,15 +123,16 @@ l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     return scene_.only(there);
 }
 
-/// Levels of a mean of light have at most 4/3 of each picture's error (NUMERICS, section 22), and
-/// are rounded once more.
+/// Bound of levels of a mean of light: at most 4/3 of each picture's error (NUMERICS, section 22),
+/// and one more rounding.
 double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;
 }
 
-/// A drawn surface is nowhere farther from the exact one than the bound of depth, in pixels at its
-/// distance. Fog is rounded to whole 255ths, and both of its products to whole levels.
+/// Bound of levels that fog adds. A drawn surface is nowhere farther from the exact one than the
+/// bound of depth, in pixels at its distance. Fog is rounded to whole 255ths, and its two products
+/// to whole levels.
 double l3d_pipeline_afd::shade_bound_of_fog() const {
     const l3d_fog& fog = settings_.fog;
     if (!fog.is_on())
@@ -144,8 +145,9 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     return white * most_off / (far - double{fog.from}) + rounding;
 }
 
-/// A pixel's shade stands for an exact point within the bound of places. A pixel is seen under the
-/// largest angle in the picture's middle. The rays of a parallel projection have one direction.
+/// Bound of shades under lights. A pixel's shade belongs to an exact point within the bound of
+/// places, which is the largest angle in the picture's middle. The rays of a parallel projection
+/// have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Whether there are patches, but all their normals vanish everywhere.
+/// Whether there are visible patches, and all their normals vanish everywhere.
 bool is_without_area(const l3d_patch_scene& scene) {
     bool has_patches = false;
     for (const l3d_patch_instance& instance : scene.instances()) {
@@ -55,13 +55,13 @@ std::string l3d_pipeline_afd::why_empty() const {
     const auto is_empty = [&] {
         return l3d_detail::is_empty(screen_->pixels(), settings_.background);
     };
-    if (is_without_area(scene_) && is_empty()) // its lines may be seen
+    if (is_without_area(scene_) && is_empty()) // lines may be seen all the same
         return l3d_without_area;
     std::string why = l3d_why_unseen(camera_, screen_->pixels().size(), l3d_reach_of(scene_));
     if (why == l3d_smaller_than_a_pixel && !is_empty())
         return "";
     const l3d_dice_counts& dice = report_.dice;
-    // Some methods draw without counting.
+    // Some methods draw without counting patches.
     const bool left_all_out = dice.drawn == 0 && dice.offscreen + dice.subpixel + dice.behind +
                                                          dice.beyond + dice.backfacing >=
                                                      scene_.patch_count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_control_handles: equal places become one handle; handles are found, moved and drawn.
+// l3d_control_handles: joins equal places to one handle; finds, moves and draws handles.
 #include "pipeline/pipeline_afd_editor.h"
 
 #include "raster/paths/path.h"
@@ -21,10 +21,11 @@ constexpr std::uint32_t net_color = 0x00ff9030, rim_color = 0x00101418, handle_c
                         marked_color = 0x00ffd873;
 constexpr double pale = 0.35;  // the part of its colour that a hidden line keeps
 constexpr double radius = 3.5; // the size of a handle, in pixels
-constexpr double grasp = 10;   // from the pointer to a handle's middle, in pixels
-/// The turn of a wheel by a notch changes a weight by this factor.
+constexpr double grasp = 10;   // most pixels from the pointer to a handle's middle
+/// A notch of the wheel changes a weight by this factor.
 constexpr double notch_weight = 1.1;
-/// Lines of a net that lie on the surface are not hidden by its own rounding.
+/// Lines are hidden only if they are farther than the surface by this factor. Else rounding would
+/// hide the lines of a net that lie on it.
 constexpr double just_behind = 1.004;
 
 /// A place in the picture, from its left upper corner, and its distance along the view axis.
@@ -32,7 +33,7 @@ struct seen_place {
     double x, y, distance;
 };
 
-/// Nothing if the place is before the near plane.
+/// Projects a place; nothing if it is nearer than the near plane.
 std::optional<seen_place> seen(const l3d_matrix<double>& to_image, const l3d_handle_view& view,
                                const vector& place) {
     const auto h = to_image * l3d_vector<double, 4>(place[0], place[1], place[2], 1.0);
@@ -51,11 +52,11 @@ bool is_hidden(const seen_place& place, const l3d_depth_buffer* depth) {
     return static_cast<double>(reciprocal) * place.distance > just_behind;
 }
 
-/// Lines that are seen, and those that are hidden.
+/// The visible and the hidden parts of lines.
 struct two_paths {
     l3d_path seen, hidden;
 
-    /// Adds a line in parts, each as its middle is.
+    /// Adds a line in parts, each visible or hidden as its middle is.
     void add_line(const seen_place& from, const seen_place& to, const l3d_depth_buffer* depth) {
         constexpr double part = 6; // pixels
         constexpr int most = 256;  // parts of a line that leaves the picture
@@ -96,7 +97,7 @@ l3d_control_handles::l3d_control_handles(std::vector<l3d_nurbs_surface> surfaces
         for (std::size_t i = 0; i < surface.points().size(); ++i) {
             const vector& p = surface.points()[i];
             const auto [there, is_new] = places.try_emplace({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0},
-                                                            members_.size()); // no -0, which is 0
+                                                            members_.size()); // -0 becomes 0
             if (is_new)
                 members_.emplace_back();
             handles.push_back(there->second);
@@ -234,7 +235,7 @@ l3d_control_handles::effect l3d_control_handles::pointer(const l3d_event& event,
     }
 }
 
-/// The pixel's middle under the pointer counts.
+/// Acts at the middle of the pixel under the pointer.
 l3d_control_handles::effect l3d_control_handles::press(const l3d_event& event,
                                                        const l3d_handle_view& view) {
     const double x = event.x + 0.5, y = event.y + 0.5;
@@ -257,7 +258,8 @@ l3d_control_handles::effect l3d_control_handles::drag(const l3d_event& motion,
                                          motion.y + 0.5 + grab_->down, distance, view.size))
                    ? effect::changed
                    : effect::seen;
-    // As far as the same motion moves it sidewards. Handles before the near plane would be lost.
+    // Along the line of sight, a motion moves a handle as far as it would sideways. Handles nearer
+    // than the near plane would be lost.
     const double way = (std::exchange(grab_->y, motion.y) - motion.y) * distance /
                        view.camera.focal_length(view.size);
     const bool stays = distance + way >= 2 * view.camera.near_z;

@@ -51,19 +51,19 @@ struct l3d_pipeline_afd::stages {
 
     l3d_workers workers;
     std::unique_ptr<l3d_surface_method> method;
-    basis drawn; ///< basis of the picture that is in the pixels
+    basis drawn; ///< basis of the drawn picture
     l3d_image_transform transform;
     l3d_dice_view view;
     l3d_curved_error curved;
     l3d_box_lanes moved_to; ///< kept for its memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
-    l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent things
-    l3d_image mixed;               ///< one of these pictures, to be mixed
+    l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent instances
+    l3d_image mixed;               ///< the picture that is mixed next
     l3d_detail::depth_lines lines; ///< kept for its memory
     /// The edges of models as lines, by the identity of each.
     std::map<const void*, std::vector<l3d_space_curve>> edges;
-    std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame, if it asked for it
+    std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame that asked for one
 };
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// add_triangles: corners of chosen triangles, transposed to where a rasterizer's lanes want them.
+// add_triangles: copies corners of chosen triangles, transposed, to a rasterizer's lanes.
 #include "pipeline/polygons/vertex_lanes_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -20,11 +20,11 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Triangles that are copied together, to places that begin a vector.
+/// The number of triangles that are copied together, to places that begin a vector.
 constexpr std::size_t together = 4;
 static_assert(l3d_micro_triangles::lanes % together == 0);
 
-/// A corner of each of the triangles, and the bit that turns its normal round.
+/// One corner of each of the triangles, and the bit that turns its normal round.
 struct corner_records {
     std::array<const placed_vertices::place*, together> places;
     std::array<const placed_vertices::normal*, together> normals;
@@ -62,7 +62,7 @@ HWY_INLINE void put_normals(const corner_records& from, l3d_micro_triangles::cor
 
 using quad_integers = hn::FixedTag<std::int32_t, 4>;
 
-/// The first three components of four records, a vector of each.
+/// The first three components of four records, each a vector.
 template <class D> struct transposed {
     hn::Vec<D> first, second, third;
 

@@ -11,7 +11,7 @@ namespace l3d_detail {
 corner_tree::corner_tree(std::span<const flat_place> places)
     : places_(places), order_(places.size()), position_(places.size()), removed_(places.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    // Halves differ by one at most, so all leaves are within one step of each other's depth.
+    // Halves differ by one corner at most, so the depths of leaves differ by one at most.
     boxes_.resize(4 * std::bit_ceil(places.size() / leaf + 1));
     std::vector<half> open{whole()};
     while (!open.empty()) {
@@ -59,8 +59,8 @@ void corner_tree::remove(std::size_t corner) {
     }
 }
 
-/// False only if no point of the box is in the triangle: turn() is largest at the corner of the box
-/// that lies farthest to the left of a side.
+/// Whether a box may meet a triangle. False only if no point of the box is in the triangle: turn()
+/// is largest at the corner of the box that lies farthest to the left of a side.
 bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         const flat_place &a = triangle[i], &b = triangle[(i + 1) % 3];

@@ -40,13 +40,13 @@ public:
     void remove(std::size_t corner);
 
     /// Whether blocks(p, {ab, bc, ca}) is true for any other remaining corner p in the triangle or
-    /// on its sides. The three numbers are turn() of each side and p, and not negative.
+    /// on its sides. The numbers are turn() of each side with p; none is negative.
     /// Expects: the triangle is counterclockwise.
     template <class Blocks>
     bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {
         const std::array<flat_place, 3> corners{places_[triangle[0]], places_[triangle[1]],
                                                 places_[triangle[2]]};
-        // A node and its pending siblings: one for each level of at most 64.
+        // A node, and one pending sibling for each level of at most 64.
         std::array<half, 65> open;
         std::size_t count = 0;
         open[count++] = whole();
@@ -71,7 +71,7 @@ private:
         std::size_t left = 0; ///< corners not yet removed
     };
     struct half {
-        std::size_t node, begin, end; ///< places in `order_`
+        std::size_t node, begin, end; ///< the node; its range in `order_`
     };
 
     /// The most corners in a leaf, which are looked at one by one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crease_normals: faces around a vertex, in groups.
+// crease_normals: groups the faces around a vertex by smooth edges.
 #include "pipeline/polygons/crease_normals_p.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ float cosine(double degrees) {
 /// Margin for normals rounded to float: those of coplanar faces differ by some ulps.
 constexpr float rounding = 1e-6F;
 
-/// The first of the corners connected with a corner.
+/// The corner that stands for a corner's group, which is the group's first.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];
@@ -45,11 +45,12 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
             corners[next[face[i]]++] = {f, before, face[(i + 1) % face.size()]};
     }
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        // A normal that the file gives counts.
+        // A normal that the file gives is kept.
         if (!mesh.vertex_normals.empty() && mesh.vertex_normals[v] != vector{0.0, 0.0, 0.0})
             continue;
         const std::span<const corner> around(corners.data() + ends[v], ends[v + 1] - ends[v]);
-        // Faces within half the angle of their mean are within all of it of each other.
+        // Faces within half the crease angle of their mean are within the whole angle of each
+        // other.
         const bool is_flat = std::ranges::all_of(around, [&](const corner& c) {
             return l3d_dot(of_faces_[c.face], of_vertices[v]) >= least_of_mean_;
         });
@@ -58,7 +59,7 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
     }
 }
 
-/// A face without area has no normal that could differ.
+/// Whether two faces are smooth at an edge. A face without area has no normal that could differ.
 bool crease_normals::is_smooth(std::uint32_t face, std::uint32_t other) const {
     const direction &a = of_faces_[face], &b = of_faces_[other];
     return l3d_dot(a, b) >= least_cosine_ || l3d_dot(a, a) == 0 || l3d_dot(b, b) == 0;

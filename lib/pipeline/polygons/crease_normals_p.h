@@ -23,10 +23,7 @@ public:
     using vector = l3d_polygon_mesh::vector;
     using direction = l3d_vector<float, 3>;
 
-    /// `areas` are the faces' normals times their areas. `of_faces` and `of_vertices` are unit
-    /// vectors.
-    /// Units:   crease_angle in degrees, 0 to 180.
-    /// Expects: a valid mesh; all arguments outlive this object.
+    /// `areas` are the faces' area vectors. `of_faces` and `of_vertices` are unit vectors.
     crease_normals(const l3d_polygon_mesh& mesh, std::span<const vector> areas,
                    std::span<const direction> of_faces, std::span<const direction> of_vertices,
                    double crease_angle);
@@ -37,14 +34,14 @@ public:
     /// The normals of corners, unit vectors.
     std::span<const direction> normals() const { return normals_; }
 
-    /// The index in normals() for a face's corner at a vertex; `none` if the corner has the
-    /// vertex's own normal.
+    /// The index in normals() for a face's corner at a vertex; `none` if it has the vertex's
+    /// normal.
     std::uint32_t at(std::uint32_t vertex, std::uint32_t face) const;
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
 private:
-    /// A face that has a corner at a vertex, and the vertices before and after it there.
+    /// A face that has a corner at a vertex, and the face's vertices before and after that corner.
     struct corner {
         std::uint32_t face, before, after;
     };
@@ -61,13 +58,13 @@ private:
     std::span<const direction> of_faces_;
     float least_cosine_, least_of_mean_;
     std::vector<direction> normals_;
-    std::vector<place> places_; ///< sorted, to be searched
+    std::vector<place> places_; ///< sorted, for binary search
 
     struct end {
         std::uint32_t vertex, corner;
         friend auto operator<=>(const end&, const end&) = default;
     };
-    /// The corners around a vertex; kept for their memory.
+    /// The edges around a vertex, by their other ends; kept for their memory.
     std::vector<end> ends_;
     std::vector<std::uint32_t> groups_; ///< for each corner, another one of its group
     std::vector<vector> sums_;

@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The corners of a face that are not cut off yet, in a ring.
+/// Cuts a face into triangles, ear by ear. The corners that are left form a ring.
 class ear_clipper {
 public:
     explicit ear_clipper(std::span<const flat_place> places)
@@ -50,9 +50,9 @@ private:
             flat_.push(corner);
     }
 
-    /// Whether the face's border enters the inside of a triangle at a corner that is in it or on
-    /// it. A border that enters by the diagonal between a and c could leave only at a corner
-    /// inside, or at b, and these are asked, too.
+    /// Whether the face's border at corner p, in or on a triangle, enters the triangle's inside. A
+    /// border that enters by the diagonal between a and c could leave only at a corner inside, or
+    /// at b. These corners are asked, too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
         const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;
@@ -66,8 +66,8 @@ private:
         return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
-    /// The first corner of a queue that still is of the queue's kind, or 0 for none: corner 0 is
-    /// never cut off.
+    /// The first corner of a queue for which `still` holds, or 0 for none: corner 0 is never cut
+    /// off.
     template <class Queue, class Still>
     static std::size_t first_of(Queue& queue, const Still& still) {
         while (!queue.empty()) {
@@ -79,8 +79,9 @@ private:
         return 0;
     }
 
-    /// The ear that comes first. If there is none, a corner between two others on a line, or at the
-    /// tip of a spike: its triangle covers nothing. A face that crosses itself may have neither.
+    /// The next corner to cut off: the first ear. If there is none, it is a corner between two
+    /// others on a line, or at the tip of a spike: its triangle covers nothing. A face that crosses
+    /// itself may have neither.
     std::size_t next_ear() {
         const auto is_ear = [&](std::size_t corner) { return bool(is_ear_[corner]); };
         if (const std::size_t ear = first_of(ears_, is_ear))
@@ -122,11 +123,11 @@ private:
     std::vector<std::size_t> next_, previous_;
     std::size_t left_;
     std::vector<bool> is_ear_, is_cut_;
-    /// Corners that were ears, or flat, when they were judged; the first is on top.
+    /// Corners that were ears, or flat, when they were judged; the lowest index is on top.
     using queue =
         std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<std::size_t>>;
     queue ears_, flat_;
-    /// Faces that cross themselves run out of ears again and again; a survey asks for each corner.
+    /// Faces that cross themselves run out of ears again and again. A survey judges all corners.
     static constexpr int most_surveys = 16;
     int surveys_ = 0;
     std::vector<flat_face::triangle> triangles_;
@@ -177,8 +178,8 @@ std::vector<flat_face::triangle> flat_face::triangles() const {
     return fan;
 }
 
-/// Whether the border turns left everywhere, never back, and goes round once: right, then left
-/// along u.
+/// Whether the border turns left everywhere, never back, and goes round once: it reverses its way
+/// along u at most twice.
 bool flat_face::is_convex() const {
     const std::size_t n = places_.size();
     int reversals = 0;

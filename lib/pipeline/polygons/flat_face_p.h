@@ -21,7 +21,7 @@ std::vector<flat_place> on_grid(std::span<const std::array<double, 2>> places);
 /// A face projected along the axis that its normal is nearest to, with corners counterclockwise.
 class flat_face {
 public:
-    using triangle = std::array<std::size_t, 3>; ///< places in the list of the face's corners
+    using triangle = std::array<std::size_t, 3>; ///< indices in the list of the face's corners
 
     flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face);
 

@@ -54,7 +54,8 @@ public:
     const l3d_face_paints* paints() const { return out_.models.empty() ? nullptr : &out_; }
 
 private:
-    /// The view's matrix, with places from the picture's top left corner in place of its middle.
+    /// The view's matrix, with places counted from the picture's top left corner instead of its
+    /// middle.
     static l3d_matrix<double> from_corner(const l3d_polygon_view& view) {
         l3d_matrix<double> m = view.matrix();
         for (int column = 0; column < 4; ++column) {

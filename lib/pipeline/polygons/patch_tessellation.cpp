@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_tessellated: points once each, then faces.
+// l3d_tessellated: adds each point once, then the faces.
 #include "pipeline/polygons/polygon_model.h"
 
 #include "dice/normal_columns.h"
@@ -24,7 +24,8 @@ std::array<double, 3> numbers(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// Whether a curve is evaluated from its other end, so that both patches evaluate it alike.
+/// Whether a boundary is evaluated from its other end, so that both of its patches get the same
+/// points.
 bool runs_backwards(const curve& c) {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto from = numbers(c.points[i]), to = numbers(c.points[3 - i]);
@@ -34,7 +35,7 @@ bool runs_backwards(const curve& c) {
     return false;
 }
 
-/// The point i / n along a boundary.
+/// The point at i / n of a boundary.
 point boundary_point(curve c, int i, int n) {
     if (runs_backwards(c)) {
         std::ranges::reverse(c.points);
@@ -51,15 +52,15 @@ point surface_point(const patch& p, int column, int row, int n) {
     return p.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n);
 }
 
-/// The normal of a point, as a unit vector.
+/// The unit normal of a grid's point, or zero where there is none.
 point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     const std::array<float, 3> unit = l3d_unit_normal(
         normals.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n));
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Turns normals to the side of the facets around. They may disagree where a patch folds within
-/// less than a facet, as the teapot's do at the top of the knob.
+/// Turns normals to the side of the facets around them. The two may disagree where a patch folds
+/// within less than a facet, as the teapot does at the top of its knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
@@ -75,7 +76,7 @@ void turn_to_faces(l3d_polygon_mesh& mesh) {
             mesh.vertex_normals[i] *= -1.0;
 }
 
-/// Adds vertices to a mesh; those of boundaries once for all patches.
+/// Adds vertices to a mesh, and those of boundaries once for all patches.
 class vertex_store {
 public:
     explicit vertex_store(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
@@ -86,7 +87,7 @@ public:
         return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
     }
 
-    /// The vertex of that place and normal. There may be several at one place, at a crease.
+    /// The vertex of that place and normal, added if missing. A crease has several at one place.
     std::uint32_t shared(const point& at, const point& normal) {
         // Normals of two patches that join smoothly differ by roundings, and by how smoothly their
         // control points join. A thousandth of a radian is a quarter of a grey level.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_zbuffer: all at once to a surface rasterizer.
+// l3d_pipeline_zbuffer: gives all triangles at once to a surface rasterizer.
 #include "pipeline/polygons/pipeline_zbuffer.h"
 
 #include "pipeline/polygons/polygon_frame.h"
@@ -20,8 +20,8 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
-/// The canvas may be the only owner of its factory, and is gone before surfaces are made: hence the
-/// copy.
+/// Copies the pointer to the factory: the canvas may be its only owner, and is moved from before
+/// surfaces are made.
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
                                            const l3d_polygon_settings& settings)
@@ -65,7 +65,7 @@ void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& rep
 void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
     depth_.resize(what.target.size());
-    scene clear = what; // GL may fill the depth for lines in fog
+    scene clear = what; // without fog, GL may fill the depth
     clear.shading.fog = {};
     fill(clear, &depth_, report);
     what.frame.list(triangles_, workers());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_frame: place, cull, clip.
+// l3d_polygon_frame: places, culls and clips triangles.
 #include "pipeline/polygons/polygon_frame.h"
 
 #include "dice/near_clip.h"
@@ -35,14 +35,14 @@ std::array<float, 3> turned(const l3d_matrix<double>& placement,
     return result;
 }
 
-/// A normal with a sign bit turned round, without a branch that no processor could foresee.
+/// Copies a normal, turned round if `sign` is the sign bit. A branch could not be predicted.
 void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float* to) {
     for (std::size_t c = 0; c < 3; ++c)
         to[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(normal[c]) ^ sign);
 }
 
 /// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
-/// the window at all. It is for pieces of clipped triangles; choose_triangles does the same for
+/// the window at all. It serves pieces of clipped triangles; choose_triangles does the same for
 /// whole ones.
 bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
                  l3d_size size, bool squares) {
@@ -119,8 +119,8 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     }
 }
 
-/// Whether no back can be seen. The near plane may open a body and show its inside; the ball around
-/// the model tells.
+/// Whether no back can be seen. The near plane may open a closed body and show its inside, so the
+/// ball around the model must lie beyond it.
 bool l3d_polygon_frame::hides_backs(const l3d_polygon_model& model,
                                     const l3d_polygon_view& view) const {
     const double nearest = placed(view.matrix(), model.centre())[2] - model.radius() * (1 + 1e-9);
@@ -189,7 +189,7 @@ void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangle
     }
 }
 
-/// Notes the turns of the last `count` triangles of the part.
+/// Notes how the last `count` triangles of the part turn in the picture.
 void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = all.count - count; i < all.count; ++i) {
@@ -200,8 +200,8 @@ void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     }
 }
 
-/// Notes the sides beyond which no triangle turns alike: there the surface may end or fold over. A
-/// triangle that covers nothing adds no sides: its neighbours do.
+/// Notes the sides beyond which no triangle turns the same way: there the surface may end or fold
+/// over. A triangle that covers nothing adds no sides, since its neighbours do.
 void l3d_polygon_frame::make_border(chunk& of) const {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = 0; i < all.count; ++i) {
@@ -223,7 +223,7 @@ void l3d_polygon_frame::make_border(chunk& of) const {
     }
 }
 
-/// The normal of the face or of its corner, turned round on the face's other side.
+/// The normal of a face, or of its corner if shades are smooth, turned round if seen from behind.
 l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, std::size_t triangle,
                                                        std::size_t corner, bool from_behind) {
     const auto& of = in.how.smooth ? in.model.corner_normal(triangle, corner)
@@ -275,7 +275,8 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
         }
         if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.antialias))
             continue;
-        // The pieces are a fan: the first side of the first and the last of the last are outside.
+        // The pieces are a fan. Outer sides are each one's middle side, the first's first and the
+        // last's last.
         const bool first = i == 0, last = i + 1 == pieces.count;
         add_piece(in, number, p, static_cast<std::uint32_t>(first | 2 | last << 2), to);
         seen = true;

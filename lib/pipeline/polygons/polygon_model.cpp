@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_model: ears, normals, box.
+// l3d_polygon_model: makes triangles, normals, materials and boxes of a mesh.
 #include "pipeline/polygons/polygon_model.h"
 
 #include "base/error.h"
@@ -22,8 +22,8 @@ namespace {
 using vector = l3d_polygon_model::vector;
 using direction = l3d_polygon_model::direction;
 
-/// The unit vector, or zero for zero. Squares of lengths beyond 2^511, or below its inverse, do not
-/// fit doubles.
+/// The unit vector of v, or zero for zero. Lengths beyond 2^511, or below its inverse, have squares
+/// that do not fit doubles.
 direction unit(const vector& v) {
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     const bool has_square = largest < 0x1p511 && largest > 0x1p-511;
@@ -34,7 +34,7 @@ bool is_zero(const vector& v) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-/// Bit k is set where corners k and k + 1 of a triangle are neighbours in a face of `size` corners.
+/// The sides that a triangle shares with its face of `size` corners: bit k for corners k and k + 1.
 std::uint32_t sides_of(const l3d_detail::flat_face::triangle& corners, std::size_t size) {
     std::uint32_t sides = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -102,7 +102,7 @@ void l3d_polygon_model::contents::measure() {
             radius = std::max(radius, l3d_length(mesh.vertices[k] - centre()));
 }
 
-/// Faces that look alike share a material. If all are plain, there are none.
+/// Gives faces that look alike one material. If all are plain, there are no materials.
 void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> looks) {
     materials.clear();
     materials_of_faces.clear();
@@ -129,7 +129,8 @@ void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> l
         materials.clear();
 }
 
-/// Pictures that nobody has read are no reason to look at each pixel.
+/// Makes painted triangles, if vertices have colours or textures were read. Pictures that nobody
+/// has read are no reason to look at each pixel.
 void l3d_polygon_model::contents::make_painted() {
     painted.clear();
     const bool has_texture = std::ranges::any_of(materials, [&](const l3d_material& material) {
@@ -271,7 +272,7 @@ void l3d_polygon_model::contents::make_facing_blocks() {
 
 /// Turns normals to the side from which corners run counterclockwise, whatever a file takes for its
 /// outside: the visible side is lit. Where a surface folds over, faces around one vertex need
-/// opposite normals. Between two opposite normals there would be darkness.
+/// opposite normals, since light interpolated between opposite normals would be dark.
 void l3d_polygon_model::contents::turn_normals_to_faces() {
     const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
         return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);
@@ -349,7 +350,7 @@ l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts)
     return shown(faces);
 }
 
-/// Cuts triangles, since faces of more corners may be concave.
+/// Cuts the triangles instead of the faces, which may be concave.
 l3d_polygon_model l3d_polygon_model::cut(const l3d_plane<double>& plane) const {
     l3d_polygon_mesh shown;
     shown.vertices = mesh().vertices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_pick_at: triangles in homogeneous coordinates that vanish along the ray.
+// l3d_polygon_pick_at: meets triangles with the ray, in coordinates that are 0 along it.
 #include "pipeline/polygons/polygon_view.h"
 
 #include "base/formatted_p.h"
@@ -13,8 +13,9 @@ namespace {
 using vector = l3d_camera::vector;
 
 constexpr double epsilon = 0x1p-53;
-/// Roundings of a coordinate that the ray sees: the matrix is good to 24 of them, turning the model
-/// adds 24, products and sums 8. Units: the sum of all terms' magnitudes.
+/// Roundings of a coordinate along the ray: the matrix is good to 24 of them, turning the model
+/// adds 24, products and sums 8.
+/// Units: the sum of all terms' magnitudes.
 constexpr double ray_rounding = 64 * epsilon;
 constexpr double world_rounding = 32 * epsilon;
 
@@ -27,7 +28,7 @@ vector largest_of(const vector& a, const vector& b) {
             std::max(std::abs(a[2]), std::abs(b[2]))};
 }
 
-/// Takes a model's point to two coordinates that are zero along the ray, and to its depth.
+/// Maps a model's point to two coordinates that are 0 along the ray, and to its depth.
 class seen_along_ray {
 public:
     seen_along_ray(const l3d_polygon_model& model, const l3d_polygon_view& view, double x, double y)
@@ -57,12 +58,12 @@ private:
     double x_, y_, reach_ = 0, error_ = 0;
 };
 
-/// The ray's crossing with a triangle: three areas, in proportion to the corners' weights.
+/// The ray's crossing with a triangle. The corners' weights are in proportion to three areas.
 struct crossing {
     std::array<double, 3> weights{};
     double error = 0, depth = 0;
 
-    /// False if the ray misses it, or sees it from its edge.
+    /// Finds the crossing. False if the ray misses the triangle, or sees it edge on.
     bool find(const std::array<vector, 3>& seen, double error_of_seen) {
         std::array<double, 3> areas{};
         double sum = 0, largest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_view: one matrix a frame.
+// l3d_polygon_view: one matrix from the model to the picture.
 #include "pipeline/polygons/polygon_view.h"
 
 #include "geom/transform.h"
@@ -11,7 +11,7 @@ namespace {
 
 using vector = l3d_polygon_view::vector;
 
-/// The inverse of a turn: its transpose.
+/// Turns a vector by the inverse of a rotation: its transpose.
 vector turned_back(const l3d_matrix<double>& placement, const vector& v) {
     vector result{0.0, 0.0, 0.0};
     for (int i = 0; i < 3; ++i)
@@ -68,7 +68,7 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
 /// Let n and q be a normal's and a point's differences from `axis` and `middle`. Then N . (eye - p)
 /// = axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are at most spread |eye
 /// - middle| + reach. Rounding adds less than 2^-50 of these lengths, and a unit vector in floats
-///   may be 2^-22 too long; the margin here is many times as much.
+/// may be 2^-22 too long; `added` is many times as much.
 bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector& middle,
                                 double reach, bool front) const {
     constexpr double added = 1e-6;

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Drawn points lie on the inner side of all six planes: n . (x, y, w) >= d.
+/// A plane with the inner side n . (x, y, w) >= d. Drawn points are inside all six planes.
 struct clip_plane {
     double x, y, w, d;
 };
@@ -32,8 +32,8 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
     return static_cast<std::uint8_t>(code);
 }
 
-/// Cuts a line at plane after plane; false if nothing is left. Each cut takes the end that is
-/// outside, and a code of a cut end is made again, so at most twelve cuts are made.
+/// Cuts a line at plane after plane; false if nothing is left. Each plane cuts at most one end, the
+/// outer one, whose code is made again.
 /// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {
@@ -112,7 +112,7 @@ std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_mode
     return lines_;
 }
 
-/// Whether a triangle that comes earlier has drawn this side.
+/// Whether an earlier triangle has drawn this side.
 bool l3d_polygon_wires::is_of_one_before(const l3d_polygon_model& model, std::size_t triangle,
                                          std::size_t side) const {
     const std::uint32_t other = neighbours_.across(triangle, side);

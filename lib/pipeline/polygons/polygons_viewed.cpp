@@ -13,7 +13,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// Bounds the triangles' corners; other vertices are not drawn.
+/// The reach of the triangles' corners in the world; other vertices are not drawn.
 l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
     return [&model, placement](const vector& direction) {
         double moved = 0, most = -std::numeric_limits<double>::infinity();
@@ -66,7 +66,7 @@ std::string l3d_pipeline_polygons::why_empty() const {
     const auto is_empty = [&] {
         return l3d_detail::is_empty(screen_->pixels(), settings_.background);
     };
-    if (is_without_area(model_) && is_empty()) // its lines may be seen
+    if (is_without_area(model_) && is_empty()) // lines may be seen all the same
         return l3d_without_area;
     std::string why = l3d_why_unseen(camera_, now.size(), reach_of(model_, now.placement()));
     const l3d_polygon_counts& polygons = report_.polygons;

@@ -16,7 +16,7 @@ std::uint64_t mixed(std::uint64_t key) {
     return key ^ key >> 32;
 }
 
-/// The number of the first vertex at each vertex's place.
+/// For each vertex, the index of the first vertex at its place.
 std::vector<std::uint32_t> names_of_places(std::span<const l3d_polygon_model::vector> vertices) {
     std::vector<std::uint32_t> order(vertices.size()), names(vertices.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> names_of_places(std::span<const l3d_polygon_model::ve
 
 } // namespace
 
-/// Finds the neighbours by the vertices' own numbers first: most models have each place once.
+/// Finds neighbours by the vertices' own indices first, since most models have each place once.
 void triangle_neighbours::make(const l3d_polygon_model& model) {
     if (model.triangles().data() == model_.triangles().data() &&
         across_.size() == model.triangles().size())
@@ -46,9 +46,10 @@ void triangle_neighbours::make(const l3d_polygon_model& model) {
     are_closed_ = is_matched && face_outward();
 }
 
-/// A body is a set of connected triangles. Its volume is a sum of determinants, each of three
-/// vectors from one corner of it. The rounding of one is less than 16 times 2^-53 of the product of
-/// their lengths, and each addition rounds by 2^-53 of less than the sum of these.
+/// Whether each body has a volume that is certainly positive. A body is a set of connected
+/// triangles, and its volume a sum of determinants of three vectors from one corner. A
+/// determinant's rounding is less than 16 times 2^-53 of the product of the vectors' lengths. Each
+/// addition rounds by 2^-53 of less than the sum of these products.
 bool triangle_neighbours::face_outward() const {
     const auto triangles = model_.triangles();
     const auto& vertices = model_.mesh().vertices;
@@ -81,7 +82,7 @@ bool triangle_neighbours::face_outward() const {
     return true;
 }
 
-/// Returns whether each side has a neighbour.
+/// Finds neighbours by the names of sides' ends. Returns whether each side has one.
 bool triangle_neighbours::match(std::span<const std::uint32_t> names) {
     const auto triangles = model_.triangles();
     across_.assign(triangles.size(), {none, none, none});

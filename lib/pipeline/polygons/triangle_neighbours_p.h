@@ -22,8 +22,9 @@ namespace l3d_detail {
 /// Cost: 12 bytes per triangle, and linear time when a model comes for the first time.
 class triangle_neighbours {
 public:
-    /// Stands for no neighbour: there is no other triangle, or its corners go round the other way.
-    /// Where more than two meet, the first two may be neighbours, and further ones have none.
+    /// Stands for no neighbour: no other triangle has the side, or its corners go round the other
+    /// way. Where more than two triangles meet, the first two may be neighbours, and further ones
+    /// have none.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     /// Finds the neighbours of a model, unless it is that of the last call.
@@ -43,7 +44,7 @@ private:
     bool match(std::span<const std::uint32_t> names);
     bool face_outward() const;
 
-    l3d_polygon_model model_; ///< kept, so that no other one has its address
+    l3d_polygon_model model_; ///< kept, so that no other model has its address
     std::vector<std::array<std::uint32_t, 3>> across_;
     bool are_closed_ = false;
 };

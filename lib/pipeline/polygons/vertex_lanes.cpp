@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using some_floats = hn::Rebind<float, eight_doubles>;
 using some_integers = hn::Rebind<std::int32_t, eight_doubles>;
 
-/// One row of a matrix, a number of it in all lanes.
+/// One row of a matrix, each number in all lanes.
 struct lane_row {
     number x, y, z;
 
@@ -31,7 +31,7 @@ struct lane_row {
         : x(same(m(row, 0))), y(same(m(row, 1))), z(same(m(row, 2))) {}
 };
 
-/// The sum in the order in which a column is added to a column.
+/// A row's product with a place, added up in the order of the scalar code.
 HWY_INLINE number placed(const lane_row& row, number offset, const vector& v) {
     return offset + row.x * v.x + row.y * v.y + row.z * v.z;
 }
@@ -40,18 +40,18 @@ HWY_INLINE number turned(const lane_row& row, const vector& v) {
     return row.x * v.x + row.y * v.y + row.z * v.z;
 }
 
-/// 1/256 pixel from a quotient of pixels: l3d_snap, in lanes.
+/// A quotient of pixels in steps of 1/256 pixel: l3d_snap, in lanes.
 HWY_INLINE number in_subpixels(number x, number reciprocal) {
     return x * reciprocal * same(l3d_subpixel_one);
 }
 
-/// To nearest, ties away from zero.
+/// Rounds to nearest, ties away from zero.
 HWY_INLINE hn::Vec<some_integers> rounded_lanes(number x) {
     const hn::Vec<eight_doubles> half = hn::Set(eight_doubles(), 0.5);
     return hn::DemoteTo(some_integers(), hn::Add(x.v, hn::CopySign(half, x.v)));
 }
 
-/// Places one vector of vertices after the other.
+/// Places vertices, one vector of them at a time.
 class vertex_placer {
 public:
     HWY_INLINE explicit vertex_placer(const vertex_placing& how)
@@ -105,7 +105,7 @@ private:
     const vertex_placing& how_;
 };
 
-/// Places vertices by vectors; the last few are copied to where a whole vector fits.
+/// Places vertices by whole vectors. The last few are copied to where a whole vector fits.
 void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model::vector> vertices,
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to) {
@@ -180,7 +180,8 @@ public:
         window_ = hn::Load(quad_integers(), ends);
     }
 
-    /// Two lanes are columns and rows. In the next, inv_w is ordered like its bits.
+    /// The first two lanes are columns and rows. The third is inv_w, which is ordered like its
+    /// bits.
     HWY_INLINE box_place of(const std::int32_t* a, const std::int32_t* b,
                             const std::int32_t* c) const {
         const quad_integers d;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vertex_lanes: vertices of a model to the picture, and the triangles that may be seen there.
+// vertex_lanes: places vertices in the picture, and chooses the triangles that may be seen there.
 #ifndef L3D_PIPELINE_POLYGONS_VERTEX_LANES_P_H
 #define L3D_PIPELINE_POLYGONS_VERTEX_LANES_P_H
 
@@ -30,7 +30,7 @@ struct placed_vertices {
     std::vector<normal> normals; ///< one for each place, or none in use
 };
 
-/// The way from places of the model to places of the picture.
+/// The mapping from places of the model to places of the picture.
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
@@ -68,8 +68,8 @@ struct chosen_triangles {
 };
 
 /// Lists the triangles from `begin` on that may be seen. It stops when it has looked at all up to
-/// `end`, when there is no more room, or at one that must be clipped. The others are counted by the
-/// reason why they are left out.
+/// `end`, when there is no more room, or at a triangle that must be clipped. Triangles left out are
+/// counted by the reason.
 /// Returns: the first triangle that was not looked at.
 std::size_t choose_triangles(const triangle_choice& of, std::size_t begin, std::size_t end,
                              chosen_triangles& to, l3d_polygon_counts& counts);

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The share of a velocity that is left after one update of the book.
+/// The shares of velocity and of spin that are left after one update of the book.
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 
@@ -20,13 +20,13 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Slower counts as rest: the remaining way is below 0.01 / 60 * 19 = 0.0032 units, or 0.05 / 60 *
-/// 5.7 = 0.0048 degrees.
+/// Slower motion counts as rest: the remaining way is below 0.01 / 60 * 19 = 0.0032 units, or 0.05
+/// / 60 * 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
-/// Directions whose angle has a smaller sine lie on a line: rounding of a float, 2^-24, would
-/// decide the third axis.
+/// The least sine of the angle of two directions. With a smaller one, a float's rounding of 2^-24
+/// would decide the third axis.
 constexpr double least_sine = 0x1p-20;
 
 void add_up_to(double& velocity, double step, double limit) {
@@ -34,9 +34,9 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time that an undamped body would need for the way that a damped one makes in `seconds`. Each
-/// update keeps k of the velocity, then moves: n updates move it by v (k + k^2 + ... + k^n) = v k
-/// (1 - k^n) / (1 - k).
+/// The time in which an undamped body goes as far as a damped one does in `seconds`. Each update
+/// keeps k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) = v k (1 -
+/// k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
     return kept * (1 - std::pow(kept, seconds * l3d_book_rate)) / (1 - kept) / l3d_book_rate;
 }
@@ -88,7 +88,7 @@ template <class T> bool l3d_moveable<T>::set_axes(const vector& forward, const v
     using wide = l3d_vector<double, 3>;
     const auto direction = [](const wide& v) {
         const double largest =
-            std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); // its square may overflow
+            std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); // squares may overflow
         return largest > 0 && std::isfinite(largest) ? l3d_normalized(v / largest) : wide(0.0);
     };
     const wide along = direction(l3d_converted<double, T, 3>(forward));

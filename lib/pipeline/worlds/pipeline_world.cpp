@@ -32,8 +32,8 @@ l3d_draw_order after(l3d_draw_order order) {
 }
 
 constexpr std::uint32_t text_color = 0x00ffffff;
-constexpr int second_line = 16;   // the book's; pixels from the top
-constexpr int least_height = 300; // a picture's, for each pixel of a letter's dots
+constexpr int second_line = 16;   // in pixels from the top, as in the book
+constexpr int least_height = 300; // rows of a picture for each pixel of a letter's dots
 
 } // namespace
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-/// Keeps removed objects alive while it lives, also when an object throws.
+/// Keeps removed objects alive during an update, also when an object throws.
 class l3d_world::update_scope {
 public:
     explicit update_scope(l3d_world& world) : world_(world) { ++world_.updates_; }
@@ -42,13 +42,13 @@ bool l3d_world::remove(const l3d_object& object) {
         return false;
     if (updates_ > 0)
         return removed_.insert(&object).second;
-    const std::unique_ptr<l3d_object> leaving = std::move(*found); // it may remove more as it goes
+    const std::unique_ptr<l3d_object> leaving = std::move(*found); // it may remove more objects
     objects_.erase(found);
     return true;
 }
 
 void l3d_world::drop_removed() {
-    std::vector<std::unique_ptr<l3d_object>> leaving; // they may remove more as they go
+    std::vector<std::unique_ptr<l3d_object>> leaving; // their ends may remove more
     for (auto& object : objects_)
         if (removed_.contains(object.get()))
             leaving.push_back(std::move(object));
@@ -113,12 +113,12 @@ std::size_t l3d_facet_list::add(const l3d_object& object) {
     for (std::size_t i = 0; i < mesh.faces(); ++i) {
         if (clip(mesh.face(i)))
             project(mesh.look_of(i).color);
-        points_.resize(vertices.size()); // drops what clipping made
+        points_.resize(vertices.size()); // drops the vertices that clipping made
     }
     return vertices.size();
 }
 
-/// Clips a face: the rest is in `clipped_`; false if there is none.
+/// Clips a face into `clipped_`; false if nothing is left.
 bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
     const real far = l3d_from_double<real>(camera_.far_z);
     if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||
@@ -130,8 +130,8 @@ bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
            clip_sideways(1, -up);
 }
 
-/// Cuts where a coordinate, times `scale`, exceeds z. The scale is small, so that fixed point does
-/// not overflow here either; one that is negative is for the other side.
+/// Cuts the polygon where a coordinate times `scale` exceeds z. A negative scale is for the other
+/// side. Scales are small, so that fixed point does not overflow here either.
 bool l3d_facet_list::clip_sideways(int axis, real scale) {
     const real zero = l3d_from_double<real>(0);
     const auto side = [&](std::uint32_t i) { return points_[i][2] - points_[i][axis] * scale; };

@@ -14,7 +14,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// Objects of more triangles are placed by all threads together: some tenths of a millisecond.
+/// Objects of more triangles are placed by all threads together: each takes some tenths of a
+/// millisecond.
 constexpr std::size_t large = 4096;
 
 l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
@@ -25,8 +26,8 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     return result;
 }
 
-/// Whether a placement leaves lengths and angles as they are. Products of rotations in floats are
-/// some 2^-23 off in each factor; lights see nothing below 2^-16.
+/// Whether a placement keeps lengths and angles. Products of rotations in floats are some 2^-23 off
+/// in each factor; lights see nothing below 2^-16.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) {
@@ -71,7 +72,7 @@ struct l3d_world_surfaces::frame_input {
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;
     l3d_shading shading;
-    std::array<vector, 4> sides; ///< the view's, right-handed, from the eye, inwards
+    std::array<vector, 4> sides; ///< normals of the view's four sides, inwards
 
     /// Whether a ball may be seen, in the right-handed world.
     bool may_show(const vector& centre, double radius) const {
@@ -132,8 +133,8 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
 
 void l3d_world_surfaces::place_all(const frame_input& in,
                                    std::span<const std::unique_ptr<l3d_object>> objects) {
-    // New objects come last. So what was placed for an object that is not the next belongs to one
-    // that has gone, and its memory serves a new one.
+    // New objects come last. So an entry whose object is not the next one is of an object that has
+    // gone, and its memory serves a new object.
     std::size_t kept = 0;
     for (auto& old : placed_)
         if (kept < objects.size() && old->object == objects[kept].get())
@@ -149,7 +150,7 @@ void l3d_world_surfaces::place_all(const frame_input& in,
     }
 }
 
-/// Returns whether anything of the object may be seen.
+/// Places an object. Returns whether anything of it may be seen.
 bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, placed& to) const {
     const l3d_polygon_model& model = object.model();
     if (model.triangles().empty())

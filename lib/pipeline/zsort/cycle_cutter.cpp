@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cycle_cutter: cuts where members meet, then division by planes.
+// cycle_cutter: cuts triangles where they meet, then divides them by planes.
 #include "pipeline/zsort/cycle_cutter_p.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ front_parts cycle_cutter::front(const fragment& a, const fragment& b) {
     return front_over(common_, a.plane, b.plane, tie(a, b));
 }
 
-/// Calls visit(a, b), a < b, for fragments whose boxes meet: swept from left to right.
+/// Calls visit(a, b), a < b, for fragments whose boxes meet, by a sweep from left to right.
 template <class Visit> void cycle_cutter::visit_pairs(const fragments& set, const Visit& visit) {
     std::vector<std::uint32_t> by_left(set.size()), open;
     std::iota(by_left.begin(), by_left.end(), 0u);
@@ -65,8 +65,8 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
     return result;
 }
 
-/// False, and nothing done, if there are too many such pairs: so many cuts would make more pieces
-/// than division does.
+/// Cuts fragments that go through each other where they meet. False, and nothing done, if there are
+/// too many such pairs: their cuts would make more pieces than division does.
 bool cycle_cutter::cut_where_they_meet(fragments& set) {
     std::vector<std::vector<std::uint32_t>> cutters(set.size());
     std::size_t crossings = 0;
@@ -98,7 +98,7 @@ bool cycle_cutter::cut_where_they_meet(fragments& set) {
     return true;
 }
 
-/// Puts the strong components of a set on the list of tasks, the foremost at its end.
+/// Puts the strongly connected components of a set on the list of tasks, the foremost at its end.
 void cycle_cutter::arrange(fragments&& set) {
     std::vector<std::vector<order_node>> needs(set.size());
     std::vector<l3d_sort_item> nodes;
@@ -125,8 +125,8 @@ void cycle_cutter::arrange(fragments&& set) {
         });
 }
 
-/// Tries some eight members and takes the one whose plane cuts fewest and leaves the most equal
-/// halves.
+/// The member whose plane cuts fewest members and leaves the most equal halves, among some eight
+/// that are tried.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
     constexpr long price_of_cut = 4; // in members that one half has more than the other
@@ -188,7 +188,7 @@ void cycle_cutter::untie(l3d_workers& workers, l3d_size size,
                          std::vector<l3d_painter_piece>& pieces,
                          std::vector<l3d_painter_cut>& cuts) {
     workers_ = &workers;
-    tasks_.clear(); // some are left of a call that was interrupted
+    tasks_.clear(); // an interrupted call may leave some
     triangles_ = triangles;
     pieces_ = &pieces;
     cuts_ = &cuts;
@@ -212,8 +212,8 @@ void cycle_cutter::untie(l3d_workers& workers, l3d_size size,
             continue;
         if (next.set.size() == 1)
             emit(next.set.front());
-        // In a set larger than this, all pairs are not looked at again after each division:
-        // halving is quicker than finding out whether an order exists.
+        // In a larger set, pairs are not compared again after each division: halving is quicker
+        // than finding out whether an order exists.
         else if (next.cyclic || next.set.size() > few)
             divide(std::move(next.set));
         else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cycle_cutter: triangles that no order of whole ones paints right, cut until there is one.
+// cycle_cutter: cuts triangles that no order paints right, until there is an order.
 #ifndef L3D_PIPELINE_ZSORT_CYCLE_CUTTER_P_H
 #define L3D_PIPELINE_ZSORT_CYCLE_CUTTER_P_H
 
@@ -18,14 +18,9 @@ namespace l3d_detail {
 ///
 /// First the members that go through each other are cut at each other's planes, only where they
 /// meet. Along the curve where two surfaces cross, that is a cut or two for each triangle. Then
-/// whole planes of members divide the cycles that are left, and also sets in which nearly all go
-/// through all. The pieces behind a plane are painted first, those in front of it last. This always
-/// ends, since a piece is never divided by the same plane again.
-///
-/// The order is found from front to back. In a large knot, members that are hidden by pieces found
-/// before are left out before they are cut any further. So the work is in proportion to what is
-/// seen.
-/// Lives: keeps its memory.
+/// whole planes of members divide the cycles that are left, and sets in which nearly all members
+/// cross. The pieces behind a plane are painted first, those in front of it last. This always ends,
+/// since a piece is never divided by the same plane again.
 class cycle_cutter {
 public:
     /// The most members of a knot in which hidden ones are not searched for. In so small a knot,
@@ -75,7 +70,7 @@ private:
 
     struct task {
         fragments set;
-        bool cyclic; ///< whether it is known to have no order
+        bool cyclic; ///< whether the set is known to have no order
     };
     std::vector<task> tasks_; ///< the last one is the next, in front of all others
     painter_cover cover_;     ///< cover of a large knot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hidden_test: tile by tile.
+// hidden_test: compares, tile by tile, what is seen with the sort.
 #include "pipeline/zsort/hidden_test_p.h"
 
 #include <algorithm>
@@ -44,12 +44,12 @@ void hidden_test::look(std::span<const painter_entry> members, const painter_pai
     }
 }
 
-/// Whether what the sort shows of a tile is what is in front.
+/// Whether the sort alone shows in a tile what is in front.
 bool hidden_test::is_sort_right(std::span<const painter_entry> members, const painter_pairs& pairs,
                                 found& of) {
     for (std::size_t i = 0; i < members.size(); ++i) {
         if (!members[i].is_exact)
-            return false; // it may not cover all of its cells
+            return false; // this member may not cover all of its cells
         std::int32_t last = -1;
         for (std::uint64_t left = of.of_members[i].doubtful; left != 0; left &= left - 1) {
             const std::int32_t front = of.fronts[static_cast<std::size_t>(std::countr_zero(left))];
@@ -73,7 +73,7 @@ std::size_t hidden_test::count_whole(std::size_t begin, std::size_t end) const {
     return count;
 }
 
-/// An item may lie in tiles of two workers, who write the same number.
+/// Notes what is known of an item. Two workers may do so at once, but they write the same number.
 void hidden_test::note(const painter_entry& member, bool is_seen, bool is_hidden) {
     parts& of = parts_[member.number];
     if (is_seen)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hidden_test: which items need no order, as they are seen wholly or not at all.
+// hidden_test: finds items that need no order, as they are seen wholly or not at all.
 #ifndef L3D_PIPELINE_ZSORT_HIDDEN_TEST_P_H
 #define L3D_PIPELINE_ZSORT_HIDDEN_TEST_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ordered_components: an order in which everything comes after what it needs, and its cycles.
+// ordered_components: an order in which nodes come after those they need, and cycles of nodes.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
 
@@ -51,7 +51,7 @@ public:
             if (is_seen_[next.index])
                 continue;
             turn_ = order_node_of(next.key, next.index);
-            if (is_free(turn_)) { // most are: each is a component by itself
+            if (is_free(turn_)) { // most are: each makes a component
                 emit(std::span<const order_node>(&turn_, 1));
                 continue;
             }
@@ -69,8 +69,8 @@ private:
     static constexpr std::uint32_t finished = 0xffffffff;
 
     struct mark {
-        std::uint32_t index; ///< number of nodes seen before it
-        std::uint32_t low;   ///< least index of the nodes that it can reach
+        std::uint32_t index; ///< number of nodes seen before this one
+        std::uint32_t low;   ///< least index of the nodes that this one can reach
     };
 
     struct call {
@@ -91,7 +91,7 @@ private:
         needed(node, in_turn, edges_);
     }
 
-    /// One step of the walk: the next edge of the node at hand, or its end.
+    /// Makes one step of the walk: takes the next edge of the current node, or ends the node.
     template <class Needed, class Emit> void advance(const Needed& needed, const Emit& emit) {
         call& at = calls_.back();
         if (at.next_edge < edges_.size()) {
@@ -130,8 +130,8 @@ private:
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
     std::vector<order_node> edges_; ///< edges of all nodes in calls_, the last one's at the end
-    std::vector<order_node> open_;  ///< seen, not yet in a component
-    order_node turn_ = 0;           ///< all lesser ones are emitted
+    std::vector<order_node> open_;  ///< nodes seen, but not yet in a component
+    order_node turn_ = 0;           ///< all lesser nodes are emitted
     std::uint32_t next_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_cover: bits of rows.
+// painter_cover: a bit for each pixel, set and tested by rows.
 #include "pipeline/zsort/painter_cover_p.h"
 
 namespace l3d_detail {
@@ -24,7 +24,7 @@ void painter_cover::add(const l3d_painter_piece& piece) {
 
 bool painter_cover::hides_sides(const l3d_painter_piece& piece) const {
     bool hidden = true;
-    for (const bool smooth : {false, true}) // whichever will be drawn
+    for (const bool smooth : {false, true}) // whichever kind of lines will be drawn
         visit_sides(triangles_[piece.triangle], placed_, pixels_.size(), smooth,
                     [&](int x, int y, int, double) { hidden = hidden && pixels_.has(x, y); });
     return hidden;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_cover: what pieces hide that are painted later.
+// painter_cover: pixels in which later pieces hide earlier ones.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_COVER_P_H
 

@@ -18,7 +18,7 @@ bool has_area(const std::array<l3d_micro_vertex, 3>& v) {
            (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
 }
 
-/// A triangle's item, if it may be seen.
+/// The item of a triangle; nothing if it cannot be seen.
 std::optional<painter_item> item_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size,
                                     bool with_sides) {
     const auto [least_x, most_x] = std::minmax({v[0].x, v[1].x, v[2].x});

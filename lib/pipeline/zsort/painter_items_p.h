@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_items: what is known of triangles before they are compared.
+// painter_items: boxes, depths and pixels of triangles, before these are compared.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_ITEMS_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_ITEMS_P_H
 
@@ -16,9 +16,9 @@ namespace l3d_detail {
 
 /// A triangle that is to be put into an order.
 struct painter_item {
-    /// The pixels whose centres are in its box, ends excluded.
+    /// The pixels whose centres are in the triangle's box, ends excluded.
     std::int32_t left, top, right, bottom;
-    /// The range of its 1/w.
+    /// The range of the triangle's 1/w.
     float farthest, nearest;
     /// If not 0, the box has at most eight rows and columns and lies in the picture. Bit 8 r + c is
     /// then set if pixel (left + c, top + r) is covered.
@@ -43,8 +43,8 @@ public:
     /// some 10^5 cycles.
     static constexpr std::size_t usual_chunk = 1024;
 
-    /// Forgets all items, and takes new triangles, whose chunks end at `ends`. Unless sides are
-    /// drawn, small triangles that cover no pixel will be left out.
+    /// Forgets all items, and takes new triangles, whose chunks end at `ends`. Small triangles that
+    /// cover no pixel will be left out, unless sides are drawn.
     void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
                l3d_size size, bool with_sides);
     /// Makes items of those triangles of a chunk that have an area and a box that holds a pixel's

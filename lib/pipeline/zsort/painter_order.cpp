@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter_order: keys, tiles, and the walk over what hides what.
+// l3d_painter_order: sorts by keys, tests tiles, and walks over what hides what.
 #include "pipeline/zsort/painter_order.h"
 
 #include "geom/radix_sort.h"
@@ -19,26 +19,26 @@ namespace {
 
 using namespace l3d_detail;
 
-/// An item must be painted after another one, which is later in the sorted order.
+/// A need that the sort violates: an item must be painted after another one, which is sorted later.
 struct late_need {
     order_node item, before;
 
     std::pair<order_node, order_node> both() const { return {item, before}; }
 };
 
-/// The needs that a row of tiles found.
+/// The needs that were found in a row of tiles.
 struct row_of_needs {
     std::vector<late_need> found;
-    std::int64_t pairs = 0; ///< compared
+    std::int64_t pairs = 0; ///< number of pairs compared
 };
 
-/// The members of a tile in the order of the sort, and what decides most often whether two of them
-/// are compared. Each worker has one, and writes to it at each member.
+/// The members of a tile in sorted order, with the cells and depths that decide most often whether
+/// two of them are compared. Each worker has one, and writes to it at each member.
 class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
         order_.clear();
-        for (std::size_t i = 0; i < members.size(); ++i) // by rising numbers, of equals too
+        for (std::size_t i = 0; i < members.size(); ++i) // equals stay in rising order
             order_.push_back(bits_of(members[i].farthest) << 32 | i);
         std::ranges::sort(order_);
         cells_.clear();
@@ -47,15 +47,15 @@ public:
         members_ = members;
     }
 
-    /// Calls visit(member, later one) for those whose cells meet and whose ranges of depth do.
+    /// Calls visit(member, later one) for pairs whose cells and ranges of depth meet.
     template <class Visit> void visit_pairs(const Visit& visit) const {
-        // Held here, they need not be read again after each visit.
+        // Local copies need not be read again after each visit.
         const std::span<const std::uint64_t> order(order_), cells(cells_);
         const std::span<const painter_entry> members = members_;
         for (std::size_t i = 0; i < order.size(); ++i) {
             const painter_entry& own = members[order[i] & 0xffffffff];
             const std::uint64_t own_cells = own.cells;
-            const std::uint64_t end = bits_of(own.nearest) << 32; // wholly in front from there on
+            const std::uint64_t end = bits_of(own.nearest) << 32; // from there on wholly in front
             for (std::size_t k = i + 1; k < order.size() && order[k] < end; ++k)
                 if ((cells[k] & own_cells) != 0)
                     visit(own, members[order[k] & 0xffffffff]);
@@ -67,19 +67,19 @@ private:
     static std::uint64_t bits_of(float number) { return std::bit_cast<std::uint32_t>(number); }
 
     std::span<const painter_entry> members_;
-    std::vector<std::uint64_t> order_; ///< the farthest corner and, below, the place
-    std::vector<std::uint64_t> cells_; ///< in this order
+    std::vector<std::uint64_t> order_; ///< depth bits of the farthest corner, then the index
+    std::vector<std::uint64_t> cells_; ///< cells of members in this order
 };
 
 } // namespace
 
 struct l3d_painter_order::work_space {
-    /// Sorted items lie anywhere in memory. So many before its turn, one is asked for: some hundred
-    /// cycles.
+    /// How many items before its turn one is prefetched: sorted items lie anywhere in memory, which
+    /// takes some hundred cycles.
     static constexpr std::size_t ahead = 16;
-    /// So many pieces are one item of a worker's work: some 10^4 cycles at the least.
+    /// The number of pieces in one item of a worker's work: some 10^4 cycles at the least.
     static constexpr std::size_t chunk_pieces = 4096;
-    /// Marks a piece whose item is to be looked up: more cuts than there can ever be.
+    /// Marks a piece that names an item in place of a triangle: more cuts than there can ever be.
     static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)
@@ -97,17 +97,19 @@ struct l3d_painter_order::work_space {
     std::vector<sorted_members> of_workers;
     hidden_test sight;
     std::vector<row_of_needs> rows;
-    std::vector<late_need> late; ///< rising
+    std::vector<late_need> late; ///< in rising order
     ordered_components components;
     cycle_cutter knot;
     std::vector<l3d_painter_piece> ordered; ///< pieces of items that need an order
     std::vector<l3d_painter_cut> cuts;
     std::vector<std::size_t>
-        chunk_begins; ///< where the other pieces of each chunk begin, and their end
-    /// All, the ordered ones first. They never become fewer: new ones would have to be cleared.
+        chunk_begins; ///< where the wholly seen pieces of each chunk begin, and their end
+    /// All pieces, the ordered ones first. The vector never shrinks: new pieces would have to be
+    /// cleared.
     std::vector<l3d_painter_piece> pieces;
 
-    /// By the farthest corner, as positive floats are ordered like their bits.
+    /// Sorts items that need an order by their farthest corners. Positive floats are ordered like
+    /// their bits.
     void sort() {
         keys.clear();
         for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
@@ -121,7 +123,7 @@ struct l3d_painter_order::work_space {
         l3d_radix_sort(keys, other_keys);
     }
 
-    /// Finds what each item needs of those that are sorted after it. Meanwhile one worker sorts.
+    /// Finds what each item needs of the items sorted after it. Meanwhile one worker sorts.
     void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
@@ -132,7 +134,7 @@ struct l3d_painter_order::work_space {
         });
         for (const row_of_needs& row : rows)
             late.insert(late.end(), row.found.begin(), row.found.end());
-        // A need may be there more than once, from two tiles.
+        // Two tiles may have found the same need.
         std::ranges::sort(late, {}, &late_need::both);
     }
 
@@ -158,7 +160,7 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Adds what an item needs of those that are sorted before it and wait for something.
+    /// Adds the items that an item needs of those sorted before it and not yet emitted.
     void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {
         const auto is_emitted = [&](const painter_entry& entry) {
@@ -178,7 +180,7 @@ struct l3d_painter_order::work_space {
         });
     }
 
-    /// Adds what must be painted before an item: those that it is in front of somewhere.
+    /// Adds the items that must be painted before an item: those that it is in front of somewhere.
     void find_needed(order_node node, bool in_turn, std::vector<order_node>& out,
                      l3d_painter_order_counts& counts) {
         if (!in_turn)
@@ -188,10 +190,10 @@ struct l3d_painter_order::work_space {
             out.push_back(need->before);
     }
 
-    /// Adds a piece that names its item, for now.
+    /// Adds a piece that names its item in place of its triangle.
     void emit(order_node node) { ordered.push_back({number_of(node), of_item}); }
 
-    /// Emits all items as they are sorted.
+    /// Emits all items in sorted order.
     void emit_sorted() {
         for (const l3d_sort_item& key : keys)
             emit(order_node_of(key.key, key.index));
@@ -201,7 +203,7 @@ struct l3d_painter_order::work_space {
         return {item.triangle, l3d_painter_cut::last};
     }
 
-    /// From items to triangles, and what is known of them.
+    /// Turns the items of pieces into triangles, and adds the items that are seen wholly.
     void place_pieces() {
         chunk_begins.assign(1, ordered.size());
         for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
@@ -230,7 +232,7 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Those of a chunk that are seen wholly.
+    /// Places the pieces of a chunk's items that are seen wholly.
     void place_whole(std::size_t chunk) {
         auto number = static_cast<std::uint32_t>(items.first(chunk));
         l3d_painter_piece* to = pieces.data() + chunk_begins[chunk];
@@ -252,12 +254,12 @@ struct l3d_painter_order::work_space {
         knot.untie(workers, size, given, knot_members, ordered, cuts);
     }
 
-    /// Emits the items as they need each other.
+    /// Emits the items in an order that meets all needs.
     void emit_resolved(l3d_painter_order_counts& counts) {
         auto next = late.begin();
         components.walk(
             keys, items.numbers(),
-            [&](order_node node) { // asked for rising nodes
+            [&](order_node node) { // called for rising nodes
                 while (next != late.end() && next->item < node)
                     ++next;
                 return next == late.end() || next->item != node;

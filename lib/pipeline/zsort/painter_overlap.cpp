@@ -12,7 +12,8 @@ namespace {
 
 using triangle = std::array<l3d_micro_vertex, 3>;
 
-/// |coordinates| <= 2^23: differences below 2^25, products below 2^50.
+/// Twice the signed area of a triangle. Coordinates are at most 2^23: differences are below 2^25,
+/// and products below 2^50.
 std::int64_t turn(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
     return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
            (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
@@ -41,7 +42,7 @@ double doubled_area(std::span<const picture_point> region) {
     return sum;
 }
 
-/// Adds the part of a polygon where `inside` >= 0, linear along its sides.
+/// Appends the part of a polygon where `inside`, linear along its sides, is not negative.
 template <class Inside>
 void clip(std::span<const picture_point> polygon, const Inside& inside, picture_region& out) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -56,7 +57,8 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Which of two differences of sign there are among the corners of a triangle.
+/// Which of two triangles is in front at a corner of one of them, by more than `tie`. The corners
+/// are the first's or the second's.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
                              bool corners_are_first) {
     front_parts front;
@@ -128,8 +130,8 @@ void keep_side(std::span<const picture_point> region, const l3d_picture_plane& f
         out);
 }
 
-/// If one's corners are all on one side of the other's plane, that is decided without knowing what
-/// they have in common.
+/// If the corners of one triangle are all on one side of the other's plane, that decides. Their
+/// common part is not needed then.
 front_parts front_of(const triangle& a, const triangle& b) {
     const double tie = tie_of(a, b);
     const l3d_picture_plane plane_a(a), plane_b(b);

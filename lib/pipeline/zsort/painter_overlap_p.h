@@ -29,9 +29,9 @@ struct front_parts {
     bool mixed() const { return first && second; }
 };
 
-/// Depths of two triangles count as equal if they differ by less than this part of a depth: that of
-/// the farther one of the triangles' nearest corners. It is 2^-12 of what a depth buffer of floats
-/// tells apart, and 2^17 times the rounding of doubles.
+/// Two depths count as equal if they differ by less than this part of a depth: that of the farther
+/// one of the two triangles' nearest corners. It is 2^-12 of what a depth buffer of floats tells
+/// apart, and 2^17 times the rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the
@@ -39,7 +39,7 @@ inline constexpr double painter_tie = 0x1p-36;
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 
-/// Finds which of two triangles is in front where both are. Expects: both cover some area.
+/// Finds which of two triangles is in front in their common part. Expects: each has some area.
 front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
                      const std::array<l3d_micro_vertex, 3>& b);
 
@@ -54,8 +54,8 @@ front_parts front_over(std::span<const picture_point> region, const l3d_picture_
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 
-/// Keeps the part of a region where the first plane is in front of the second, or is not if
-/// `in_front` is false. The result is empty only if the region has no such part.
+/// Keeps the part of a region where the first plane is in front of the second or, if `in_front` is
+/// false, behind it. The result is empty only if the region has no such part.
 void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
                const l3d_picture_plane& second, bool in_front, picture_region& out);
 

@@ -19,7 +19,7 @@ class painter_pairs {
 public:
     explicit painter_pairs(const painter_items& items) : items_(items) {}
 
-    /// Whether `item` must be painted after `other`, which it may meet: it is in front of it
+    /// Whether `item` must be painted after `other`, which it may meet: it is in front of `other`
     /// somewhere. Exact entries with a cell in common are known to meet.
     bool needs(const painter_entry& item, const painter_entry& other) const {
         return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
@@ -32,8 +32,8 @@ private:
         return items_.corners(items_[number]);
     }
 
-    /// Whether the insides of two items meet. Where only pixels count, the boxes already tell many
-    /// apart that lie side by side.
+    /// Whether the insides of two items meet. Where only pixels count, boxes already tell apart
+    /// many items that lie side by side.
     bool do_meet(std::uint32_t a, std::uint32_t b) const {
         return (!items_.are_pixels_all() || items_[a].box_meets(items_[b])) &&
                insides_meet(corners(a), corners(b));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_tiles: found by each worker for its share of the triangles, then put beside each other.
+// painter_tiles: each worker finds entries of its share of items; then entries are put by tile.
 #include "pipeline/zsort/painter_tiles_p.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace l3d_detail {
 
-/// The cells that the item's box meets.
+/// The entry of an item in a tile, with the cells that the item's box meets.
 painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t number, int column,
                                        int row) const {
     constexpr int side = 1 << cell_bits;
@@ -36,14 +36,14 @@ bool painter_tiles::is_coverable(const painter_item& item) const {
     return right - left <= reach && bottom - top <= reach;
 }
 
-/// The number of tiles that meet its box.
+/// The number of tiles that an item's box meets.
 std::size_t painter_tiles::tiles_of(const painter_item& item) const {
     const int columns = ((item.right - 1) >> shift_) - (item.left >> shift_) + 1;
     const int rows = ((item.bottom - 1) >> shift_) - (item.top >> shift_) + 1;
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
 }
 
-/// As many shares as workers, of as many items each as chunks allow.
+/// Divides the items into as many shares as workers, equal as far as chunks allow.
 void painter_tiles::share_out(const painter_items& items, int workers) {
     shares_.resize(static_cast<std::size_t>(workers));
     std::size_t chunk = 0, count = 0;
@@ -59,7 +59,7 @@ void painter_tiles::share_out(const painter_items& items, int workers) {
 void painter_tiles::find_entries(share_entries& to) const {
     const painter_items& items = *items_;
     to.ends.assign(begins_.size(), 0);
-    std::size_t count = 0; // in a register
+    std::size_t count = 0; // a local stays in a register
     for (std::size_t chunk = to.first_chunk; chunk < to.end_chunk; ++chunk) {
         auto number = static_cast<std::uint32_t>(items.first(chunk));
         for (const painter_item& item : items.of_chunk(chunk)) {

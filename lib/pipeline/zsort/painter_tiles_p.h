@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_tiles: for each tile of the picture the triangles that reach it.
+// painter_tiles: lists, for each tile of the picture, the triangles that reach it.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_TILES_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_TILES_P_H
 
@@ -116,14 +116,14 @@ private:
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
     /// The entries that a worker finds for its share of the items, in that order, and their tiles.
-    /// The worker writes to it at each entry. So no two shares lie in one line of the caches, nor
-    /// in a pair of lines, which some processors fetch together.
+    /// The worker writes here at each entry. So no two shares lie in one cache line, nor in a pair
+    /// of lines, which some processors fetch together.
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
         std::size_t count = 0;                      ///< number of entries
         std::vector<painter_entry> entries;         ///< the entries, and some that are not in use
         std::vector<std::uint32_t> tiles;
-        std::vector<std::uint32_t> ends; ///< ends of the share in each tile
+        std::vector<std::uint32_t> ends; ///< where the share ends in each tile
     };
 
     /// Visits the tiles of a small triangle, whose pixels lie in at most two tiles of a row and of
@@ -134,7 +134,8 @@ private:
         constexpr int side = 1 << cell_bits, cells = side * side;
         const int right = item.left % side, down = item.top % side;
         const std::uint64_t stay = ((0xffU << right) & 0xffU) * first_column;
-        // Moved to the right; what leaves the tile enters the next one at its left side.
+        // The pixels, moved to the right. Those that leave the tile enter the next one at its left
+        // side.
         const std::uint64_t here = item.cover << right & stay;
         const std::uint64_t next = right == 0 ? 0 : item.cover >> (side - right) & ~stay;
         const std::size_t tile = at(item.left >> cell_bits, item.top >> cell_bits);

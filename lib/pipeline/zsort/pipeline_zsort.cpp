@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_zsort: order, then paint.
+// l3d_pipeline_zsort: orders triangles, then paints them.
 #include "pipeline/zsort/pipeline_zsort.h"
 
 #include "pipeline/zsort/painter_order.h"
@@ -42,7 +42,7 @@ void l3d_pipeline_zsort::make_order(const scene& what, bool with_sides,
         const auto part = static_cast<std::size_t>(number);
         const std::size_t begin = part > 0 ? ends[part - 1] : 0;
         what.frame.list_part(part, std::span(triangles).subspan(begin, ends[part] - begin));
-        stages_->order.note(part); // while they are in the cache
+        stages_->order.note(part); // while its triangles are in the cache
     });
     stages_->order.finish();
     report.order = stages_->order.counts();
@@ -60,14 +60,14 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
     report.time_ms.raster = painting.milliseconds();
 }
 
-/// The order and its cuts say what is in front at the centres of pixels. How far it is, and what is
-/// in front inside of a pixel, depth says. Returns how many pixels are at edges.
+/// The order and its cuts tell what is in front at the centres of pixels. Depth tells how far it
+/// is, and what is in front inside of a pixel. Returns how many pixels are at edges.
 std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
     l3d_surface_rasterizer_sw& depths = stages_->depths;
     depths.count_pixels(false);
     depths.use_materials(what.materials);
     if (what.shading.lighting.point_count > 0)
-        depths.begin(what.target, nullptr, what.shading); // their light needs depth in each pixel
+        depths.begin(what.target, nullptr, what.shading); // point lights need depth in each pixel
     else
         depths.begin_over(what.target, what.shading);
     depths.draw(what.frame.parts());

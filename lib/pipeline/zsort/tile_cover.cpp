@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_cover: edge functions, a pixel a lane.
+// tile_cover: edge functions, one pixel in each lane.
 #include "pipeline/zsort/tile_cover_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,17 +17,17 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr std::int32_t side = 8; // a tile has as many rows and columns
+constexpr std::int32_t side = 8; // rows and columns of a tile
 constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
-/// Not negative where a centre is inside of an edge.
+/// The function of an edge, which is not negative where a pixel's centre is inside of the edge.
 ///
 /// Corners are at most 2^14 apart, and centres as far and 2^11 more from them. So products are
 /// below 2^29, and so are their differences.
 struct edge_function {
-    std::int32_t first; ///< at the first pixel of the first tile
+    std::int32_t first; ///< value at the first pixel of the first tile
     std::int32_t per_column, per_row;
-    int_vec pattern; ///< the excess that the pixels of a vector have over the first
+    int_vec pattern; ///< what the pixels of a vector have more than its first
 
     HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
                             std::int32_t y) {

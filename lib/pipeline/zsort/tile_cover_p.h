@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_cover: which pixels of tiles a triangle covers.
+// tile_cover: finds the pixels of tiles that a triangle covers.
 #ifndef L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 #define L3D_PIPELINE_ZSORT_TILE_COVER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_sight: all cells of a tile in some vectors.
+// tile_sight: looks at all cells of a tile in a few vectors.
 #include "pipeline/zsort/tile_sight_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -36,7 +36,7 @@ public:
         for (std::size_t i = 0; i < members.size(); ++i) {
             const int_vec own = set(members[i].farthest);
             for (std::size_t v = 0; v < vectors; ++v) {
-                // Among equals, the one of the greater number is painted later.
+                // Among equally far members, the one of the greater number is painted later.
                 const int_mask last =
                     hn::AndNot(hn::Lt(own, farthest_[v]), lanes_of(members[i].cells >> lanes * v));
                 farthest_[v] = hn::IfThenElse(last, own, farthest_[v]);
@@ -50,7 +50,7 @@ public:
             hn::StoreU(front_[v], ints(), fronts.data() + lanes * v);
     }
 
-    /// The cells of a member.
+    /// The cells in which a member is painted last.
     HWY_INLINE std::uint64_t of(std::size_t member) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)
@@ -58,7 +58,7 @@ public:
         return bits;
     }
 
-    /// Nothing that is painted last reaches farther. Infinite if nothing is painted.
+    /// The farthest depth of what is painted last in any cell; infinite if nothing is painted.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
         int_vec least = set(none);
@@ -68,7 +68,7 @@ public:
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
-    /// The cells whose last painted member does not lie wholly in front of `nearest`.
+    /// The cells whose last painted member does not lie wholly in front of the depth `nearest`.
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)
@@ -85,7 +85,7 @@ private:
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of) {
     const front_cells cells(members);
     cells.store(fronts);
-    // To look for one member takes as long as to look at some cells.
+    // Finding the cells of one member takes as long as reading some cells.
     constexpr std::size_t few = std::tuple_size_v<tile_fronts> / 4;
     if (members.size() <= few) {
         for (std::size_t i = 0; i < members.size(); ++i)
@@ -96,7 +96,7 @@ void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cel
             if (fronts[cell] >= 0)
                 of[fronts[cell]].shown |= std::uint64_t{1} << cell;
     }
-    const float farthest = cells.farthest_of_all(); // most members that are hidden lie behind it
+    const float farthest = cells.farthest_of_all(); // most hidden members lie behind it
     for (std::size_t i = 0; i < members.size(); ++i) {
         const std::uint64_t hidden = members[i].cells & ~of[i].shown;
         if (hidden != 0 && members[i].nearest > farthest)

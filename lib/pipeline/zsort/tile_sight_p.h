@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_sight: what the sort alone would show of the triangles in a tile.
+// tile_sight: shows what the sort alone would paint of the triangles in a tile.
 #ifndef L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
 #define L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
 
@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// painter_entry.
 struct cell_sight {
     std::uint64_t shown; ///< cells where all others are painted before it
-    /// Cells where the last painted triangle does not lie wholly in front of it, so that the sort
-    /// may be wrong there.
+    /// Hidden cells where the last painted triangle does not lie wholly in front of this one, so
+    /// that the sort may be wrong there.
     std::uint64_t doubtful;
 };
 
