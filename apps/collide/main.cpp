@@ -19,10 +19,10 @@ using vector = l3d_vector<double, 3>;
 
 constexpr double step = 1.0 / 60; // seconds
 
-/// A coloured thing that flies, tumbles, and glows for a moment after a hit.
+/// A coloured body that flies, tumbles, and glows for a moment after a hit.
 class body final : public l3d_object {
 public:
-    /// `is_painted`: the colours of its faces already contain the light.
+    /// `is_painted`: the faces' colours already contain the light.
     body(l3d_polygon_mesh mesh, std::uint32_t color, bool is_painted, const vector& place,
          const vector& turn)
         : place_(place), turn_(turn), color_(color), is_painted_(is_painted),
@@ -37,7 +37,8 @@ public:
     void push(const vector& change) { velocity_ += change; }
     void glow() { glow_ = 1; }
 
-    /// The pull grows with the distance, as that of a spring does.
+    /// Moves the body by a step of time. The pull to the centre grows with the distance, as a
+    /// spring's.
     void fly() {
         constexpr double pull = 0.6, fading = 0.94;
         velocity_ -= place_ * (pull * step);
@@ -73,14 +74,14 @@ private:
     l3d_bounding_sphere ball_;
 };
 
-/// Two balls of smooth, hard matter: they keep momentum and energy.
+/// Lets two balls bounce if they touch. They are smooth and hard: they keep momentum and energy.
 void bounce(body& a, body& b) {
     const l3d_bounding_sphere one = a.ball(), other = b.ball();
     if (!one.touches(other))
         return;
     const vector normal = l3d_normalized(other.centre - one.centre);
     const double approach = l3d_dot(a.velocity() - b.velocity(), normal);
-    if (approach <= 0) // they part already
+    if (approach <= 0) // they already part
         return;
     const double share = 2 * approach / (a.mass() + b.mass());
     a.push(normal * (-share * b.mass()));

@@ -30,7 +30,7 @@ numbers differences(const numbers& b, int n) {
     return {b[0], first + second + third, 2 * second + 6 * third, 6 * third};
 }
 
-/// The points that n steps of three additions lead to, in one arithmetic.
+/// The points of a walk in n steps of three additions, in the arithmetic T.
 template <class T> std::vector<double> walked(const numbers& b, int n) {
     const numbers d = differences(b, n);
     std::array<T, 4> r{T(d[0]), T(d[1]), T(d[2]), T(d[3])};
@@ -44,7 +44,7 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
     return result;
 }
 
-/// An adaptive walk beside equal steps: how long steps are, and how far off they end.
+/// A walk, adaptive or in equal steps: how long its steps are, and how far off they end.
 struct walk_seen {
     l3d_step_counts counts;
     std::vector<l3d_point_2d> places; ///< both ends of all steps
@@ -65,11 +65,12 @@ double at_parameter(const numbers& b, double t) {
     return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
 }
 
-/// Begins with 2^4 steps, as the study's program does, and ends with 2^12 at the most.
+/// A walk in adaptive steps. It begins with 2^4 steps, as the study's program does, and ends with
+/// 2^12 at the most.
 template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
     constexpr int first = 4, finest = 12;
     const auto build = [](const numbers& b) {
-        numbers on_grid = b; // the values of 16.16 and of whole numbers alike
+        numbers on_grid = b; // values that 16.16 and whole numbers hold
         for (double& value : on_grid)
             value = std::round(64 * value) / 64;
         return l3d_forward_difference<T, 3>::build(on_grid, 1 << first);
@@ -84,7 +85,7 @@ template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
     return seen;
 }
 
-/// As many equal steps, in double.
+/// A walk in so many equal steps, in double.
 walk_seen equal(const numbers& x, const numbers& y, int steps) {
     const auto places_x = walked<double>(x, steps), places_y = walked<double>(y, steps);
     walk_seen seen;
@@ -221,7 +222,7 @@ private:
         }
         r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
                     {.color = fixed_color});
-        // the magnifier shows what the marks would hide
+        // copied before the marks, which would hide it
         l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)
@@ -234,8 +235,8 @@ private:
         draw_numbers(r, x, y, errors[worst]);
     }
 
-    /// Two ribbons along the curve. The one above has adaptive steps, the one below as many equal
-    /// ones. Red steps are longer than a pixel and blue ones shorter than half of one.
+    /// Draws two ribbons along the curve: above with adaptive steps, below with as many equal ones.
+    /// Red steps are longer than a pixel and blue ones shorter than half a pixel.
     void draw_adaptive(l3d_rasterizer_2d& r) {
         const std::array<l3d_point_2d, 4> p{place(0), place(1), place(2), place(3)};
         const numbers x{p[0].x, p[1].x, p[2].x, p[3].x}, y{p[0].y, p[1].y, p[2].y, p[3].y};
@@ -270,7 +271,7 @@ private:
         write(fixed_color, of(fixed));
     }
 
-    /// Steps as strokes across, all on one side of the curve.
+    /// Draws steps as strokes across the curve, all on one side of it.
     void draw_ribbon(l3d_rasterizer_2d& r, const std::vector<l3d_point_2d>& places, double side) {
         for (std::size_t i = 1; i < places.size(); ++i) {
             const l3d_point_2d from = places[i - 1], to = places[i];
@@ -287,13 +288,13 @@ private:
             r.draw_path(step, {.color = moves > 1     ? fixed_color
                                         : moves < 0.5 ? exact_color
                                                       : whole_color,
-                               .alpha = i % 2 == 0 ? 0.9 : 0.6}); // neighbours differ
+                               .alpha = i % 2 == 0 ? 0.9 : 0.6}); // neighbours look different
         }
     }
 
     /// The factor on thin lines and letters: 1 in windows of 480 x 320 pixels. In larger windows it
-    /// grows more slowly than they do. A fine display counts by its text: its windows look as they
-    /// do elsewhere.
+    /// grows more slowly than the window. On a fine display sizes count in units of its text, so
+    /// that windows look as they do elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;
@@ -304,7 +305,7 @@ private:
 
     static constexpr int magnified_columns = 24, magnified_rows = 16;
 
-    /// The pixels around a place, as they are now.
+    /// Copies the pixels around a place, as they are now.
     l3d_image around(l3d_rasterizer_2d& r, l3d_point_2d place) {
         r.finish();
         const l3d_pixels all = screen().pixels();
@@ -319,7 +320,8 @@ private:
         return copy;
     }
 
-    /// Pixels as squares, above the bars on the right: the red line beside the blue one.
+    /// Draws pixels as squares, above the bars on the right. They show the red line beside the blue
+    /// one.
     void draw_magnified(l3d_rasterizer_2d& r, l3d_image copy) {
         const l3d_size all = size();
         const int wide = copy.pixels().width, high = copy.pixels().height;
@@ -341,7 +343,7 @@ private:
         r.draw_path(l3d_stroked(frame, {.width = 1.5 * unit()}), {.color = quiet_color});
     }
 
-    /// The error of each step in 16.16, the largest one an eighth of the window high.
+    /// Draws the error of each step in 16.16 as a bar; the largest is an eighth of the window high.
     void draw_bars(l3d_rasterizer_2d& r, const std::vector<double>& errors, double worst) {
         const double height = size().height / 8.0, bottom = size().height - 4;
         const double left = 6, wide = (size().width - 12.0) / static_cast<double>(errors.size());
@@ -394,7 +396,7 @@ private:
             const std::string text = with_four_digits(value);
             write(quiet_color, end - width(text), text);
         };
-        constexpr double lines = 7, most_of_height = 0.31; // above the first handles
+        constexpr double lines = 7, most_of_height = 0.31; // the room above the first handles
         const bool has_room = lines * line <= most_of_height * size().height;
         for (std::size_t k = 1; k < 4 && has_room; ++k) {
             next_line();
@@ -425,7 +427,7 @@ private:
         return {text.data(), end.ptr};
     }
 
-    /// Klassen's way takes a power of two of steps: as many, or more.
+    /// The least power of two of steps, as Klassen's way needs, that is not less than `steps`.
     static int doublings_for(int steps) {
         int doublings = 0;
         while (1 << doublings < steps)
@@ -433,7 +435,7 @@ private:
         return doublings;
     }
 
-    /// The error of the whole numbers, which comes from rounding the control points alone.
+    /// The largest error of the whole numbers, which comes from rounding the control points alone.
     static double whole_error(const numbers& x, const numbers& y, int doublings) {
         constexpr double lattice = 256; // parts of a pixel
         const auto offs = [&](const numbers& b) {

@@ -93,7 +93,8 @@ private:
                 kind_.move(dot, random_);
     }
 
-    /// A dot at the distance of the runway's first column follows the pointer.
+    /// Moves the eye so that a dot at the distance of the runway's first column follows the
+    /// pointer.
     void drag(int, int, int right, int down) override {
         constexpr double distance = 100;
         const double unit = distance / (2 * l3d_fov_term(100) * size().width);

@@ -41,7 +41,7 @@ private:
     }
 
     void advance(double seconds) override {
-        const double step = 60 * seconds; // one pixel per frame, unless --fps says otherwise
+        const double step = 60 * seconds; // one pixel per frame at 60 frames a second
         x_ = std::clamp(x_ + right_ * step, 0.0, size().width - 1.0);
         y_ = std::clamp(y_ + down_ * step, 0.0, size().height - 1.0);
         l3d_line_2d& line = trail_.back();

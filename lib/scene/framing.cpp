@@ -21,7 +21,8 @@ constexpr double least_share = 0.6;
 
 /// The largest error of a reach, as a part of the span of the control points.
 constexpr double reach_error = 1e-4;
-/// Two halvings bring control points 16 times nearer to a patch, so 7 times is more than enough.
+/// The most times that parts are quartered. Two times bring control points 16 times nearer to a
+/// patch, so 7 times are more than enough.
 constexpr int most_cuts = 7;
 
 /// Dot products of a direction with the control points of a patch, or of a part of it.
@@ -95,7 +96,7 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
         if (instance.opacity() == 0) // it is invisible
             continue;
         const l3d_matrix<double>& m = instance.placement();
-        vector model{0.0, 0.0, 0.0}; // the direction as the model's points see it
+        vector model{0.0, 0.0, 0.0}; // the direction in the model's coordinates
         double moved = 0;
         for (int i = 0; i < 3; ++i) {
             moved += direction[i] * m(i, 3);
@@ -112,10 +113,9 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
     return found.height();
 }
 
-/// A model between two pairs of planes that meet in the eye, left and right or below and above.
-/// Each has `slope` as the tangent of its angle to the line of sight. The planes hold everything
-/// if place - slope depth >= most and place + slope depth <= least, for the eye's own place and
-/// depth.
+/// A model between two planes that meet in the eye: left and right, or below and above. `slope` is
+/// the tangent of each plane's angle to the line of sight. For an eye at place `at` and `depth`,
+/// the planes hold the model if at - slope depth >= most and at + slope depth <= least.
 struct wedge {
     double slope, most, least;
 
@@ -123,9 +123,9 @@ struct wedge {
         : slope(tangent), most(reach(side - forward * tangent)),
           least(-reach(-side - forward * tangent)) {}
 
-    /// The largest depth that the eye may have.
+    /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The eye's place at that depth; farther away it is a good middle as well.
+    /// The eye's place at that depth; it is a good middle for eyes farther away, too.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;
@@ -146,7 +146,7 @@ struct wedges {
 };
 
 /// Whether a model lies at one side of the picture: beyond nine tenths of the half on this side,
-/// and nowhere beyond two thirds of the other. `slope` is the tangent to the picture's border.
+/// and nowhere beyond two thirds of the other. `slope` is the tangent of the border's angle.
 bool is_aside(const vector& side, const l3d_camera::frame& axes, const l3d_camera& camera,
               double slope, const l3d_reach& reach) {
     const double depth = l3d_dot(camera.eye, axes.forward), at = l3d_dot(camera.eye, side);
@@ -170,7 +170,8 @@ struct depths {
 
     bool is_flat() const { return nearest == farthest; }
 
-    /// The least distance of the eye. A model without any size is seen from anywhere.
+    /// The least distance of the eye from the model. A model without any size may be seen from
+    /// anywhere.
     double least_distance() const {
         const double size = (farthest - nearest) * 1e-6;
         const double largest = std::max(std::abs(nearest), std::abs(farthest));
@@ -201,8 +202,8 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// As l3d_framed in perspective; none if no eye is near enough to a tiny model. Expects: the model
-/// is not empty.
+/// l3d_framed in perspective; none if no eye is near enough to a tiny model.
+/// Expects: the model is not empty.
 std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
@@ -217,7 +218,7 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-/// As l3d_framed in a parallel projection; likewise.
+/// l3d_framed in a parallel projection; none if no eye is near enough to a tiny model.
 std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
@@ -269,13 +270,13 @@ l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const
 
 namespace {
 
-/// The place of a model along the width or the height of a picture.
+/// Whether a model is beside the picture, and whether it is within a pixel, in one direction.
 struct side_of_picture {
     bool is_beside, is_within_a_pixel;
 };
 
-/// Finds it by the planes through the eye and two opposite sides of the picture, whose tangent is
-/// `slope`.
+/// Finds both by the planes through the eye and two opposite sides of the picture. `slope` is the
+/// tangent of their angle.
 side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
                            double slope, int pixels, const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
@@ -284,7 +285,7 @@ side_of_picture seen_along(const vector& side, const vector& forward, const vect
     return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
 }
 
-/// Finds it by the planes `half` away from the eye.
+/// Finds both by planes at the distance `half` from the eye.
 side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
                               const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);

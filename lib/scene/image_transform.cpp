@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_image_transform: scaling and error bound of the transform.
+// l3d_image_transform: scales the camera's matrix, and bounds its error.
 #include "scene/image_transform.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ double power_below(double value) {
 }
 
 /// A bound that stays the same while the value changes a little: the value rounded up to 4 bits, by
-/// a 16th of itself at most. Else a thing that moves at the end of a scene would change the errors
-/// that all others are diced by. With them, their pictures would change by a bit.
+/// a 16th of itself at most. Else an object that moves at the end of a scene would change the
+/// errors that all others are diced by. Then the others' pictures would change by a bit.
 double steady_bound(double value) {
     if (!(value > 0))
         return value;
@@ -22,17 +22,16 @@ double steady_bound(double value) {
     return std::ceil(value / unit) * unit;
 }
 
-/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). With a
-/// placement multiplied in it is good to 8 more; four products and three sums add at most 8. A
-/// patch cut in 50 halvings is rounded at its own size first, not at that of its pieces, at 3
-/// midpoints each.
+/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). Multiplying a
+/// placement in adds 8; four products and three sums add at most 8. A patch cut in 50 halvings is
+/// rounded at its own size, not at that of its pieces, at 3 midpoints each.
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
-/// The axes to the right and down are turned by the rounding of the line of sight and of the
-/// product with `up`, 4 ulps, over the sine between them.
+/// The axes to the right and down are turned by the rounding of the line of sight and of its
+/// product with `up`. That is 4 ulps, over the sine between the line of sight and `up`.
 constexpr double turning = 4 * 0x1p-53;
 
-/// Bound of the distance of any control point from a place: the sum of its parts along the axes.
+/// Bound of the distance of any control point from a place: the sum of distances along the axes.
 double farthest_from(const l3d_camera::vector& place, const l3d_patch_scene& scene) {
     double result = 0;
     for (int i = 0; i < 3; ++i)
@@ -68,8 +67,8 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
-/// Sees the scene from an eye that is so far away that w is 1 / l3d_parallel_part times as large as
-/// half of the depth. x and y are those of a parallel projection, exactly.
+/// Sees the scene from a far eye, whose w is 1 / l3d_parallel_part times as large as half of the
+/// depth. x and y are those of a parallel projection, exactly.
 void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
     const l3d_camera::frame axes = camera.axes();
     const double scale = camera.scale_at_target(size_);
@@ -93,10 +92,10 @@ void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch
     set_row(2, axes.forward, 0, camera.eye, 0);
     set_row(3, axes.forward, depth_scale_, camera.target, w_middle_);
     to_target_ = l3d_length(camera.target - camera.eye);
-    near_ = w_middle_ / 2 / depth_scale_; // nothing is cut
+    near_ = w_middle_ / 2 / depth_scale_; // near and far cut nothing
     far_ = 2 * w_middle_ / depth_scale_;
 
-    // w adds up terms that are scaled, and w_middle.
+    // w is the sum of scaled terms and w_middle.
     for (int i = 0; i < 3; ++i)
         terms_ = std::max(terms_, scene.reach() + eye_terms_ + 2 * std::abs(camera.target[i]));
     error_w_ = roundings * (terms_ * depth_scale_ + w_middle_);
@@ -104,7 +103,7 @@ void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch
     const double seen = std::hypot(size_.width / 2.0 + 2, size_.height / 2.0 + 2);
     error_xy_ = w_middle_ * (scale * terms_ * (roundings + turning / camera.up_sine()) +
                              seen * l3d_parallel_part);
-    terms_ = 0; // no patch has less than these errors
+    terms_ = 0; // every patch has these errors in full
 }
 
 void l3d_image_transform::set_depths(l3d_shading& shading) const {
@@ -115,7 +114,7 @@ void l3d_image_transform::set_depths(l3d_shading& shading) const {
 }
 
 /// With h = A p + t, the distance n.p + d is (A^-T n).h + (d - (A^-T n).t). The columns of A^-T are
-/// cross products of rows of A over its determinant.
+/// cross products of rows of A over the determinant of A.
 l3d_image_section l3d_image_transform::section(const l3d_plane<double>& plane) const {
     using vector = l3d_vector<double, 3>;
     const auto row = [&](int i) { return vector{matrix_(i, 0), matrix_(i, 1), matrix_(i, 2)}; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspected_scene, l3d_usual_curvature.
+// l3d_inspected_scene, l3d_usual_curvature: nets in the eye's coordinates, and a curvature's scale.
 #include "scene/inspected_scene.h"
 
 #include "geom/patch_jet.h"
@@ -21,7 +21,7 @@ using vector = l3d_camera::vector;
 /// The rows that l3d_placed_net takes for coordinates 0, 1 and 2.
 constexpr std::array<int, 3> rows{0, 1, 3};
 
-/// From the world to steps along the axes, counted from the origin.
+/// The matrix from the world to steps along the axes, counted from the origin.
 l3d_matrix<double> to_axes(const std::array<vector, 3>& axes, const vector& origin) {
     l3d_matrix<double> result = l3d_identity<double>();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -42,7 +42,8 @@ vector along(const std::array<vector, 3>& axes, const vector& direction) {
                                  l3d_dot(axes[2], direction)});
 }
 
-/// 1, 2 or 5 times a power of ten, at least as large. Expects: a positive finite number.
+/// The least number that is not smaller, of 1, 2 and 5 times powers of ten.
+/// Expects: a positive finite number.
 double rounded_up(double number) {
     const double power = std::pow(10.0, std::floor(std::log10(number)));
     for (const double step : {1.0, 2.0, 5.0})
@@ -91,7 +92,7 @@ void l3d_inspected_scene::add(const l3d_patch_scene& scene,
 }
 
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
-    // Patches that are sampled, at 25 places each.
+    // The most patches that are sampled, at 25 places each.
     constexpr std::int64_t most_patches = 2048;
     constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
     const std::int64_t step = std::max<std::int64_t>(1, scene.patch_count() / most_patches);
@@ -130,7 +131,7 @@ double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
         if (left < 0)
             break;
     }
-    // Rounding gives a plane some value, which is no curvature.
+    // Rounding gives a plane some value, which does not count as curvature.
     const double size = std::max(scene.reach(), std::numeric_limits<double>::min());
     const double least = 1e-9 / (shade == l3d_shade::gaussian ? size * size : size);
     return most > least && std::isfinite(rounded_up(most)) ? rounded_up(most) : 1;

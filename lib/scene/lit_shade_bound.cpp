@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lit_shade_bound: light by light, material by material.
+// l3d_lit_shade_bound: adds the errors of all lights, and takes the worst material.
 #include "scene/lit_shade_bound.h"
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace {
 
 using vector = std::array<double, 3>;
 
-/// Rounding of normals to 16383rds, 2^-14.2, and of floats: 20 * 2^-24 of numbers up to 2^8 times
-/// what their terms cancel, as for levels, in parts of 229.5.
+/// Error of normals by rounding to 16383rds, 2^-14.2, and by floats. As for levels, these round 20
+/// * 2^-24 of numbers up to 2^8 times what their terms cancel, in parts of 229.5.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
-/// Rounding of a channel to a whole level, and its float arithmetic.
+/// Error by rounding a channel to a whole level, and by its float arithmetic.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Powers below this are left out of a highlight.
+/// Powers of a cosine below this are left out of a highlight.
 constexpr double least_power = 0x1p-12;
 
 constexpr double white = 255, scattered_part = 0.9;
@@ -41,12 +41,12 @@ double angle_of(const vector& a, const vector& b) {
     return std::acos(std::clamp(product / (length_of(a) * length_of(b)), -1.0, 1.0));
 }
 
-/// The largest change of max(0, cos)^k for each radian.
+/// The steepest slope of max(0, cos)^k. Units: per radian.
 double steepest(double k) {
     return k > 1 ? std::sqrt(k) * std::pow(1 - 1 / k, (k - 1) / 2) : 1;
 }
 
-/// All directions in which the picture looks: a cone around its middle.
+/// A cone around the picture's middle that holds all directions in which the picture looks.
 struct seen_cone {
     vector middle;
     double half_angle = 0;
@@ -65,9 +65,9 @@ struct seen_cone {
     }
 };
 
-/// The error of a highlight of strength 1.
+/// Bound of the error of a highlight of strength 1. Units: angles in radians.
 double highlight_off(double k, double apart, double normal_angle, double way) {
-    // The length of the sum of both directions: the bisector turns by way / length.
+    // The least length of the sum of both unit directions: their bisector turns by way / length.
     const double least_sum = 2 * std::cos(std::min(apart + way, std::numbers::pi) / 2);
     if (!(least_sum > 0))
         return 1;

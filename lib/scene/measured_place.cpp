@@ -24,10 +24,11 @@ l3d_surface_jet::vector around(const vector& v, double radius) {
             l3d_interval::around(v[2], radius)};
 }
 
-/// Derivatives of the exact piece that the picked patch is a part of, in the world.
+/// Derivatives, in the world, of the exact piece that holds the picked patch.
 ///
-/// A derivative of order k is a sum of control points times degrees to the k-th power, and weights
-/// count once more for each order. Evaluating, dividing and placing take less than 128 roundings.
+/// A derivative of order k is a sum of control points times degrees to the k-th power. The ratio of
+/// weights counts once more for each order. Evaluating, dividing and placing take less than 128
+/// roundings.
 l3d_surface_jet exact_jet(const l3d_patch_instance& instance, const l3d_pick& pick) {
     const l3d_patch_model& model = instance.model();
     const l3d_nurbs_surface piece = model.surface(model.piece_of(pick.patch));
@@ -62,7 +63,8 @@ vector middle(const l3d_surface_jet::vector& v) {
     return {v[0].middle(), v[1].middle(), v[2].middle()};
 }
 
-/// Finds the curvatures H +- sqrt(H^2 - K), of which the root is of nothing negative.
+/// Sets the curvatures H +- sqrt(H^2 - K). H^2 - K is never negative, so negative parts of its
+/// interval are left out.
 void take_curvatures(l3d_measured_place& to, const l3d_interval& mean,
                      const l3d_interval& gaussian) {
     const l3d_interval under = mean.squared() - gaussian;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_eye_of, l3d_least_w_of.
+// l3d_eye_of, l3d_least_w_of: the eye in a model's coordinates, and its box's least w.
 #include "scene/model_eye.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// A row's part that depends on the point.
+/// The linear part of a row, without its constant.
 vector linear(const l3d_matrix<double>& m, int row) {
     return {m(row, 0), m(row, 1), m(row, 2)};
 }

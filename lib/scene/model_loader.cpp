@@ -20,8 +20,9 @@
 
 namespace {
 
-/// The path of a file that another file names: beside that file, also if the name is a path on
-/// another machine or of Windows. A model from a pipe has no folder: the present one is meant.
+/// The path of a file that another file names. It is taken to be beside that file, even if the name
+/// is a path on another machine or of Windows. A model from a pipe has no folder; the current
+/// folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -40,7 +41,7 @@ std::string beside(const std::string& path, std::string named) {
     return place();
 }
 
-/// The text of a file, or why there is none.
+/// The text of a file; "" with the reason in `why` if it cannot be read.
 std::string text_of(const std::string& path, std::string& why) {
     try {
         return l3d_read_text_file(path);
@@ -50,7 +51,7 @@ std::string text_of(const std::string& path, std::string& why) {
     }
 }
 
-/// Notes materials that no file describes, but not thousands of them.
+/// Notes materials that no file describes; the first five are named.
 void note_unknown(std::span<const l3d_named_material> known, const std::string& name,
                   l3d_model_file& model) {
     constexpr std::size_t most = 5;
@@ -68,7 +69,7 @@ void note_unknown(std::span<const l3d_named_material> known, const std::string& 
                               "; such materials are white");
 }
 
-/// A file of materials that was looked for.
+/// A file of materials that was looked for: its path, and its text or why there is none.
 struct material_text {
     std::string place, why, text;
 
@@ -76,8 +77,8 @@ struct material_text {
         : place(beside(path, named)), text(text_of(place, why)) {}
 };
 
-/// One statement may name several files, and a file's name may have spaces. So the whole is one
-/// name if there is such a file, or if none of its words is a file either.
+/// The files that a statement names. It may name several, and a name may have spaces. So the whole
+/// is one name if there is such a file, or if none of its words is a file either.
 std::vector<material_text> texts_of(const std::string& path, const std::string& named) {
     const material_text whole(path, named);
     std::vector<material_text> each;
@@ -117,8 +118,8 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
-/// A picture as hills: a height for each pixel, one unit apart. White is a quarter of the longer
-/// side above black, so that the hills of most pictures look neither flat nor like needles.
+/// Makes hills of a picture: a height for each pixel, one unit apart. White is a quarter of the
+/// longer side above black, so that the hills of most pictures look neither flat nor like needles.
 l3d_model_file heights_of(const std::string& bytes, const std::string& name) {
     l3d_detail::png_levels picture = l3d_detail::decoded_png_levels(bytes, name, l3d_most_heights);
     const double white = std::max(picture.size.width, picture.size.height) / 4.0;

@@ -53,7 +53,7 @@ std::string complaint_of(const l3d_patch_points& patch) {
     return of_trims.empty() ? "" : ": " + of_trims;
 }
 
-/// Why patches are none of a model, naming the first that is at fault; "" if they are.
+/// Why patches make no model, naming the first number at fault; "" if they make one.
 std::string complaint_of(const std::vector<l3d_patch_model::patch>& patches) {
     for (std::size_t p = 0; p < patches.size(); ++p)
         for (std::size_t i = 0; i < 16; ++i)
@@ -78,7 +78,7 @@ std::vector<l3d_patch_points> pieces_of(std::span<const l3d_nurbs_surface> surfa
     return pieces;
 }
 
-/// The lines of a file, a pixel wide and of their materials' colours.
+/// The curves of a file, a pixel wide and in their materials' colours.
 std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
     std::vector<l3d_space_curve> result;
     for (std::size_t i = 0; i < file.curves.size(); ++i) {
@@ -93,8 +93,8 @@ std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
 } // namespace
 
 struct l3d_patch_model::paint {
-    std::vector<l3d_material> materials;  ///< each once
-    std::vector<std::uint32_t> of_pieces; ///< places in these; empty if there is only one
+    std::vector<l3d_material> materials;  ///< without duplicates
+    std::vector<std::uint32_t> of_pieces; ///< indices of materials; empty if there is only one
 };
 
 l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
@@ -105,7 +105,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches, const contents* like)
     : contents_(std::make_shared<const contents>(std::move(patches), like)) {
     for (std::size_t i = 0; i < this->patches().size(); ++i)
-        bends(i); // all are drawn sooner or later
+        bends(i); // computed now: all are drawn sooner or later
 }
 
 l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces, const source* like)
@@ -236,7 +236,7 @@ std::span<const l3d_shared_edge> l3d_patch_model::edges() const {
 }
 
 std::string l3d_patch_model::edges_note() const {
-    constexpr double rounding = 0x1p-40; // by the largest coordinates
+    constexpr double rounding = 0x1p-40; // a part of the largest coordinates
     const double least = rounding * std::max(l3d_length(pieces_least()), l3d_length(pieces_most()));
     std::size_t count = 0, worst = 0;
     const auto beyond = [&](std::size_t i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene: boxes and normals of placed models.
+// l3d_patch_scene: boxes, normals and materials of placed models.
 #include "scene/patch_scene.h"
 
 #include "base/formatted_p.h"
@@ -39,8 +39,8 @@ double largest(const l3d_matrix<double>& m) {
     return result;
 }
 
-/// The cofactors of the upper left three by three, the largest scaled to 1. Scaled before, too,
-/// so that their products neither overflow nor vanish.
+/// The cofactors of the upper left three by three, scaled so that the largest is 1. The matrix is
+/// scaled first, so that products neither overflow nor vanish.
 l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
     const double scale = 1 / largest(m);
     const auto at = [&](int row, int column) { return m(row % 3, column % 3) * scale; };
@@ -64,9 +64,9 @@ bool is_finite(const l3d_matrix<double>& m) {
     return true;
 }
 
-/// Whether the upper left three by three is certain to have an inverse: its determinant is farther
-/// from zero than rounding can put it. Each of the six products has at most four roundings of
-/// 2^-53, and summing them adds five: below 16 of them in all.
+/// Whether the upper left three by three certainly has an inverse: its determinant is farther from
+/// zero than rounding can put it. Each of the six products has at most four roundings of 2^-53, and
+/// summing them adds five: below 16 roundings in all.
 bool can_be_inverted(const l3d_matrix<double>& m) {
     constexpr double rounding = 16 * 0x1p-53;
     const double most = largest(m);
@@ -83,7 +83,7 @@ bool can_be_inverted(const l3d_matrix<double>& m) {
     return std::abs(determinant) > rounding * terms;
 }
 
-/// The model's box in the world, without its reach.
+/// A model's box in the world, without its reach.
 l3d_slanted_box box_of(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
     l3d_slanted_box box;
     box.centre = placed_point(placement, (model.least() + model.most()) * 0.5);
@@ -213,7 +213,7 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
     extent_count_ = 0;
 }
 
-/// Keeps the box that an instance has before its first change.
+/// Keeps an instance's box, in which it was before its first change.
 void l3d_patch_scene::note_change(std::size_t index) {
     if (is_moved_[index])
         return;
@@ -284,8 +284,8 @@ void l3d_patch_scene::add_by_opacity(const l3d_patch_model& model,
     const auto below_1 =
         static_cast<std::size_t>(std::ranges::count_if(opacities, [](float o) { return o < 1; }));
     if (below_1 > room) {
-        // Opacities from (i - 1) / room to i / room become one, for i < room; the last ones are
-        // opaque.
+        // Opacities above (i - 1) / room, up to i / room, share an instance of opacity i / room.
+        // The last one is opaque.
         opacities.clear();
         for (std::size_t i = 0; i <= room; ++i)
             opacities.push_back(static_cast<float>(i) / static_cast<float>(room));
@@ -329,7 +329,7 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     };
     if (std::ranges::all_of(instances_, is_plain) && !has_pictures())
         return materials_;
-    materials_.emplace_back(); // the material of all that is plain
+    materials_.emplace_back(); // the material of all plain instances
     std::map<const void*, std::uint32_t> firsts;
     for (const l3d_patch_instance& instance : instances_) {
         const auto next = static_cast<std::uint32_t>(materials_.size());
@@ -350,8 +350,8 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     return materials_;
 }
 
-/// Finds the box from instances that it has not seen yet. Once an instance was moved, it looks at
-/// all, since the box without that one is unknown.
+/// Grows the box by the instances that it does not hold yet. After a move all instances are looked
+/// at, since the box without the moved one is unknown.
 const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
     if (extent_count_ == 0)
         extent_ = {};

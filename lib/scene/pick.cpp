@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pick_at: patches in the ray's coordinates, and the facts on the place of the hit.
+// l3d_pick_at: meets patches with a ray in the ray's coordinates, and describes the hit.
 #include "scene/patch_scene.h"
 
 #include "base/formatted_p.h"
@@ -27,10 +27,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// products and sums add 8, placing the model 8. Halving adds 6, as halves become smaller, and
 /// evaluating 12. Twice that is enough. Units: the sum of all terms' magnitudes.
 constexpr double ray_rounding = 128 * 0x1p-53;
-/// The same for a world coordinate.
+/// The same for a coordinate in the world.
 constexpr double world_rounding = 16 * 0x1p-53;
 
-/// The ray through a place of a picture: coordinates that vanish along it, and the depth.
+/// The ray through a place of a picture, with coordinates that are 0 along the ray, and depth.
 class eye_ray {
 public:
     eye_ray(const l3d_pick_view& view, double x, double y)
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /// The place of this depth.
+    /// The place of the ray at a depth.
     vector at(double depth) const { return eye_ + direction() * depth; }
 
     l3d_ray_net::point seen(const vector& world) const {
@@ -62,7 +62,7 @@ public:
         return ray_rounding * 3 * (reach + eye) * slant();
     }
 
-    /// The distance of two places from its parts across the ray and along the depth.
+    /// The length of a step, from its parts across the ray and along the depth.
     double length(double across, double depth) const { return across + depth * slant(); }
 
     vector direction() const { return axes_.forward + axes_.right * right_ + axes_.up * up_; }
@@ -70,7 +70,7 @@ public:
 private:
     double slant() const { return 1 + std::abs(right_) + std::abs(up_); }
 
-    vector eye_; ///< in a parallel projection, the ray's own
+    vector eye_; ///< in a parallel projection, each ray has its own
     l3d_camera::frame axes_;
     double right_ = 0, up_ = 0;
 };
@@ -87,12 +87,12 @@ patch_3 placed(const patch_3& patch, const l3d_patch_instance& instance) {
     return result;
 }
 
-/// The place of a patch in the row of all instances' patches.
+/// A patch's instance, and its index in that instance's model.
 struct place_in_scene {
     std::size_t instance, patch;
 };
 
-/// Length of the error of a normal or a point.
+/// The length of an error, from its coordinates' radii.
 double length_of_radii(const l3d_surface_jet::vector& v) {
     double squares = 0;
     for (const l3d_interval& coordinate : v)
@@ -148,7 +148,7 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
         const bool mirrored = l3d_determinant(instance.placement()) < 0;
         return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
     };
-    const bool is_parallel = view.camera.is_parallel(); // then nothing is cut
+    const bool is_parallel = view.camera.is_parallel(); // near and far cut nothing then
     double near = is_parallel ? -infinite : view.camera.near_z;
     double far = is_parallel ? infinite : view.camera.far_z;
     if (view.section) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Weights of Bernstein coefficients in Taylor's about the middles of the parts of a patch.
+// Weights that turn Bernstein coefficients of a patch into Taylor coefficients about its parts'
+// middles.
 #ifndef L3D_SCENE_BENDS_BEND_WEIGHTS_P_H
 #define L3D_SCENE_BENDS_BEND_WEIGHTS_P_H
 
@@ -17,7 +18,7 @@ constexpr double choose(std::size_t n, std::size_t k) {
 /// The weight of Bernstein coefficient `from` in the Taylor coefficient of t^power about the middle
 /// of a part. t runs from -1 to 1 across the part.
 ///
-/// It is found by de Casteljau's scheme at the middle, with `power` levels of differences, times a
+/// De Casteljau's scheme at the middle finds it, with `power` levels of differences, times a
 /// binomial coefficient. That is degree! / (degree - power)! for the derivative, over power! for
 /// Taylor's series. A part is 1/8 of the patch, and t = 1 half of that. The weight is a multiple of
 /// 2^-20, hence exact: for degree 5 it takes five products with sixteenths.

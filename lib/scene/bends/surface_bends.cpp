@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_bends: largest numbers of parts, rounded up; and those of a moved patch.
+// l3d_surface_bends: takes the largest bounds of parts, rounded up; and bounds of a placed patch.
 #include "scene/bends/surface_bends.h"
 #include "scene/bends/bends_of_blocks.h"
 
@@ -14,17 +14,17 @@ namespace {
 
 constexpr float no_bound = std::numeric_limits<float>::infinity();
 
-/// A float that is not below x. Rounding to nearest changes a float by 2^-24 of it, or by 2^-150 if
-/// it is smaller than the smallest normal one, 2^-126. Nothing of a NaN.
+/// A float that is not below x; infinite for a NaN. Rounding to nearest changes a float by 2^-24 of
+/// it, or by 2^-150 if it is smaller than the smallest normal one, 2^-126.
 float rounded_up(double x) {
     constexpr double most = 0x1p127;
     return x < most ? static_cast<float>(x * (1 + 0x1p-23)) + (x > 0 ? 0x1p-126F : 0.0F) : no_bound;
 }
 
-/// An upper bound of the largest eigenvalue of M^T M and a lower one of the least, M a map's upper
-/// left three by three. Jacobi's rotations, then Gershgorin's circles: every eigenvalue is within
-/// the sum of its row's other entries of a diagonal entry. Three rounds leave entries at the
-/// rounding of some 100 operations of 2^-53, relative to the largest; the slack is 2^-43 of that.
+/// Bounds of the largest eigenvalue of M^T M from above and of the least from below. M is the upper
+/// left three by three of a map. After Jacobi's rotations, Gershgorin's circles bound eigenvalues:
+/// each is within the sum of its row's other entries of a diagonal entry. Three rounds leave
+/// rounding of some 100 * 2^-53, relative to the largest entry; the slack is 2^-43 of that.
 struct squared_scales {
     double least, most;
 
@@ -48,7 +48,7 @@ struct squared_scales {
     }
 
 private:
-    /// Makes the entry (p, q) vanish.
+    /// Rotates so that the entry (p, q) vanishes.
     static void rotate(double (&a)[3][3], int p, int q) {
         if (a[p][q] == 0)
             return;
@@ -68,14 +68,15 @@ private:
     }
 };
 
-/// Bounds of normals N' = B N / |B N| from those of N, B the cofactors of a map, |B d| between b
-/// and kappa b times |d|.
+/// Bounds of normals N' = B N / |B N| from those of N. B holds the cofactors of a map, and |B d| is
+/// between b |d| and kappa b |d|.
 ///
 /// Let B^T B = c (1 + F) with c in the middle of its eigenvalues, so |F| <= f = (kappa^2 - 1) /
-/// (kappa^2 + 1), and r = |B N|, so c / r^2 <= (kappa^2 + 1) / 2. As N . N = 1, r^2 / c = 1 +
-/// N . F N, and half of its derivatives over r^2 are at most g = c f / r^2 <= (kappa^2 - 1) / 2
-/// times sums of products of N's. From r r = r^2 those of r over r, and from r N' = B N those of
-/// N', |B N_u| / r being at most kappa |N_u|. A similarity has kappa = 1 and g = 0.
+/// (kappa^2 + 1), and r = |B N|, so c / r^2 <= (kappa^2 + 1) / 2. As N . N = 1, r^2 / c = 1 + N . F
+/// N, and half of its derivatives over r^2 are at most g = c f / r^2 <= (kappa^2 - 1) / 2 times
+/// sums of products of N's. Derivatives of r r = r^2 bound those of r over r. Derivatives of r N' =
+/// B N bound those of N', as |B N_u| / r is at most kappa |N_u|. A similarity has kappa = 1 and g =
+/// 0.
 class turned_normals {
 public:
     turned_normals(double kappa, double g) : kappa_(kappa), g_(g) {}
@@ -122,7 +123,7 @@ double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double 
 void l3d_surface_bends::set_steps() {
     for (std::size_t i = 0; i < blocks; ++i) {
         const l3d_bend_numbers<double> of = bends_of_block(of_blocks_, i);
-        // Where normals hardly turn, half of the third derivative's root decides.
+        // Where normals hardly turn, half of the cube root of the third derivative decides.
         const double u = std::max(of.turn_u, std::cbrt(of.n_uuu) / 2);
         const double v = std::max(of.turn_v, std::cbrt(of.n_vvv) / 2);
         const double both = u > 0 && v > 0 ? std::cbrt(l3d_levels_off(of, 1 / u, 1 / v)) : 0;
@@ -146,14 +147,14 @@ l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
             of[i] = rounded_up(bounds->most(n, i));
             most = std::max(most, of[i]);
         }
-        // The patch's parameters run a quarter as far over a block: exact, as a power of two.
+        // The patch's parameters run a quarter as far over a block; a power of two scales exactly.
         of_whole_.*bend_members<float>[n] = std::ldexp(most, 2 * bend_orders[n]);
     }
     set_steps();
 }
 
-/// Depths: N' . A d = N . d / |A^-T N| <= s N . d, s the largest factor by which A makes a vector
-/// longer. The cofactors' largest over their least is that of A.
+/// Bends: N' . A d = N . d / |A^-T N| <= s N . d, where s is the largest factor by which A
+/// lengthens a vector. The cofactors' largest factor over their least is that of A.
 l3d_surface_bends l3d_surface_bends::under(const l3d_matrix<double>& placement) const {
     const squared_scales scales(placement);
     const double scale = std::sqrt(scales.most) * (1 + 0x1p-40);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a patch in lanes, once for each instruction set.
+// Parts of a patch in lanes, compiled once for each instruction set.
 #include "scene/bends/bend_weights_p.h"
 #include "scene/bends/surface_bends_p.h"
 
@@ -18,7 +18,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Taylor's coefficients by u of a net's rows, about the middles of the columns of parts.
+/// Taylor coefficients by u of a net's rows, about the middles of the columns of parts.
 template <std::size_t Degree> class part_columns {
 public:
     /// Shape: net[component][row][column].
@@ -35,7 +35,7 @@ public:
                     }
     }
 
-    /// Puts the coefficients by v for a row of parts.
+    /// Writes the Taylor coefficients by u and v for a row of parts.
     HWY_ATTR void put(std::size_t part,
                       double (&out)[Degree + 1][Degree + 1][3][part_lanes]) const {
         for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())
@@ -57,8 +57,8 @@ private:
     alignas(64) double at_[Degree + 1][3][Degree + 1][part_lanes];
 };
 
-/// Taylor's coefficients about the middles of the quarters that lanes stand for. Horner's scheme
-/// goes by half of the old parameter, and by a new one that runs half as far.
+/// Turns Taylor coefficients of parts into those about the middles of the quarters that lanes stand
+/// for. Horner's scheme shifts by half of the old parameter. The new parameter runs half as far.
 template <std::size_t Degree>
 HWY_ATTR void quarter_net(double (&net)[Degree + 1][Degree + 1][3][part_lanes]) {
     alignas(64) static constexpr double side_u[part_lanes]{-.5, .5, -.5, .5, -.5, .5, -.5, .5};

@@ -94,8 +94,8 @@ struct part_group {
     alignas(64) double points[4][4][3][part_lanes];
 };
 
-/// Bounds of derivatives over the parts of a group, by parameters from 0 to 1 across them, and the
-/// values in their middles: [number][lane]. Without a bound, `most` is infinite and `middle` means
+/// Bounds of derivatives over the parts of a group, and values in their middles: [number][lane].
+/// Parameters are from 0 to 1 across a part. Without a bound, `most` is infinite and `middle` means
 /// nothing.
 struct group_bounds {
     alignas(64) double most[bend_numbers][part_lanes];

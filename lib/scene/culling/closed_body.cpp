@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_orientation_of: pairs of equal edges, and one point that all normals turn away from.
+// l3d_orientation_of: pairs equal edges, and tests whether all normals turn away from one point.
 #include "scene/culling/closed_body.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using vector = l3d_facing_cones::vector;
 
-/// Whether each edge is met by exactly one other, which runs the other way.
+/// Whether each edge meets exactly one other edge, which runs the other way.
 bool has_no_boundary(std::span<const patch> patches, std::span<const l3d_halved_side> halved) {
     std::vector<std::array<double, 12>> there, back;
     const auto add = [&](const curve& edge) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_facing_cones: sub-nets of the sixteen blocks, once a model; a test in every frame.
+// l3d_facing_cones: cones of the sixteen blocks, made once a model and tested in every frame.
 #include "scene/culling/facing_cones.h"
 
 #include "geom/patch_part.h"
@@ -77,11 +77,11 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
 }
 
 /// Every S of the ball is at most distance + radius away, and (S - from) . axis is at least that of
-/// the centre less the radius. A vector that makes a cosine greater than the cone's sine with the
-/// axis is within a right angle of all the cone.
+/// the centre less the radius. A vector is within a right angle of the whole cone if its cosine
+/// with the axis exceeds the cone's sine.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
     const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
-    // The test of the whole patch uses squares: a root would be half of the work.
+    // Squares test the whole patch: a root would be half of the work.
     const vector way = whole_.centre - from;
     const double along_whole = side * l3d_dot(way, whole_.axis), sine = whole_.sine + slack;
     const double clear = std::abs(along_whole) - whole_.radius * (1 + sine) - reach;

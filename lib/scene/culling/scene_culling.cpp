@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scene_culling: instances, then their patches, nearest first.
+// l3d_scene_culling: takes instances, then their patches, nearest first.
 #include "scene/culling/scene_culling.h"
 
 #include "scene/culling/scene_culling_p.h"
@@ -16,9 +16,9 @@ namespace {
 
 using l3d_detail::culled_boxes;
 
-/// Patches of the first batch; each further one is twice as large as the one before, up to the
-/// largest. The nearest patches hide most, so the first batches are small. A batch has a price of
-/// its own, some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
+/// Patches of the first batch, and of the largest; each batch is twice as large as the one before.
+/// The nearest patches hide most, so the first batches are small. A batch has a price of its own,
+/// some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
 /// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
@@ -46,7 +46,7 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
            hidden(context, where.box, where.inv_w);
 }
 
-/// Error of a balanced vertex's w, for a net with w from `least` to `most`.
+/// Bound of the error of a balanced vertex's w, for a net with w from `least` to `most`.
 ///
 /// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps. f''
 /// <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common effect
@@ -63,7 +63,7 @@ float inv_w_above(double least, double error, const l3d_dice_view& view) {
     return static_cast<float>(view.depth_scale / ((least - error) * (1 - 0x1p-12)));
 }
 
-/// Expects: the box lies within the margin.
+/// A box of the picture in sub-pixels, rounded outwards. Expects: it lies within the margin.
 l3d_subpixel_box subpixels(const l3d_image_box& box, const l3d_dice_view& view) {
     // A cast rounds down, except left of or above the window, where there is no pixel to miss.
     const l3d_image_box window = view.window();
@@ -94,10 +94,10 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
     return ticket{std::bit_cast<std::uint32_t>(where.nearest_w)} << 32 | at;
 }
 
-/// The extent of box i, if it may be seen.
+/// The nearest w of box i for sorting, and the box and depth by which it may be hidden.
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
-    // In a parallel projection all w are nearly alike, and a float holds what they differ by.
+    // In a parallel projection all w are nearly alike, so a float holds the difference from a base.
     const double from = view_.is_parallel() ? view_.w_middle * (1 - 2 * l3d_parallel_part) : 0.0;
     extent where{static_cast<float>(std::max(view_.near, boxes.least[i]) - from),
                  std::numeric_limits<float>::infinity(),
@@ -109,7 +109,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     const double balance =
         l3d_is_small(box_of(boxes, i)) ? 0 : balance_of_w(boxes.least[i], boxes.most[i]);
     const l3d_image_box seen = drawn_box_of(boxes, i, view_).intersected(view_.margin());
-    if (seen.empty()) // kept all the same
+    if (seen.empty()) // then it is never hidden
         return where;
     where.inv_w = inv_w_above(boxes.least[i], error_w + balance, view_);
     where.box = subpixels(seen, view_);
@@ -117,7 +117,7 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
-/// the others. When a part is drawn, all have one reason: they lie beside it.
+/// the others. If a part of the picture is drawn, all others count as unchanged.
 ///
 /// A box that is `followed` has edges along which strips go on beside its neighbours, so it is left
 /// out for its place alone.
@@ -180,7 +180,7 @@ void l3d_scene_culling::leave_out(const l3d_patch_instance& instance, std::int64
     left_ -= patches;
 }
 
-/// Puts the patches of the nearest instance into the line, unless all are hidden.
+/// Puts the patches of the nearest instance into the line, unless the instance is hidden.
 void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* context) {
     const seen_instance& next = instances_[place_of(instance_line_.back())];
     instance_line_.pop_back();
@@ -203,8 +203,8 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
         });
 }
 
-/// Brings the nearest patches of the line to its end, the nearest last. A long line is sorted by
-/// eighths, so that patches are looked at eight times, and sorted once.
+/// Sorts the nearest patches of the line to its end, the nearest last. A long line is sorted by
+/// eighths: each patch is looked at up to eight times, and sorted once.
 void l3d_scene_culling::sort_nearest(std::size_t count) {
     if (sorted_ >= count)
         return;
@@ -235,7 +235,7 @@ void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, co
 std::span<const l3d_placed_patch> l3d_scene_culling::next_batch(hidden_call hidden,
                                                                 const void* context) {
     if (batch_size_ == 0)
-        hidden = nullptr; // Nothing has been drawn.
+        hidden = nullptr; // nothing drawn yet hides them
     batch_size_ = std::clamp(2 * batch_size_, first_batch, largest_batch);
     batch_.clear();
     while (left_ > 0 && batch_.size() < batch_size_) {

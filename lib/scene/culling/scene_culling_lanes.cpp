@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cull_boxes, once for each instruction set: plain loops, which the compiler turns into lanes.
+// cull_boxes, compiled for each instruction set: plain loops, which the compiler turns into lanes.
 #include "scene/culling/scene_culling_p.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct coordinate {
     std::array<row, 3> axes;
 };
 
-/// The sums, in a row of their own: so the compiler knows that no other data is in it.
+/// Sums in a row of their own: the compiler then knows that no other data overlaps it.
 row sums(const l3d_vector<double, 4>& m, const double* x, const double* y, const double* z,
          double more) {
     row result;
@@ -44,7 +44,7 @@ coordinate placed(const l3d_box_lanes& boxes, std::size_t first, const l3d_vecto
             {axis(0), axis(1), axis(2)}};
 }
 
-/// The reach of boxes to the inner side of a half-space: the largest sign (x - at w).
+/// Lowers `inside` to the boxes' reach into a half-space: the largest sign (x - at w).
 void keep_inside(const coordinate& x, const coordinate& w, double at, double sign, const row& share,
                  const l3d_dice_view& view, row& inside) {
     const double error = view.error_xy + std::abs(at) * view.error_w;
@@ -72,7 +72,7 @@ void project(const coordinate& x, const coordinate& w, const row& least, const r
     }
 }
 
-/// The share of the errors, and the near plane, for the boxes' contents, in rows of their own.
+/// Computes the boxes' share of the errors and their near planes, in rows of their own.
 void judge_terms(const l3d_box_lanes& boxes, std::size_t first, const placing_terms& terms,
                  const l3d_dice_view& view, row& share, row& near) {
     const double* const reach = boxes.reach(first);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// l3d_left_out: the reasons.
+// l3d_left_out: finds the reason, if there is one, and counts it.
 #include "scene/culling/visibility.h"
 
 #include "raster/pixel_centres.h"
 
 namespace {
 
-/// A quick test: corners so far apart spare most patches the box of their net.
+/// Whether opposite corners of a net are more than a pixel apart in x and in y. Most patches are,
+/// and need no box of their net.
 bool is_wider_than_a_pixel(const l3d_image_patch& net) {
     const auto is_wider = [&](int along) {
         return l3d_far_apart(net.at(0, 0), net.at(3, 3), along, 1) ||

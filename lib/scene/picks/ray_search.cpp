@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_ray_search: parts in the order of their depth, and Krawczyk's operator.
+// l3d_ray_search: looks into parts in order of depth, and proves hits by Krawczyk's operator.
 #include "scene/picks/ray_search.h"
 
 #include <algorithm>
@@ -13,18 +13,18 @@ namespace {
 /// A part is inflated by this share at each side before anything is proven of it, so that a point
 /// on the border of two parts, or of two patches, lies inside both.
 constexpr double margin = 0.125;
-/// The operator contracts at least so much where a hit is proven. Then the image of a part that
-/// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
+/// The operator's contraction must be at most this where a hit is proven. Then the image of a part
+/// that holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
-/// Parts whose points are all within so many errors of the ray are not split: no half can be told
-/// to hold the hit.
+/// Parts within this many errors of the ray are not split: neither half could be told to hold the
+/// hit.
 constexpr double blurred_errors = 16;
-/// Parts no larger than that, along u or along v, are not split that way.
+/// Parts no larger than this, along u or along v, are not split that way.
 constexpr double least_size = 0x1p-48;
-/// Limit of steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
+/// The most steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
 /// split.
 constexpr long most_steps = 1 << 16;
-/// Parts that are looked at to join hits that are not proven: 50 halvings of a few at a time.
+/// The most parts that are looked at to join unproven hits: 50 halvings of a few at a time.
 constexpr int most_joined = 1 << 10;
 
 struct range {
@@ -38,7 +38,7 @@ struct range {
 l3d_ray_net inflated(const l3d_ray_net& net) {
     using curve = l3d_ray_net::curve;
     const auto stretched = [](const curve& c) {
-        // The blossom at three of the two new ends.
+        // The blossom at three arguments, each one of the two new ends.
         const auto blossom = [&](double a, double b, double d) {
             std::array<l3d_ray_net::point, 4> p{c.points[0], c.points[1], c.points[2], c.points[3]};
             int left = 3;
@@ -81,13 +81,13 @@ range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     return {3 * result.low, 3 * result.high};
 }
 
-/// Newton's step with one matrix for all of a part, and its contraction there.
+/// Newton's step with one matrix for the whole part, and its contraction there.
 struct operator_of {
     double inverse[2][2];
     double contraction; ///< in the maximum norm
     bool exists = false;
 
-    /// The part is inflated; its parameters go from 0 to 1.
+    /// Expects: an inflated part, whose parameters go from 0 to 1.
     explicit operator_of(const l3d_ray_net& part) {
         range j[2][2];
         for (int coordinate = 0; coordinate < 2; ++coordinate)
@@ -96,7 +96,7 @@ struct operator_of {
         const double a = j[0][0].middle(), b = j[0][1].middle();
         const double c = j[1][0].middle(), d = j[1][1].middle();
         const double determinant = a * d - b * c;
-        // The determinant is not larger than its rounding.
+        // Nothing is proven if the determinant may be rounding alone.
         if (!(std::abs(determinant) > 0x1p-40 * (std::abs(a * d) + std::abs(b * c))))
             return;
         exists = true;
@@ -118,7 +118,7 @@ struct operator_of {
         return {inverse[0][0] * f[0] + inverse[0][1] * f[1],
                 inverse[1][0] * f[0] + inverse[1][1] * f[1]};
     }
-    /// The largest step for values that are known to +-error.
+    /// The most by which a step changes if values err by `error`.
     double blur(double error) const {
         return error * std::max(std::abs(inverse[0][0]) + std::abs(inverse[0][1]),
                                 std::abs(inverse[1][0]) + std::abs(inverse[1][1]));
@@ -201,14 +201,14 @@ void l3d_ray_search::split(const part& one) {
             push(std::move(half));
 }
 
-/// True if a part is settled: it has no hit, or its one hit is now in the heap.
+/// Settles a part if possible: true if it has no hit, or if its one hit is now in the heap.
 bool l3d_ray_search::settle(const part& one) {
     const root& whole = roots_[one.root];
     const l3d_ray_net larger = inflated(one.net);
     const operator_of newton(larger);
     if (!newton.exists || newton.contraction > most_contraction)
         return false;
-    // Parameters of the inflated part: the part itself is from `edge` to 1 - edge.
+    // In parameters of the inflated part, the part itself is from `edge` to 1 - edge.
     constexpr double size = 1 + 2 * margin, edge = margin / size;
     double at[2] = {0.5, 0.5};
     const double blur = newton.blur(whole.error);
@@ -267,7 +267,7 @@ void l3d_ray_search::keep_unproven(const part& one) {
                      .depth_width = high[2] - low[2]});
 }
 
-/// Joins unproven hits, which lie side by side along an outline: any of them may be the nearest.
+/// Joins unproven hits that lie side by side along an outline: any of them may be the nearest.
 l3d_ray_hit l3d_ray_search::joined(l3d_ray_hit first) {
     const double front = first.depth - first.depth_width / 2;
     double back = front + first.depth_width;

@@ -11,7 +11,7 @@ namespace {
 using patch_3 = l3d_bezier_patch<double, 3>;
 using jet_vector = l3d_surface_jet::vector;
 
-/// The control net of a derivative, `along_u` times along u and `along_v` times along v.
+/// The control net of a patch's derivative of order `along_u` by u and `along_v` by v.
 class derivative_net {
 public:
     derivative_net(const patch_3& patch, int along_u, int along_v)
@@ -28,7 +28,7 @@ public:
                     at(r, c) = at(r + 1, c) - at(r, c);
     }
 
-    /// The largest magnitude of a coordinate.
+    /// The derivative's largest magnitude in a coordinate, by the convex hull.
     double most(int coordinate) {
         double result = 0;
         for (int r = 0; r < rows_; ++r)
@@ -37,7 +37,7 @@ public:
         return factor_ * result;
     }
 
-    /// The change by control points with an error of one.
+    /// The most by which the derivative changes if control points err by 1.
     double terms() const { return terms_; }
 
     patch_3::point value(double u, double v) {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// 3, 6, 6: the factors of a cubic's differences.
+    /// The factors of a cubic's differences in its first, second and third derivative: 3, 6, 6.
     static double scale(int times) { return times == 0 ? 1 : times == 1 ? 3 : 6; }
 
     static patch_3::point reduced(std::array<patch_3::point, 4>& p, int count, double t) {
@@ -69,7 +69,7 @@ private:
     double factor_, terms_;
 };
 
-/// All derivatives, at all parameters around a place.
+/// All derivatives, as intervals for all parameters around a place.
 class around {
 public:
     around(const patch_3& patch, double u, double v, double u_error, double v_error,
@@ -97,7 +97,7 @@ public:
 
 private:
     std::array<std::array<jet_vector, 4>, 4> derivatives_;
-    std::array<std::array<std::array<double, 3>, 5>, 5> most_{}; ///< magnitudes, with zeros beyond
+    std::array<std::array<std::array<double, 3>, 5>, 5> most_{}; ///< magnitudes; 0 beyond order 3
 };
 
 l3d_interval dot(const jet_vector& a, const jet_vector& b) {
