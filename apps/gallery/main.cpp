@@ -31,8 +31,8 @@ struct exhibit {
     }
 };
 
-/// In the order in which make_scene adds them. The teapot's handle ends 3 from its axis, and the
-/// others are farther away at its height: so all turn freely.
+/// Exhibits in the order in which make_scene adds them. The teapot's handle ends 3 units from its
+/// axis. The other models are farther away at its height, so all turn freely.
 constexpr exhibit exhibits[] = {{0, 0, 1, 12},
                                 {-3.6, 1.4, 1, -20},
                                 {4.1, 2.8, 1.1, 24},
@@ -78,7 +78,7 @@ private:
         l3d_panel panel;
         panel.add("patches", std::to_string(scene().patch_count()));
         panel.add("error", rounded(bound()) + " pixels at most");
-        if (screen().is_window()) // files are the same each time
+        if (screen().is_window()) // pictures in files are the same each time
             panel.add("frame", rounded(controls().pace().milliseconds()) + " ms");
         return {panel, l3d_corner::bottom_right};
     }

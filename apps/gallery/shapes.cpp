@@ -16,8 +16,9 @@ namespace {
 using patch = l3d_patch_model::patch;
 using vector = l3d_patch_model::vector;
 
-/// Distance of the inner control points from the ends in a cubic curve for a quarter of a unit
-/// circle; it is round to 2.7e-4. Source: 4 (sqrt 2 - 1) / 3.
+/// Distance of the inner control points from the ends of a cubic curve that is nearly a quarter of
+/// a unit circle, round to 2.7e-4.
+/// Source: 4 (sqrt 2 - 1) / 3.
 constexpr double quarter = 0.5522847498307936;
 
 /// A point of a profile: its distance from the axis, and its height.

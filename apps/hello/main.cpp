@@ -60,7 +60,7 @@ public:
         : l3d_lesson(std::move(canvas)), lesson_(which), seed_(seed), random_(seed) {
         if (lesson_ == lesson::event)
             std::cerr << screen().describe() << '\n';
-        // Files have the built-in face, the same on every machine.
+        // Pictures in files have the built-in face, the same on every machine.
         std::string told_beside_the_caption;
         if (screen().is_window())
             font_ = l3d_font::of_system(told_beside_the_caption);
@@ -86,7 +86,7 @@ public:
         y_ = event.y;
     }
 
-    /// Whether only events change the picture: words are not random, or stopped.
+    /// Whether only events change the picture: its words are not random, or they are stopped.
     bool is_at_rest() const override { return lesson_ != lesson::image || is_stopped(); }
 
     /// The last events, the latest one at the bottom.

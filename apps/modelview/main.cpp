@@ -32,8 +32,8 @@ public:
     }
 
 private:
-    /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
-    /// here, before any message or question about a back-end.
+    /// Prepares the other steps; returns nothing if all is done. Wrong options and models are
+    /// reported here, before any message or question about a back-end.
     std::function<l3d_exit()> prepared() {
         const l3d_camera camera = afd_.camera();
         if (polygons_.pipeline() == l3d_pipeline_kind::afd) {

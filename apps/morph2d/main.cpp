@@ -54,8 +54,8 @@ private:
 
     void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         clear(rasterizer);
-        // Whole, not clipped beforehand: the rasterizer cuts it off at the window without moving
-        // an edge.
+        // The polygon is drawn whole: the rasterizer cuts it off at the window without moving an
+        // edge.
         vertex_list& vertices = morph_.list();
         for (auto& vertex : vertices.fixed()) {
             vertex.reset();
@@ -75,8 +75,8 @@ private:
                                             form({{100, 100}, {200, 100}, {150, 200}, {140, 200}}),
                                             form({{-100, 100}, {200, 100}, {950, 200}, {940, 200}}),
                                             form({{100, 150}, {100, 100}, {250, 200}, {100, 200}})};
-    std::size_t last_ = 0;     ///< the form that it comes from
-    int right_ = 0, down_ = 0; ///< the way that the user has dragged it, in pixels
+    std::size_t last_ = 0;     ///< the form that the way begins with
+    int right_ = 0, down_ = 0; ///< how far the user has dragged it, in pixels
     l3d_vertex_interpolator<l3d_real> morph_;
     l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_rgb(0, 128, 255)};
     l3d_ticker ticker_;

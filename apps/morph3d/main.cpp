@@ -19,7 +19,7 @@ namespace {
 
 using vector = l3d_polygon_mesh::vector;
 
-/// A place on a unit sphere about the z axis goes to a place on the form.
+/// Maps a place on a unit sphere about the z axis to a place on the form.
 struct form {
     vector (*place)(const vector&);
     std::uint32_t low, high; ///< the colours of the trunk and of the part above
@@ -40,7 +40,8 @@ vector ball(const vector& v) {
     return v * 10.0;
 }
 
-/// A quarter of the rows for the top, a half for the sides: edges lie on rows and columns.
+/// The rows of the sphere's upper quarter make the top, the half in the middle the sides. So edges
+/// lie on rows and columns.
 vector cube(const vector& v) {
     constexpr double half = 7;
     const double row = std::acos(std::clamp(v[2], -1.0, 1.0)) / std::numbers::pi;
@@ -54,7 +55,8 @@ vector star(const vector& v) {
     return v * (8 + 5 * cosine_of_four(v) * (1 - v[2] * v[2]));
 }
 
-/// A trunk, and four leaves that hang down: their lower sides, and back on the upper ones.
+/// A trunk, and four leaves that hang down. Rows run along the leaves' lower sides, and back on the
+/// upper ones.
 vector palm(const vector& v) {
     const double across = std::sqrt(v[0] * v[0] + v[1] * v[1]);
     const auto at = [&](double radius, double height) {
@@ -77,7 +79,7 @@ constexpr std::array<form, 4> forms{{{ball, 0xe0952f, 0xe0952f},
                                      {star, 0xc8557b, 0xc8557b},
                                      {palm, 0x9a6a3a, 0x4fa84f}}};
 
-/// The forms one after another, each over a second, while it turns.
+/// Turns, while it passes from form to form in a second each.
 class morphing final : public l3d_object {
 public:
     /// `is_painted`: the colours of its faces already contain the light.
@@ -147,8 +149,8 @@ private:
     l3d_polygon_mesh now_;
     l3d_vertex_interpolator<double> morph_;
     l3d_ticker ticker_;
-    std::size_t which_ = 0; ///< the form that it comes from
-    int step_ = 0;          ///< step on the way; below 0 it rests
+    std::size_t which_ = 0; ///< the form that the way begins with
+    int step_ = 0;          ///< step on the way; below 0 at rest
     double degrees_ = 0;
 };
 

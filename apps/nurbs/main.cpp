@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Step 2 of 5: the application is a pipeline. The editor has the handles; shapes are added.
+/// Step 2 of 5: the application is a pipeline. The editor has the handles; this class adds shapes.
 class nurbs_pipeline : public l3d_pipeline_afd_editor {
 public:
     nurbs_pipeline(l3d_canvas canvas, const l3d_patch_model& model,
@@ -26,7 +26,7 @@ public:
         edit(model, std::move(surfaces));
     }
 
-    /// Shows all of the net, from some 24 degrees above: points in front hide few behind them.
+    /// Shows the whole net, from some 24 degrees above: points in front hide few behind them.
     void look_at_net() {
         controls().set_home([this] {
             l3d_camera from = camera();
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A file's model, if there was one, comes no more.
+    /// Shows the next shape. A file's model, if there was one, does not come again.
     void show_next_shape() {
         const shape next = shape_at(next_ = (next_ + 1) % shape_count());
         edit(model_of(next.surfaces), next.surfaces);

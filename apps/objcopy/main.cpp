@@ -20,7 +20,7 @@ public:
         set_mesh(std::move(mesh));
     }
 
-    /// Units: per update of the book.
+    /// Sets the speed. Units: per update of the book.
     void set_speed(double speed) { speed_ = speed; }
 
 private:

@@ -25,7 +25,7 @@ private:
     void advance(double seconds) override { updates_ += ticker_.due(seconds); }
     void restart() override { updates_ = 0; }
 
-    /// The nearest row follows the pointer.
+    /// Moves the rows so that the nearest one follows the pointer.
     void drag(int, int, int right, int) override {
         dragged_ -= right;
         updates_ += dragged_ / dot_side(size());

@@ -52,8 +52,8 @@ public:
 private:
     using vector = l3d_vector<double, 3>;
 
-    /// Prepares the other steps: nothing if all is done. Wrong options and models are reported
-    /// here, before any message or question about a back-end.
+    /// Prepares the other steps; returns nothing if all is done. Wrong options and models are
+    /// reported here, before any message or question about a back-end.
     std::function<l3d_exit()> prepared() {
         const l3d_camera camera = afd_.camera();
         const l3d_pipeline_kind pipeline = polygons_.pipeline();
@@ -108,7 +108,7 @@ private:
         return by_gl ? *by_gl : any_gl_;
     }
 
-    /// Refuses parts that the options name and the model has not.
+    /// Refuses options that name parts which the model has not.
     void check_names(const l3d_parts& parts) const {
         l3d_part_list list;
         list.set_names(parts.names());

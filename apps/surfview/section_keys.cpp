@@ -18,7 +18,7 @@ vector along(std::size_t axis) {
     return result;
 }
 
-/// The axis of a normal along it or against it; the number of axes for any other.
+/// The axis along which a normal points, or against which; the number of axes for any other normal.
 std::size_t axis_of(const vector& normal) {
     std::size_t axis = 0;
     while (axis < names.size() && normal != along(axis) && normal != -along(axis))

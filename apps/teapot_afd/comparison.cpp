@@ -25,8 +25,8 @@ l3d_canvas half_of(const std::shared_ptr<l3d_screen>& whole,
     return {std::make_unique<half_screen>(whole, side), rasterizers, font};
 }
 
-/// Settings that two methods can share: errors are measured by depths, and times compare equal
-/// work, so without AFD's smooth edges.
+/// Settings in which two methods compare. Errors are measured by depths. Times compare equal work,
+/// so AFD has no smooth edges.
 l3d_afd_settings comparable(l3d_afd_settings settings) {
     settings.depth = true;
     settings.antialias = false;
@@ -263,8 +263,8 @@ void comparison::draw_line() {
                           line_color);
 }
 
-/// Changes the right tolerance towards equal time, which is about proportional to 1 / tolerance. A
-/// root damps trembling times.
+/// Changes the right tolerance until both halves take the same time, which is about proportional to
+/// 1 / tolerance. A fourth root damps trembling times.
 void comparison::seek_equal_time() {
     if (!equal_time_ || !other_method_.keeps_tolerance())
         return;
@@ -290,7 +290,7 @@ bool comparison::measures_errors() {
     return !settings().wireframe && has_exact_picture(shown(), camera(), settings());
 }
 
-/// Begins a measurement, unless an older picture is still being measured or this one was.
+/// Begins a measurement, unless one is going on or this picture had one.
 void comparison::measure() {
     const subjects seen = now();
     if (!measures_errors() || seen == begun_ || !live_.is_idle())
@@ -309,7 +309,7 @@ void comparison::take_results() {
     redraw();
 }
 
-/// Shows the errors, unless they belong to another view.
+/// Puts measured errors into the captions, unless they belong to another view.
 void comparison::tell_errors() {
     using enum caption::error_state;
     const subjects seen = now();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve_measure: random cubics in one dimension and two.
+// curve_measure: walks random cubics in one dimension and in two.
 #include "curve_measure.h"
 
 #include <l3d/bezier_patch.h>
@@ -50,7 +50,8 @@ double bend_of(const cubic& b) {
     return 6 * std::max(std::abs(b[2] - 2 * b[1] + b[0]), std::abs(b[3] - 2 * b[2] + b[1]));
 }
 
-/// Walks by sums of integers, register k in units of 2^-bits[k]; sums are rounded to nearest.
+/// The largest error of a walk by sums of integers. Register k counts in units of 2^-bits[k]; sums
+/// are rounded to nearest.
 double graded_error(const cubic& b, int steps, const std::array<int, 4>& bits) {
     const auto exact = l3d_forward_difference<double, 3>::build(b, steps).d;
     std::array<std::int64_t, 4> d{};
@@ -69,14 +70,14 @@ double graded_error(const cubic& b, int steps, const std::array<int, 4>& bits) {
     return worst;
 }
 
-/// Fraction bits with which values up to `largest` fit 32 bits with their sign, and room for as
-/// much again.
+/// Fraction bits with which values up to `largest` fit 32 bits with their sign, and one bit to
+/// spare.
 int bits_for(double largest) {
     return 30 - (std::ilogb(std::max(largest, 1e-300)) + 1);
 }
 
-/// Registers of all curves of a range: D1 <= 3 range / n and so on; the same for all, as in
-/// hardware.
+/// Fraction bits of the registers for all curves of a range: D1 <= 3 range / n and so on. They are
+/// the same for each curve, as in hardware.
 std::array<int, 4> graded_bits(double range, int steps) {
     const double n = steps;
     const double d3 = 6 * 8 * (range / 2) / (n * n * n), d2 = 6 * 4 * (range / 2) / (n * n) + d3;
@@ -116,7 +117,7 @@ double error_of(curve_numbers numbers, const cubic& b, int steps, double range) 
     return 0;
 }
 
-/// The bound of the walk: half units of the registers' last bits through the binomials. With
+/// The bound of a walk's error: half units of the registers' last bits, times binomials. With
 /// rounded sums, each register also errs by half a unit of its own in every sum.
 double theory_of(curve_numbers numbers, int steps, double range) {
     const double n = steps, pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
@@ -140,8 +141,8 @@ double theory_of(curve_numbers numbers, int steps, double range) {
     return 0;
 }
 
-/// Steps that keep a curve's points within a pixel: its derivative is three times a mean of the
-/// control points' differences.
+/// The number of steps that keeps a curve's points within a pixel of each other. Its derivative is
+/// three times a mean of the control points' differences.
 int steps_of(const plane_curve& c) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -172,7 +173,7 @@ double speed_of(const plane_curve& c) {
     return fastest;
 }
 
-/// Steps of the pieces of a halved curve by their largest derivatives.
+/// The number of steps of all pieces of a halved curve, by their largest derivatives.
 double true_steps_of(const plane_curve& c, int halvings) {
     if (halvings == 0)
         return std::ceil(speed_of(c));
@@ -257,7 +258,8 @@ std::vector<chord_row> measure_chords(double range, const std::vector<int>& step
     return rows;
 }
 
-/// Uses Chebyshev's cubic, which rises fastest at its end among all within bounds (Markov).
+/// Measures Chebyshev's cubic beside random ones: among all within bounds, it rises fastest at its
+/// end (Markov).
 std::vector<step_row> measure_steps(double range, int most_halvings, int curves) {
     const double r = range / 2;
     const plane_curve chebyshev{{{{-r, -r}, {5 * r, 5 * r}, {-5 * r, -5 * r}, {r, r}}}};

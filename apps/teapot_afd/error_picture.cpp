@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the error sits: colours and legend.
+// write_error_picture: colours for the error of each pixel, and a legend.
 #include "error_picture.h"
 
 #include "base/formatted_p.h"
@@ -22,7 +22,7 @@ std::uint32_t color_of(double part) {
     return level(2 * part) << 16 | level(2 - 2 * part) << 8;
 }
 
-/// Draws a bar of the colours with their meaning.
+/// Draws a bar of all colours, with their meaning.
 void draw_legend(const l3d_pixels& pixels, double largest) {
     constexpr int left = 10, top = 10, width = 200, height = 12;
     for (int y = top; y < std::min(top + height, pixels.height); ++y)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report: the measurements, their order, and their files.
+// write_error_report: plans the measurements, makes them in order, and writes their files.
 #include "error_report.h"
 
 #include "error_picture.h"
@@ -95,8 +95,8 @@ nlohmann::ordered_json machine(l3d_size size, bool quick) {
             {"quick", quick}};
 }
 
-/// The file for a picture of the error, if the setting gets one: the library's own method does, and
-/// a mesh of about the same cost.
+/// The file for a picture of a setting's error, or null. The library's own method gets a picture,
+/// and so does a mesh of about the same cost.
 const char* pictured(const measured_setting& what) {
     const l3d_method_choice& method = what.method;
     if (method.method == l3d_method::afd && what.tolerance == 0.25 &&
@@ -108,8 +108,8 @@ const char* pictured(const measured_setting& what) {
                : nullptr;
 }
 
-/// Measures the rows that are missing. It names those that it leaves out, because the exact
-/// renderer gives up on them.
+/// Measures the rows that are missing. Rows on which the exact renderer gives up are left out, with
+/// a message.
 class measurer {
 public:
     measurer(const std::string& folder, bool quick, l3d_size size, row_store& rows, progress& at)
@@ -175,7 +175,7 @@ std::vector<planned_model> plan_of(const l3d_patch_model& model, const l3d_camer
 
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope) {
-    // llvmpipe is to have one thread, like everybody; it reads this when its context is made.
+    // llvmpipe shall have one thread, like all methods. It reads this when its context is made.
     ::setenv("LP_NUM_THREADS", "0", 0);
     std::filesystem::create_directories(folder);
     const bool mesa = has_mesa();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// frame_measure: a pipeline into memory, an eye that trembles, and the exact picture.
+// frame_measure: draws into memory with an eye that trembles, and compares with the exact picture.
 #include "frame_measure.h"
 
 #include "pipeline/polygons/polygon_model.h"
@@ -38,7 +38,7 @@ std::vector<reference::patch> patches_of(const l3d_patch_model& model) {
     return result;
 }
 
-/// Time that this thread has run; the time of other threads and processes does not count.
+/// The milliseconds that this thread has run. Other threads and processes do not count.
 double processor_ms() {
     timespec time{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -71,7 +71,7 @@ public:
     }
 };
 
-/// Draws for about the given time, and the view itself at the end.
+/// Draws frames for about the given time, and the view itself at the end.
 template <class Pipeline>
 void time_frames(Pipeline& pipeline, const l3d_camera& camera, double seconds,
                  frame_result& result) {
@@ -116,8 +116,8 @@ double rms_of(const std::vector<std::uint8_t>& drawn, const std::vector<unsigned
     return shown > 0 ? std::sqrt(sum / static_cast<double>(shown)) : 0;
 }
 
-/// Distances of a picture without depth, which only say what it covers: a covered pixel has the
-/// exact distance, if there is one.
+/// Distances for a picture without depth, which tells coverage alone. A covered pixel has the exact
+/// distance, if there is one.
 std::vector<float> covered_distances(const std::vector<std::uint8_t>& levels,
                                      const reference::exact_image& exact) {
     std::vector<float> result;
@@ -181,7 +181,7 @@ template <class Pipeline, class... More>
 measured_frames measure_polygons(const measured_view& view, int n, double seconds,
                                  int most_distances, const More&... more) {
     l3d_polygon_settings settings{.background = {}, .antialias = false, .threads = 1};
-    settings.cull = false; // as patches are drawn, from both sides
+    settings.cull = false; // patches are drawn from both sides, too
     polygon_pipeline<Pipeline> pipeline(l3d_memory_canvas(view.size()),
                                         l3d_polygon_model(l3d_tessellated(view.model(), n).mesh),
                                         view.camera(), settings, more...);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// live_error: a thread that lets others go first.
+// live_error: measures in a thread that lets others go first.
 #include "live_error.h"
 
 #include <sys/resource.h>
@@ -16,7 +16,8 @@
 
 namespace {
 
-/// Enough to find an error as large as the largest, few enough for several results a second.
+/// The most distances that are measured: enough to find an error as large as the largest, few
+/// enough for several results a second.
 constexpr int most_distances = 500;
 
 double largest_of(const std::vector<float>& values) {
@@ -141,8 +142,8 @@ void live_error::run(const std::stop_token& stop, bool is_modest) {
     }
 }
 
-/// Results of a task. The exact renderer gives up where the near plane cuts a patch that reaches a
-/// million times as far.
+/// Results of a task; unknown ones if the exact renderer gives up. It does so where the near plane
+/// cuts a patch that reaches a million times as far.
 std::vector<live_result> live_error::results_of(const live_task& task,
                                                 const std::stop_token& stop) {
     try {

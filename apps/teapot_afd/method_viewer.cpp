@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// method_viewer: the key, settings that a method cannot show, and measured errors.
+// method_viewer: the key for methods, settings that a method cannot show, and measured errors.
 #include "method_viewer.h"
 
 #include "dice/error_color.h"
@@ -72,7 +72,7 @@ bool method_viewer::is_at_rest() const {
     return l3d_pipeline_afd_editor::is_at_rest() && (!live_ || live_->is_idle());
 }
 
-/// Begins a measurement, unless an older picture is still being measured or this one was.
+/// Begins a measurement, unless one is going on or this picture had one.
 void method_viewer::measure() {
     if (!live_)
         live_.emplace(screen().is_window());
@@ -122,7 +122,7 @@ std::string method_viewer::error_scale_title() const {
                          : l3d_pipeline_afd_editor::error_scale_title();
 }
 
-/// Takes the next method. AFD gets its fog back, since no key does that.
+/// Takes the next method. AFD gets back the fog that other methods drop, since no key does that.
 void method_viewer::take_next_method() {
     controls().say(show_next_method(*this, method_));
     if (settings().method.is_default())
@@ -145,7 +145,7 @@ void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method) {
     pipeline.settings() = as_method_can(pipeline.settings());
 }
 
-/// AFD can be created everywhere, so the search ends.
+/// Passes over methods that cannot be created. AFD always can, so the search ends.
 std::string show_next_method(l3d_pipeline_afd& pipeline, l3d_method_choice& method) {
     std::string passed_over;
     for (;;)

@@ -39,7 +39,7 @@ constexpr std::array kinds{
     path_kind{"corners (26) diagonals first", l3d_cell_touch::corner,
               l3d_cell_order::diagonal_first}};
 
-/// A ray as a path from cell to cell, and whether the exact ray meets a filled cell.
+/// A ray's first and last cell in the cube, and whether the exact ray meets a filled cell.
 struct cell_ray {
     l3d_cell from, to;
     bool hits;
@@ -53,7 +53,7 @@ l3d_cell cell_at(const vector& at, int side) {
     return result;
 }
 
-/// The teapot's cells, by the method `voxels`.
+/// The cells that the method `voxels` fills with the teapot, and the rays of a view through them.
 class cells_of_teapot {
 public:
     cells_of_teapot(const report_model& teapot, l3d_size size, int side)
@@ -105,11 +105,12 @@ private:
     std::vector<cell_ray> rays_;
 };
 
-/// Walks all rays until they hit; steps, time, and pixels that the exact rays see otherwise.
+/// Walks all rays until they hit. The row has steps, time, and the share of pixels that exact rays
+/// see otherwise.
 std::string walk_rays(const cells_of_teapot& of, const path_kind& kind) {
     std::int64_t steps = 0, other = 0;
     double seconds = std::numeric_limits<double>::infinity();
-    for (int repeat = 0; repeat < 3; ++repeat) { // the first one finds the cells in no cache
+    for (int repeat = 0; repeat < 3; ++repeat) { // caches have no cells for the first one
         steps = other = 0;
         const double before = processor_seconds();
         for (const cell_ray& ray : of.rays()) {
@@ -135,8 +136,8 @@ double distance_from(const vector& p, const vector& a, const vector& b) {
     return l3d_length(vector(there - along * t));
 }
 
-/// Curves of the teapot as points some cells apart, joined by paths: how many cells, how far from
-/// the chords, at which cost.
+/// Walks curves of the teapot: points some cells apart, joined by paths. The row has cells and time
+/// for each path, and the cells' largest distance from chords.
 std::string walk_curves(const cells_of_teapot& of, const l3d_patch_model& model,
                         const path_kind& kind, int side) {
     constexpr int curves = 32;

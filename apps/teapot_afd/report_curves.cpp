@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Powers of two.
+/// Numbers from `from` to `to`, each twice as large as the one before.
 std::vector<int> doubled(int from, int to) {
     std::vector<int> result;
     for (int n = from; n <= to; n *= 2)

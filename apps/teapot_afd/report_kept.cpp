@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flights over the teapot, with micropolygons that are kept and with those that are not.
+// Flights over the teapot, with micropolygons that are kept and with others.
 #include "report_alternatives.h"
 #include "report_models.h"
 #include "report_rows.h"
@@ -43,7 +43,7 @@ l3d_camera zoomed(const l3d_camera& from, int at, int frames) {
     return result;
 }
 
-/// Moves by a millionth of the way: other numbers, the same picture.
+/// Moves the eye by a millionth of its distance: other numbers, the same picture.
 l3d_camera still(const l3d_camera& from, int at, int) {
     l3d_camera result = from;
     result.eye = from.eye + (from.eye - from.target) * (1e-6 * at);
@@ -86,7 +86,7 @@ std::string fly(const char* name, const flight& along, bool keeps, const report_
         const double before = processor_seconds();
         pipeline.draw_event();
         if (at == 0)
-            continue; // all is new
+            continue; // all is new in the first frame
         times.push_back(1e3 * (processor_seconds() - before));
         const l3d_frame_report report = pipeline.report();
         diced += static_cast<double>(report.dice.samples);

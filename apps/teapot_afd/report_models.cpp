@@ -18,8 +18,8 @@ struct part {
     double u0, u1, v0, v1;
 };
 
-/// The bicubic patch with the part's corners, slopes and twists. Neighbours agree in all of them
-/// along their common side, so they have it in common, bit for bit, and a tangent plane as well.
+/// The bicubic patch with the part's corners, slopes and twists. Neighbours agree in these along
+/// their common side. So they share the side bit for bit, and its tangent planes.
 l3d_patch_model::patch patch_of(const surface& s, const part& of) {
     constexpr double step = 1e-4;
     const auto along_u = [&](double u, double v) {
@@ -104,8 +104,8 @@ l3d_patch_model knot() {
                               -std::sin(3 * t)};
             };
             const vector here = centre(a), ahead = centre(a + 1e-3) - centre(a - 1e-3);
-            // Across the way: towards the knot's middle, as far as it is across, and upright to
-            // both.
+            // Directions across the way: towards the knot's middle as far as possible, and
+            // perpendicular to both.
             const vector forward = ahead / l3d_length(ahead);
             const vector outward = here - forward * l3d_dot(here, forward);
             const vector side = outward / l3d_length(outward);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings of methods: coarse to fine, four at least.
+// report_plan: settings of each method from coarse to fine, four at least.
 #include "report_plan.h"
 
 #include <utility>
@@ -10,7 +10,7 @@ using settings = std::vector<measured_setting>;
 using tolerances = std::vector<double>;
 using numbers = std::vector<int>;
 
-/// Quads of a mesh at most: more take seconds for each frame, and hundreds of bytes a quad.
+/// The most quads of a mesh: more take seconds for each frame, and hundreds of bytes a quad.
 constexpr std::size_t most_quads = 1'200'000, most_painted_quads = 300'000;
 
 /// Plans the settings for one model's report.

@@ -36,7 +36,7 @@ std::string line_of(const frame_result& r) {
     return line + '\n';
 }
 
-/// The first four fields.
+/// A row's name: its first four fields.
 std::string name_of(const std::string& line) {
     std::size_t end = 0;
     for (int i = 0; i < 4 && end != std::string::npos; ++i)
@@ -53,8 +53,8 @@ void write_text(const std::string& file, const std::string& text) {
         throw l3d_error(l3d_exit::failure, "cannot write " + file);
 }
 
-/// Reads the rows. The last line may be half a row: it counts only with all of its commas and its
-/// end.
+/// Reads the rows of an interrupted report. The last line may be half a row, so a line counts only
+/// with all of its commas and its end.
 row_store::row_store(const std::string& folder, const std::string& key)
     : folder_(folder), file_(folder + "/frames.part.csv") {
     const std::string head = "# " + key + '\n';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scan line methods, patch by patch.
+// The effort and the pictures of scan line methods.
 #include "frame_measure.h"
 #include "report_alternatives.h"
 #include "report_models.h"
@@ -57,7 +57,7 @@ std::string line_of(const std::string& model, const std::string& view, const std
 constexpr int wrong_levels = 32;
 constexpr std::uint32_t magenta = 0xff00ff, white = 0xffffff;
 
-/// The picture of a method, where it is wrong in magenta.
+/// Draws a method's picture, with wrong pixels in magenta.
 void draw_panel(const measured_view& exact, const char* method, const l3d_pixels& to) {
     l3d_afd_settings settings;
     settings.antialias = false;

@@ -29,7 +29,7 @@ void add_quad(std::vector<triangle>& to, const vector& a, const vector& b, const
     to.push_back({a, c, d});
 }
 
-/// A thin plate: a wing, or a fin.
+/// Adds both sides of a thin plate: a wing, or a fin.
 void add_plate(std::vector<triangle>& to, const vector& a, const vector& b, const vector& c,
                const vector& d) {
     add_quad(to, a, b, c, d);
@@ -73,7 +73,7 @@ l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     return {static_cast<float>(dense * thickness / side), static_cast<float>(0.62 + 0.3 * y)};
 }
 
-/// Takes places to a camera's picture: the inverse of its rays.
+/// Projects places into a camera's picture: the inverse of the camera's rays.
 class eye {
 public:
     eye(const l3d_camera& camera, const l3d_shading& view)

@@ -14,7 +14,8 @@ double number(l3d_real x) {
     return l3d_to_double(x);
 }
 
-/// Four numbers, the last of them 1 for points and 0 for vectors: in the library, the type.
+/// Prints four numbers. The last is 1 for points and 0 for vectors; in the library, types tell
+/// this.
 std::ostream& print(std::ostream& out, const vector& v, int w) {
     return out << '(' << number(v[0]) << ", " << number(v[1]) << ", " << number(v[2]) << ", " << w
                << ')';

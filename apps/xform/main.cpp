@@ -12,8 +12,8 @@ public:
     using pile_pipeline::pile_pipeline;
 
 private:
-    /// A triangle anywhere in or near the window, and a line from its corner. Half of the range of
-    /// the triangle's place is outside, so that there is something to clip.
+    /// Draws a triangle anywhere in or near the window, and a line from the window's corner. Half
+    /// of the range of the triangle's place is outside, so that there is something to clip.
     void draw_one(l3d_rasterizer_2d& rasterizer, l3d_random& random, std::uint32_t color) override {
         const auto [width, height] = size();
         const int right = random.between(-width, width * 7 / 8);
@@ -25,7 +25,7 @@ private:
     }
 
     void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) override {
-        constexpr int middle_x = 157, middle_y = 123; // the mean of its corners
+        constexpr int middle_x = 157, middle_y = 123; // the mean of the triangle's corners
         draw_moved(rasterizer, x - middle_x, y - middle_y, color);
     }
 

@@ -19,7 +19,7 @@ struct videoscape {
     std::string file;
 };
 
-/// Reads a number and tells whether there was one. The C++ library's >> skips blanks.
+/// Reads a number and returns whether there was one. The C++ library's >> skips blanks.
 bool read(std::istream& text, const std::string& what, double& number, std::string& why) {
     if (text >> number)
         return true;
