@@ -104,8 +104,8 @@ l3d_patch_model knot() {
                               -std::sin(3 * t)};
             };
             const vector here = centre(a), ahead = centre(a + 1e-3) - centre(a - 1e-3);
-            // Directions across the way: towards the knot's middle as far as possible, and
-            // perpendicular to both.
+            // Directions across the way: away from the knot's middle as far as possible, and
+            // perpendicular to that.
             const vector forward = ahead / l3d_length(ahead);
             const vector outward = here - forward * l3d_dot(here, forward);
             const vector side = outward / l3d_length(outward);

@@ -55,7 +55,7 @@ struct half_way {
 };
 
 /// The most by which the brightest channel's level changes for each unit of a cosine.
-/// Shape: of n.l, of n.h.
+/// Shape: for n.l, then for n.h.
 std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lamp,
                             double most_facing) {
     double scattered = 0, mirrored = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_model: chooses the reader by the first word of the text.
+// l3d_read_model: chooses the reader by the beginning of the text.
 #include "geom/files/model_file.h"
 
 #include "geom/files/model_reader_p.h"

@@ -328,7 +328,7 @@ private:
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
-    bool has_places_ = false, has_vertex_places_ = false; ///< of corners, of vertices
+    bool has_places_ = false, has_vertex_places_ = false; ///< corners have, vertices have
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};

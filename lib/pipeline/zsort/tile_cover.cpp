@@ -27,7 +27,7 @@ constexpr auto at_once = static_cast<std::int32_t>(lanes);
 struct edge_function {
     std::int32_t first; ///< value at the first pixel of the first tile
     std::int32_t per_column, per_row;
-    int_vec pattern; ///< what the pixels of a vector have more than its first
+    int_vec pattern; ///< values of a vector's pixels, less its first one's
 
     HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
                             std::int32_t y) {
