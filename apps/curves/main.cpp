@@ -85,7 +85,7 @@ template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
     return seen;
 }
 
-/// A walk in so many equal steps, in double.
+/// A walk in `steps` equal steps, in double.
 walk_seen equal(const numbers& x, const numbers& y, int steps) {
     const auto places_x = walked<double>(x, steps), places_y = walked<double>(y, steps);
     walk_seen seen;
@@ -222,7 +222,7 @@ private:
         }
         r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
                     {.color = fixed_color});
-        // copied before the marks, which would hide it
+        // Copied before the marks, which would hide the red line.
         l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)
@@ -427,7 +427,7 @@ private:
         return {text.data(), end.ptr};
     }
 
-    /// The least power of two of steps, as Klassen's way needs, that is not less than `steps`.
+    /// The doublings that Klassen's way needs: it takes 2^doublings steps, here at least `steps`.
     static int doublings_for(int steps) {
         int doublings = 0;
         while (1 << doublings < steps)

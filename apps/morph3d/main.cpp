@@ -79,7 +79,7 @@ constexpr std::array<form, 4> forms{{{ball, 0xe0952f, 0xe0952f},
                                      {star, 0xc8557b, 0xc8557b},
                                      {palm, 0x9a6a3a, 0x4fa84f}}};
 
-/// Turns, while it passes from form to form in a second each.
+/// Turns while it passes from form to form, a second for each.
 class morphing final : public l3d_object {
 public:
     /// `is_painted`: the colours of its faces already contain the light.

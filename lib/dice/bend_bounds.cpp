@@ -43,7 +43,8 @@ struct mixed_thirds {
     }
 };
 
-/// Where shades come from normals, blocks whose normals may err by more count as unproven.
+/// Where shades come from normals, blocks whose normals may err by more than this count as
+/// unproven.
 constexpr double most_normal = 1.0 / 64;
 
 /// Whether pixels interpolate the normals of vertices, rather than levels.
@@ -92,8 +93,8 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
 /// Units: parameters of the block.
 ///
 /// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
-/// sides. All six depend on one parameter. So their parabola has the error of one along a line.
-/// The row's own error counts 5/3 times, the most that the sizes of six weights add up to. A
+/// sides. All six depend on one parameter. So the parabola through them errs as a parabola along a
+/// line. The row's own error counts 5/3 times, the most that the sizes of six weights add up to. A
 /// plane's weights are positive.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;

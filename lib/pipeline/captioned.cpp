@@ -9,7 +9,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// A hint covers at most one part in so many of the picture: a larger one would hide its subject.
+/// A hint covers at most 1 / largest_share of the picture: a larger one would hide the subject.
 constexpr int largest_share = 5, largest_share_of_lesson = 4;
 
 } // namespace

@@ -37,8 +37,8 @@ l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// The patches over the tolerance. The worst is counted from 0 in its model, and its instance in
-/// the scene.
+/// The patches over the tolerance. The worst has its number in its model, and its instance's in the
+/// scene, from 0.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)

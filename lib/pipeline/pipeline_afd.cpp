@@ -131,8 +131,8 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe(now.shading);
     else
         fill_surfaces(now, parts, times);
-    // A part that is short of budget has the whole frame drawn. Its share of the budget may have
-    // been larger than in a whole frame, and the rest's smaller.
+    // If a part was short of budget, the whole frame is drawn. The part may have had a larger share
+    // of the budget than in a whole frame, and the rest a smaller one.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
         changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
@@ -221,8 +221,8 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 }
 
 /// The parts of the picture to draw: none if it is right as it is. The whole is drawn if earlier
-/// drawing on top, whose place is unknown, may have to go. So it is from three quarters of the
-/// pixels on, where parts cost nearly as much (docs/SPEED.md).
+/// drawing on top, whose place is unknown, may have to go. From three quarters of the pixels on it
+/// is drawn, too, since parts cost nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)

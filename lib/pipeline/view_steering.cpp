@@ -116,7 +116,7 @@ void l3d_view_steering::look_from_opposite() {
 }
 
 /// Moves the eye a little off the pole, where turning has an upright direction again. The picture
-/// keeps its upright.
+/// stays as upright as it was.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;

@@ -179,8 +179,9 @@ struct depths {
     }
 };
 
-/// The camera with eye and target at these depths of one line along the line of sight. The eye is
-/// moved into its allowed range. None if the eye is too near to the target, as for tiny models.
+/// The camera with eye and target at these depths, through a place `line` along the line of sight.
+/// The eye is moved into its allowed range. None if the eye is too near to the target, as for tiny
+/// models.
 /// Expects: the model begins at depth `nearest`.
 std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, double eye,
                                  double target, double nearest) {
@@ -210,7 +211,7 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     const depths depth(axes.forward, reach);
     const wedges all(axes, camera, size, l3d_framed_share, reach);
     const double deepest = all.deepest();
-    // The width or height of a flat model keeps the eye away, unless it has none.
+    // A flat model's width or height keeps the eye away, unless both are 0.
     const double eye = depth.is_flat() && deepest < depth.nearest
                            ? deepest
                            : std::min(deepest, depth.nearest - depth.least_distance());

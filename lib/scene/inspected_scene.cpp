@@ -42,7 +42,7 @@ vector along(const std::array<vector, 3>& axes, const vector& direction) {
                                  l3d_dot(axes[2], direction)});
 }
 
-/// The least number that is not smaller, of 1, 2 and 5 times powers of ten.
+/// The least of 1, 2 and 5 times powers of ten that is not below `number`.
 /// Expects: a positive finite number.
 double rounded_up(double number) {
     const double power = std::pow(10.0, std::floor(std::log10(number)));

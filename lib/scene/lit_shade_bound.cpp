@@ -12,8 +12,8 @@ namespace {
 
 using vector = std::array<double, 3>;
 
-/// Error of normals by rounding to 16383rds, 2^-14.2, and by floats. As for levels, these round 20
-/// * 2^-24 of numbers up to 2^8 times what their terms cancel, in parts of 229.5.
+/// Error of normals by rounding to 16383rds, 2^-14.2, and by floats. Floats err as for levels, in
+/// parts of 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation of terms.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
 /// Error by rounding a channel to a whole level, and by its float arithmetic.

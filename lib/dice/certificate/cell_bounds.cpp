@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// If a cell has more pieces, none are joined: each is a sheet that may end in the cell.
+/// If a cell has more pieces than this, none are joined: each is a sheet that may end in the cell.
 constexpr std::size_t most_pieces = 256;
 
 using l3d_detail::interval;
@@ -22,8 +22,7 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
 }
 
-/// The range of a piece along a side of its patch, in the sense in which sides are walked around
-/// the patch.
+/// The parameters of a piece along a side of its patch, as sides are walked around the patch.
 interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     switch (side) {
     case 0:

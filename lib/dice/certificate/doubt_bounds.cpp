@@ -114,7 +114,7 @@ struct parameter_box {
 /// Bounds the relative difference of w between the drawn and the exact surface. A drawn point lies
 /// on a plane d pixels off along the piece's normal, and its place is b pixels off. On that plane 1
 /// / w is n.ray(X) / (n.Q + d). So w differs by the part (b + d) |n| |ray'| w / (n.Q). Steps are
-/// chosen so that it is never more than an eighth.
+/// chosen so that this part is never more than an eighth.
 double w_margin_of(const l3d_doubt_view& view, const facing_range& facing, double most_w) {
     constexpr double most = 0.25;
     const double a_pixel =

@@ -12,7 +12,7 @@ using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where normals differ more from their common axis, cosines are only known to be from -1 to 1.
+/// If a normal's cosine with the common axis is smaller, only bounds of -1 and 1 are known.
 constexpr double least_cosine = 1.0 / 16;
 
 /// The half-way vector between lamp and eye over a piece, nearly a linear function of the place.

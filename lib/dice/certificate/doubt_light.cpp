@@ -9,8 +9,8 @@
 namespace l3d_detail {
 namespace {
 
-/// For the mean of its light, a cell whose level changes by more is cut into finer_cuts rows and
-/// columns.
+/// A cell whose level changes by more than this is cut into finer_cuts rows and columns, to average
+/// its light.
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;
 

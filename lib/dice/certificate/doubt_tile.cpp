@@ -31,12 +31,12 @@ constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 /// The most leaves of a tile; with more, nothing is known of the tile.
 constexpr std::size_t most_leaves = 100'000;
 
-/// A piece that is a smaller part of its patch is not cut. Only pieces around the eye get so small
-/// without becoming small in the picture.
+/// A piece that is a smaller part of its patch than this is not cut. Only pieces around the eye get
+/// so small without becoming small in the picture.
 constexpr double least_part = 0x1p-24;
 
-/// The largest area without light that a tile may leave out. At the steepest part of sRGB's curve
-/// it makes 12.92 * 255 times as many levels: a third of the allowance for rounding.
+/// The largest area whose light a tile may leave out. At the steepest part of sRGB's curve the area
+/// makes 12.92 * 255 times as many levels: a third of the allowance for rounding.
 constexpr double most_left_out = 1e-8;
 
 /// The area of a box around a piece's picture, along the line from one corner to the farthest
@@ -111,7 +111,7 @@ l3d_image_box l3d_doubt_tile::box_of(const cell& c) const {
     return {left, top, left + size, top + size};
 }
 
-/// Calls visit(index) for each cell that a box reaches when grown by grown_, until it returns
+/// Calls visit(index) for each cell that a box reaches when grown by grown_, until `visit` returns
 /// false.
 template <class Visit>
 void l3d_doubt_tile::for_cells(const l3d_image_box& box, const Visit& visit) const {

@@ -17,8 +17,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Rounding of sums of light in double, and of the map's floats. Units: levels.
 constexpr double rounding = 1e-4;
 
-/// With larger bounds of places, pixels are not searched for other surfaces: any part of a pixel
-/// may show another surface.
+/// If places are bounded by more than this, pixels are not searched for other surfaces: any part of
+/// a pixel may show one.
 /// Units: pixels.
 constexpr double most_searched = 2;
 

@@ -125,7 +125,7 @@ double reach_of(const lane_bounds& of) {
     return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
 }
 
-/// Blocks whose image box has less width and height together need bounds of depth, too: see
+/// A block needs bounds of depth, too, if width and height of its image box add up to less: see
 /// l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);

@@ -22,7 +22,7 @@ constexpr double least_asked = 8;
 /// Units: pixels.
 constexpr double longest_line = 16;
 
-/// Halvings down to 2^-20 of a patch along both directions; beyond, nothing is known.
+/// The most halvings: down to 2^-20 of a patch along both directions. Beyond them nothing is known.
 constexpr int most_levels = 40;
 
 /// The most pieces of a frame. Beyond them, pieces count as boxes.
@@ -59,7 +59,7 @@ double distance(const place& a, const place& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// Pixels whose centres are in [low, high], of `count`. Units: pixels.
+/// The pixels, of `count` in a row, whose centres are in [low, high]. Units: pixels.
 struct pixel_range {
     int first, end;
 

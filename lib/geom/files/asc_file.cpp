@@ -259,7 +259,8 @@ private:
                    vertices_) ||
             !index(line, "Faces", "the number of faces", l3d_detail::most_vertices, faces_))
             return false;
-        // "Vertex 0: X:0 Y:0 Z:0" and "Face 0: A:0 B:0 C:0" without their blanks, with a newline.
+        // Lengths of "Vertex 0: X:0 Y:0 Z:0" and "Face 0: A:0 B:0 C:0" without blanks, with a
+        // newline.
         constexpr std::size_t shortest_vertex = 19;
         constexpr std::size_t shortest_face = 17;
         if (!text_.plausible(vertices_, "vertices", shortest_vertex) ||

@@ -22,8 +22,8 @@ constexpr std::string_view noted_statements[] = {
 /// Statements skipped without a note: refraction, sharpness of reflections, smooth textures.
 constexpr std::string_view silent_statements[] = {"Ni", "sharpness", "map_aat"};
 
-/// Ambient and own light, and physical models: noted only if their numbers say something. Programs
-/// write "Ka 1 1 1" into every file.
+/// Ambient and own light, and physical models: noted only if a number is not 0. Programs write "Ka
+/// 1 1 1" into every file.
 constexpr std::string_view numbered_statements[] = {"Ka", "Ke",  "Pr",    "Pm",    "Ps",
                                                     "Pc", "Pcr", "aniso", "anisor"};
 

@@ -52,8 +52,8 @@ const l3d_detail::plugin_interface* l3d_detail::load_plugin(std::string_view nam
         std::error_code unknown;
         if (!fs::is_regular_file(file, unknown))
             continue;
-        // Binds all symbols at once, so that a missing one is an error here rather than at its
-        // first call.
+        // Binds all symbols at once, so that a missing symbol is an error here, not at its first
+        // call.
         void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (!handle) {
             why = "the plug-in cannot be loaded: " + printable(dlerror());

@@ -179,8 +179,8 @@ bool l3d_detail::is_binary_stl(std::string_view text) {
         return false;
     if (text.size() - begin_bytes == promised(text) * triangle_bytes)
         return true;
-    // A binary file of a wrong size: most programs begin its header so, and a text has no zero
-    // bytes.
+    // A binary file of a wrong size: most programs begin headers with "solid", and a text has no
+    // zero bytes.
     return text.starts_with("solid") && text.substr(0, begin_bytes).find('\0') != text.npos;
 }
 

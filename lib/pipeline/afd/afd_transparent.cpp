@@ -146,8 +146,8 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
 }
 
 /// Bound of shades under lights. A pixel's shade belongs to an exact point within the bound of
-/// places, which is the largest angle in the picture's middle. The rays of a parallel projection
-/// have one direction.
+/// places, which is seen under the largest angle in the picture's middle. The rays of a parallel
+/// projection have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(

@@ -61,7 +61,7 @@ struct l3d_pipeline_afd::stages {
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent instances
     l3d_image mixed;               ///< the picture that is mixed next
     l3d_detail::depth_lines lines; ///< kept for its memory
-    /// The edges of models as lines, by the identity of each.
+    /// The edges of models as lines, by the models' identities.
     std::map<const void*, std::vector<l3d_space_curve>> edges;
     std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame that asked for one
 };

@@ -101,7 +101,7 @@ void crease_normals::divide(std::uint32_t vertex, std::span<const corner> around
         }
         places_.push_back({vertex, around[i].face, numbers_[first]});
     }
-    // Vertices come in order; the faces of one do not.
+    // Vertices come in order; the faces of a vertex do not.
     std::sort(places_.begin() + static_cast<std::ptrdiff_t>(begin), places_.end());
 }
 

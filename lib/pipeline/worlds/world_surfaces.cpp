@@ -14,8 +14,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// Objects of more triangles are placed by all threads together: each takes some tenths of a
-/// millisecond.
+/// An object of more triangles than this takes some tenths of a millisecond, so all threads place
+/// it together.
 constexpr std::size_t large = 4096;
 
 l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {

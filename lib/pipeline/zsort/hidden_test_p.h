@@ -49,7 +49,7 @@ private:
         std::uint8_t seen = 0, hidden = 0;
     };
 
-    /// A worker's results for the members of one tile. No two share lines of the caches.
+    /// A worker's results for the members of one tile. No two share a cache line.
     struct alignas(128) found {
         tile_fronts fronts;
         std::vector<cell_sight> of_members;

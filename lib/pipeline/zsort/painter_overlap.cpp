@@ -57,8 +57,8 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Which of two triangles is in front at a corner of one of them, by more than `tie`. The corners
-/// are the first's or the second's.
+/// Which of two triangles is in front at a corner of one of them, by more than `tie`.
+/// `corners_are_first` tells whose corners they are.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
                              bool corners_are_first) {
     front_parts front;

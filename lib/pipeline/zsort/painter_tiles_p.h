@@ -157,7 +157,7 @@ private:
     template <class Visit>
     void for_each_covered(const painter_item& item, std::uint32_t number,
                           const Visit& visit) const {
-        // A box of 64 pixels meets nine tiles at the most.
+        // A box of 64 pixels meets at most nine tiles in each direction.
         constexpr std::size_t most = (tile_cover_reach >> cell_bits) + 1;
         std::array<std::uint64_t, most * most> covers;
         const int left = item.left >> cell_bits, top = item.top >> cell_bits;

@@ -233,7 +233,7 @@ bool l3d_ray_search::settle(const part& one) {
                     .u = one.u0 + (at[0] - edge) * du,
                     .v = one.v0 + (at[1] - edge) * dv,
                     .is_proven = true};
-    // A last step from the whole net, whose rounding `error` bounds.
+    // A last step, from the whole net: `error` bounds that net's rounding.
     const auto rest = newton.step(whole.net.evaluate(hit.u, hit.v));
     const double off =
         (std::max(std::abs(rest[0]), std::abs(rest[1])) + blur) / (1 - newton.contraction);
