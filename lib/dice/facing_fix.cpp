@@ -73,10 +73,10 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
     }
 }
 
-/// Returns the sign that turns a grid's light to the eye: 1, so that light stays that of dS/du x
-/// dS/dv, if the grid shows both sides. Calls negate(vertex) for border vertices whose normal
-/// belongs to the other side than their inner neighbour's. is_other(border_side) decides that where
-/// the two show different sides.
+/// Returns the sign that turns a grid's normals or levels to the eye. It is 1 if the grid shows
+/// both sides, so that normals stay dS/du x dS/dv. Calls negate(vertex) for each border vertex that
+/// shows another side than its inner neighbour, if is_other(border_side) says that its normal is to
+/// blame.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {

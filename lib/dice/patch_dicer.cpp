@@ -138,7 +138,7 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     return result;
 }
 
-/// Leaves out a piece that is outside, draws it, or lets it wait to be cut.
+/// Leaves a piece out if it is outside, draws it if it fits, or lets it wait to be cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&

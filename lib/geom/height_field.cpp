@@ -82,7 +82,7 @@ std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field) 
         for (std::size_t c = 0; c + 1 < field.columns; ++c) {
             l3d_patch_points patch{3, 3, {}};
             for (std::size_t v = 0; v < 4; ++v)
-                for (std::size_t u = 0; u < 4; ++u) { // u along z, v along x: z x x = y
+                for (std::size_t u = 0; u < 4; ++u) { // u along z, v along x: normals along y
                     const std::size_t x = 3 * c + v, z = 3 * r + u;
                     patch.points.push_back(
                         {place(x, field.columns), along_columns[x][z], place(z, rows)});

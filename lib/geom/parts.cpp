@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_parts: joins runs of one name to a part.
+// l3d_parts: joins all runs of the same name into one part.
 #include "geom/parts.h"
 
 #include "base/did_you_mean_p.h"

@@ -167,7 +167,6 @@ HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
 template <class Number, bool Parallel>
 HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Number>& starts,
                                    std::size_t column, std::size_t i, l3d_micro_grid& grid) {
-    // Types and factors.
     const hn::CappedTag<Number, lane_columns> d;
     const float_tag<decltype(d)> df;
     using real = hn::TFromD<float_tag<decltype(d)>>;

@@ -32,7 +32,7 @@ bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
     return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
 }
 
-/// The control points on which wanted spans depend: the first, and the end beyond the last.
+/// The range of control points on which wanted spans depend: its first index, and its end.
 std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d) {
     const auto n = static_cast<std::size_t>(d.degree);
     std::size_t first = n;

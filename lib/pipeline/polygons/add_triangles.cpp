@@ -103,7 +103,7 @@ HWY_INLINE void put_normals(const corner_records& from, l3d_micro_triangles::cor
 
 #endif
 
-/// Adds chosen triangles one by one or, where a vector begins, some together.
+/// Adds chosen triangles to lanes: single ones up to a vector's first lane, then whole vectors.
 class triangle_adder {
 public:
     HWY_INLINE triangle_adder(std::span<const l3d_model_triangle> triangles,

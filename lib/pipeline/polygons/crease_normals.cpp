@@ -18,7 +18,7 @@ float cosine(double degrees) {
 /// Margin for normals rounded to float: those of coplanar faces differ by some ulps.
 constexpr float rounding = 1e-6F;
 
-/// The corner that stands for a corner's group, which is the group's first.
+/// The first corner of a corner's group, which stands for the group.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];

@@ -15,7 +15,7 @@ using vector = l3d_camera::vector;
 constexpr double epsilon = 0x1p-53;
 /// Roundings of a coordinate along the ray: the matrix is good to 24 of them, turning the model
 /// adds 24, products and sums 8.
-/// Units: the sum of all terms' magnitudes.
+/// Relative to the sum of all terms' magnitudes.
 constexpr double ray_rounding = 64 * epsilon;
 constexpr double world_rounding = 32 * epsilon;
 

@@ -199,7 +199,7 @@ public:
     }
 
 private:
-    /// Whether the lanes of columns and rows are set.
+    /// Whether the mask is set in the lane of columns and in the lane of rows.
     static HWY_INLINE bool both(hn::Mask<quad_integers> mask) {
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(quad_integers(), mask, bits);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT hidden_test: compares, tile by tile, what is in front with what the
-// sort paints last.
+// SPDX-License-Identifier: MIT
+// hidden_test: compares, tile by tile, what is in front with what the sort paints last.
 #include "pipeline/zsort/hidden_test_p.h"
 
 #include <algorithm>

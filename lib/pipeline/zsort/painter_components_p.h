@@ -28,8 +28,8 @@ constexpr std::uint32_t number_of(order_node node) {
 
 /// Finds the strongly connected components of a graph whose edges are computed while it is walked.
 ///
-/// Cost:   linear in nodes and edges; deep graphs take no stack. A node that needs
-///         nothing and that no other needs costs a bit and a call. Keeps its memory.
+/// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a
+///         bit and a call. Keeps its memory.
 /// Source: Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:

@@ -50,7 +50,7 @@ front_parts front_over(std::span<const picture_point> region, const l3d_picture_
 /// The common part of two convex polygons, with a margin of 2^-12 sub-pixel around it in case
 /// rounding lost it.
 ///
-/// Lives:   the result is in `out`; `scratch` is room.
+/// Lives:   the result is in `out`; `scratch` is working memory.
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 

@@ -22,7 +22,7 @@ constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
 /// The function of an edge, which is not negative where a pixel's centre is inside of the edge.
 ///
-/// Corners are at most 2^14 apart, and centres as far and 2^11 more from them. So products are
+/// Corners are at most 2^14 apart, and centres at most 2^14 + 2^11 from corners. So products are
 /// below 2^29, and so are their differences.
 struct edge_function {
     std::int32_t first; ///< value at the first pixel of the first tile

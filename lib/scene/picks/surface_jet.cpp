@@ -28,7 +28,7 @@ public:
                     at(r, c) = at(r + 1, c) - at(r, c);
     }
 
-    /// The derivative's largest magnitude in a coordinate, by the convex hull.
+    /// Bounds the derivative's magnitude in a coordinate, by the convex hull.
     double most(int coordinate) {
         double result = 0;
         for (int r = 0; r < rows_; ++r)
