@@ -320,7 +320,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                        ? settings_.own.error + shade_bound_of_fog()
                                        : std::numeric_limits<double>::infinity();
     }
-    // A quad may be unproven for two reasons, and counts in each band that it reaches.
+    // The sum may exceed the quads: one may be unproven for two reasons, and counts in each band
+    // that it reaches.
     report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
     // Each part counts all patches of the scene, and those it does not touch as unchanged. A patch

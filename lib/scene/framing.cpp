@@ -125,7 +125,7 @@ struct wedge {
 
     /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The eye's place at that depth; it is a good middle for eyes farther away, too.
+    /// The place across of the deepest eye. Eyes farther away have their middle there, too.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;
@@ -276,8 +276,8 @@ struct side_of_picture {
     bool is_beside, is_within_a_pixel;
 };
 
-/// Finds both by the planes through the eye and two opposite sides of the picture. `slope` is the
-/// tangent of their angle.
+/// Compares the model with the planes through the eye and two opposite sides of the picture.
+/// `slope` is the tangent of their angle with `forward`.
 side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
                            double slope, int pixels, const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
@@ -286,7 +286,7 @@ side_of_picture seen_along(const vector& side, const vector& forward, const vect
     return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
 }
 
-/// Finds both by planes at the distance `half` from the eye.
+/// Compares the model with the parallel planes at the distance `half` from the eye.
 side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
                               const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);

@@ -62,8 +62,8 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
             matrix_(row, column) *= depth_scale_;
 
     error_w_ = roundings * terms_ * depth_scale_;
-    // A point's distance from the eye is at most the sum of its terms and the eye's, so that all
-    // errors are in proportion to these.
+    // A point's distance from the eye is at most the sum of its terms and the eye's. So all errors
+    // are proportional to that sum.
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 

@@ -43,7 +43,7 @@ struct seen_normals {
     std::array<double, count> along; ///< each normal's part along the axis
     double most_along = 0;           ///< largest |along|
     double most_across = 0, longest = 0;
-    double most_slope = 0; ///< across over along; infinite if a normal is far from the axis
+    double most_slope = 0; ///< largest across / along; infinite if a normal is far from the axis
 
     explicit seen_normals(const std::array<vector, count>& normals);
 };

@@ -59,8 +59,8 @@ point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Turns normals to the side of the facets around them. The two may disagree where a patch folds
-/// within less than a facet, as the teapot does at the top of its knob.
+/// Turns normals to the side of the facets around them. Normals and facets may disagree where a
+/// patch folds within less than a facet, as the teapot does at the top of its knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -27,7 +27,7 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
 }
 
 /// Whether a placement keeps lengths and angles. Products of rotations in floats are some 2^-23 off
-/// in each factor; lights see nothing below 2^-16.
+/// in each factor; shades show no error below 2^-16.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) {

@@ -58,7 +58,8 @@ void keep_inside(const coordinate& x, const coordinate& w, double at, double sig
 }
 
 /// The range of x / w where w is at least `least`. With X = x / w of the centre, x' / w' - X = (x'
-/// - X w') / w', and the numerator is 0 in the centre: so the range is as tight as w is even.
+/// - X w') / w', and the numerator is 0 in the centre. So the range is narrow where w varies
+/// little.
 void project(const coordinate& x, const coordinate& w, const row& least, const row& share,
              const l3d_dice_view& view, row& low, row& high) {
     for (std::size_t i = 0; i < lanes; ++i) {
