@@ -9,9 +9,9 @@ namespace {
 constexpr std::array<double, 6> binomial_5{1, 5, 10, 10, 5, 1};
 
 /// A normal of at most this length may be rounding alone. The largest Bernstein coefficient is 1,
-/// exact to 64 * 2^-53 (l3d_normal_net), and power coefficients are some C(5, 2) 2^2 = 40. With
-/// some 20 roundings in a row the error is 2^-53 (64 + 20 * 40), or 2^-43.
-constexpr double rounding = 0x1p-43;
+/// exact to 64 * 2^-53 (l3d_normal_net), and power coefficients are at most C(5, 3) 2^3 = 80. With
+/// some 20 roundings in a row the error is 2^-53 (64 + 20 * 80), below 2^-42.
+constexpr double rounding = 0x1p-42;
 
 } // namespace
 

@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 /// Normals shorter than this may be rounding alone, as in l3d_unit_normal. They occur where the
 /// net's coefficients vanish, as in the corner of a singular patch, where all other weights are 0.
-inline constexpr float normal_rounding = 0x1p-43F;
+inline constexpr float normal_rounding = 0x1p-42F;
 
 /// Arrays with a number for each vertex of a grid, and room for one vector more. They are kept
 /// between grids.
