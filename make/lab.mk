@@ -37,6 +37,9 @@ pictures: packages-report packages-bench $(APPS) $(PLUGINS) $(DATA) $(OUT)/tests
 	for shade in zebra gaussian; do \
 	    $(OUT)/bin/teapot_afd --no-input --backend memory --size 640x480 --shade $$shade --output docs/pictures/$$shade.png; done
 	$(OUT)/bin/teapot_afd --no-input --backend memory --size 1000x420 --compare tessellation:6 --output docs/pictures/comparison.png
+	$(OUT)/bin/surfview --no-input --backend memory --size 480x320 plate --edges --output docs/pictures/plate.png
+	$(OUT)/bin/surfview --no-input --backend memory --size 480x320 plate --drawing --output docs/pictures/drawing.png
+	$(OUT)/bin/surfview --no-input --backend memory --size 480x320 data/head.obj --subdivide --output docs/pictures/head.png
 	$(OUT)/bin/gallery --no-input --backend memory --size 1024x560 --glossy --output docs/pictures/gallery.png
 	$(OUT)/tests/bench/fixed_failure_bench docs/pictures/fixed_16_16.png
 	$(OUT)/tests/bench/depth_bits_bench docs/pictures/depth_16.png
