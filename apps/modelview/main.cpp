@@ -39,7 +39,7 @@ private:
         if (polygons_.pipeline() == l3d_pipeline_kind::afd) {
             polygons_.refuse_for_patches();
             const l3d_afd_settings settings = afd_.settings();
-            l3d_patch_scene scene = parts_.scene(afd_.model());
+            l3d_patch_scene scene = parts_.scene(afd_.scene());
             afd_.lay_picture(scene);
             if (afd_.write_svg(scene))
                 return {};

@@ -64,16 +64,16 @@ private:
                          "--error-output has bounds of whole surfaces alone"},
                         {"--section", normal_ && afd_.wants_drawing(),
                          "line drawings are of whole surfaces"}});
-            const l3d_patch_model model = afd_.model();
-            check_names(model.parts());
-            if (afd_.write_svg(parts_.scene(model)))
+            const l3d_patch_scene whole = afd_.scene();
+            const l3d_parts parts = whole.parts();
+            check_names(parts);
+            if (afd_.write_svg(parts_.scene(whole)))
                 return {};
-            l3d_patch_scene scene = parts_.scene_by_opacity(model);
+            l3d_patch_scene scene = parts_.scene_by_opacity(whole);
             afd_.lay_picture(scene);
-            const section_plane section =
-                section_through((model.pieces_least() + model.pieces_most()) * 0.5);
+            const section_plane section = section_through(whole.pieces_middle());
             return [=, this] {
-                return show<patches_in_parts>(model.parts(), section, scene, camera, settings);
+                return show<patches_in_parts>(parts, section, scene, camera, settings);
             };
         }
         parts_.refuse_for_polygons();

@@ -414,6 +414,11 @@ l3d_patch_model l3d_patch_model::of_opacity(float least, float most) const {
 }
 
 l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {
+    if (std::ranges::find(is_chosen, false) == is_chosen.end()) {
+        l3d_patch_model result = *this; // shares all that is known of the patches
+        result.curves_ = nullptr;
+        return result;
+    }
     const std::vector<l3d_material> all = piece_materials();
     std::vector<patch> kept;
     std::vector<l3d_patch_points> curved;
@@ -460,22 +465,27 @@ l3d_patch_model l3d_patch_model::load(const std::string& file) {
 
 std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& file,
                                                           std::string_view name, std::string& why) {
-    auto model = from_patches(file.patches, file.edges, name, why);
-    if (model)
-        model = model->standing_for(file.patch_error);
-    if (model && !file.patch_parts.empty())
-        model = model->with_parts(file.patch_parts);
-    if (model && !file.curves.empty())
-        model = model->with_curves(curves_of(file));
-    if (!model || file.patch_materials.empty() || file.mesh.looks.empty())
-        return model;
+    if (!file.placements.empty())
+        return from_file(l3d_flattened(file), name, why);
+    const auto model = from_patches(file.patches, file.edges, name, why);
+    return model ? std::optional(model->dressed(file)) : std::nullopt;
+}
+
+l3d_patch_model l3d_patch_model::dressed(const l3d_model_file& file) const {
+    l3d_patch_model result = standing_for(file.patch_error);
+    if (!file.patch_parts.empty())
+        result = result.with_parts(file.patch_parts);
+    if (!file.curves.empty())
+        result = result.with_curves(curves_of(file));
+    if (file.patch_materials.empty() || file.mesh.looks.empty())
+        return result;
     std::vector<l3d_material> materials;
     materials.reserve(file.patch_materials.size());
     for (const std::uint32_t material : file.patch_materials) {
         materials.push_back(file.mesh.looks[material]);
         materials.back().picture = l3d_material::no_picture;
     }
-    return model->painted(materials);
+    return result.painted(materials);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patches,

@@ -107,10 +107,14 @@ public:
                                                        std::string_view name, std::string& why);
 
     /// A model of the patches and curves of a file that was read, with the colours that the file
-    /// gives them.
+    /// gives them. Shapes at many places become copies (l3d_flattened).
     /// Errors: as from_patches.
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
+
+    /// The same patches with the colours, parts, curves and error of a file of these patches.
+    /// Expects: a file of pieces() patches without placements.
+    l3d_patch_model dressed(const l3d_model_file& file) const;
 
     /// A model of the pieces of NURBS surfaces, in their order. Surfaces meet without a gap where
     /// they have the same control points, weights and knots along a boundary, and where curves of

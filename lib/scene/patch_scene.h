@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A part of a patch by its parameters.
@@ -230,6 +231,13 @@ public:
     /// A scene of one model, at its own place. Not explicit: a model is a scene.
     l3d_patch_scene(const l3d_patch_model& model) { add(model); }
 
+    /// A scene of a file that was read. Each shape that stands at many places is one model, which
+    /// its instances share. Transparent places are copies in one model, as few instances may be
+    /// transparent.
+    /// Errors: as l3d_patch_model::from_file; also for a place that complaint() refuses.
+    static std::optional<l3d_patch_scene> from_file(const l3d_model_file& file,
+                                                    std::string_view name, std::string& why);
+
     /// Why the model cannot be placed like this; "" if it can. A placement is affine (its last row
     /// is 0, 0, 0, 1), has finite numbers, can be inverted, and leaves coordinates at most 1e12.
     static std::string complaint(const l3d_patch_model& model, const l3d_matrix<double>& placement);
@@ -342,6 +350,14 @@ public:
 
     /// The instances with their placements, in the order in which they were added.
     std::span<const l3d_patch_instance> instances() const { return instances_; }
+
+    /// The parts of all instances: their things are the pieces of each instance's model, one
+    /// instance after another.
+    l3d_parts parts() const;
+
+    /// The middle of the boxes of all pieces, whatever levels are chosen; the origin if there is
+    /// nothing.
+    vector pieces_middle() const;
 
     /// The number of patches of all instances together.
     std::int64_t patch_count() const { return patch_count_; }

@@ -18,6 +18,8 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TCollection_AsciiString.hxx>
+#include <NCollection_DataMap.hxx>
+#include <TDF_LabelMapHasher.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
@@ -93,7 +95,14 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Writes parts one after another.
+/// Whether a place turns and moves alone, so that lengths and the outside stay what they are.
+bool is_rigid(const TopLoc_Location& place) {
+    constexpr double rounding = 1e-12;
+    const gp_Trsf by = place.Transformation();
+    return !by.IsNegative() && std::abs(by.ScaleFactor() - 1) <= rounding;
+}
+
+/// Writes shapes, and the places where they stand, one after another.
 class part_writer {
 public:
     part_writer(l3d_detail::cad_writer& to, const std::function<void()>& flush)
@@ -104,36 +113,25 @@ public:
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(node.RefLabel);
         if (shape.IsNull())
             return;
-        to_.begin(cad_record::part);
+        const bool stays = is_rigid(node.Location);
+        const std::uint64_t number = !stays ? written(node.RefLabel, shape, node.Location)
+                                     : numbers_.IsBound(node.RefLabel)
+                                         ? numbers_.Find(node.RefLabel)
+                                         : written(node.RefLabel, shape, {});
+        if (stays)
+            numbers_.Bind(node.RefLabel, number);
+        to_.begin(cad_record::place);
+        to_.count(number);
         std::string name = path_of(at, has_one_root);
         if (const int times = ++names_[name]; times > 1)
             name += " (" + std::to_string(times) + ')';
         to_.text(name);
-        XCAFPrs_IndexedDataMapOfShapeStyle styles;
-        XCAFPrs::CollectStyleSettings(node.RefLabel, TopLoc_Location(), styles);
-        TopTools_IndexedMapOfShape shapes;
-        TopExp::MapShapes(shape, TopAbs_FACE, shapes);
-        // A style of a solid or a shell is that of its faces, unless they have their own.
-        std::vector<XCAFPrs_Style> by_face(static_cast<std::size_t>(shapes.Size()), node.Style);
-        for (const TopAbs_ShapeEnum kind :
-             {TopAbs_COMPOUND, TopAbs_COMPSOLID, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
-            for (int i = 1; i <= styles.Extent(); ++i)
-                if (styles.FindKey(i).ShapeType() == kind && styles(i).IsSetColorSurf())
-                    for (TopExp_Explorer face(styles.FindKey(i), TopAbs_FACE); face.More();
-                         face.Next())
-                        if (const int index = shapes.FindIndex(face.Current()); index > 0)
-                            by_face[static_cast<std::size_t>(index) - 1] = styles(i);
-        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-            const auto index = static_cast<std::size_t>(shapes.FindIndex(face.Current())) - 1;
-            use(face_look(by_face[index]));
-            faces_.write(TopoDS::Face(face.Current().Moved(node.Location)));
-            flush_();
-        }
-        for (TopExp_Explorer edge(shape, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) {
-            use(line_look(styles.Contains(edge.Current()) ? styles.FindFromKey(edge.Current())
-                                                          : node.Style));
-            faces_.write_curve(TopoDS::Edge(edge.Current().Moved(node.Location)));
-        }
+        put(node.Style.IsSetColorSurf() ? face_look(node.Style) : line_look(node.Style));
+        const gp_Trsf place = stays ? node.Location.Transformation() : gp_Trsf();
+        for (int row = 1; row <= 3; ++row)
+            for (int column = 1; column <= 4; ++column)
+                to_.number(place.Value(row, column));
+        flush_();
     }
 
     void finish() {
@@ -143,13 +141,52 @@ public:
     }
 
 private:
-    void use(const look& now) {
+    /// Writes a shape that is moved for good, and returns its number.
+    std::uint64_t written(const TDF_Label& label, const TopoDS_Shape& shape,
+                          const TopLoc_Location& by) {
+        to_.begin(cad_record::shape);
+        XCAFPrs_IndexedDataMapOfShapeStyle styles;
+        XCAFPrs::CollectStyleSettings(label, TopLoc_Location(), styles);
+        TopTools_IndexedMapOfShape shapes;
+        TopExp::MapShapes(shape, TopAbs_FACE, shapes);
+        // A style of a solid or a shell is that of its faces, unless they have their own.
+        std::vector<std::optional<look>> by_face(static_cast<std::size_t>(shapes.Size()));
+        for (const TopAbs_ShapeEnum kind :
+             {TopAbs_COMPOUND, TopAbs_COMPSOLID, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
+            for (int i = 1; i <= styles.Extent(); ++i)
+                if (styles.FindKey(i).ShapeType() == kind && styles(i).IsSetColorSurf())
+                    for (TopExp_Explorer face(styles.FindKey(i), TopAbs_FACE); face.More();
+                         face.Next())
+                        if (const int index = shapes.FindIndex(face.Current()); index > 0)
+                            by_face[static_cast<std::size_t>(index) - 1] = face_look(styles(i));
+        use(std::nullopt);
+        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+            use(by_face[static_cast<std::size_t>(shapes.FindIndex(face.Current())) - 1]);
+            faces_.write(TopoDS::Face(face.Current().Moved(by)));
+            flush_();
+        }
+        for (TopExp_Explorer edge(shape, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) {
+            use(styles.Contains(edge.Current())
+                    ? std::optional(line_look(styles.FindFromKey(edge.Current())))
+                    : std::nullopt);
+            faces_.write_curve(TopoDS::Edge(edge.Current().Moved(by)));
+        }
+        return shapes_++;
+    }
+
+    void put(const look& one) {
+        to_.count(one.color);
+        to_.number(one.opacity);
+    }
+
+    /// Faces and curves that follow have this look, or that of their shape's place.
+    void use(const std::optional<look>& now) {
         if (look_ == now)
             return;
         look_ = now;
-        to_.begin(cad_record::material);
-        to_.count(now.color);
-        to_.number(now.opacity);
+        to_.begin(now ? cad_record::material : cad_record::of_place);
+        if (now)
+            put(*now);
     }
 
     l3d_detail::cad_writer& to_;
@@ -157,6 +194,8 @@ private:
     face_writer faces_;
     std::map<std::string, int> names_;
     std::optional<look> look_;
+    NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< of shapes
+    std::uint64_t shapes_ = 0;
 };
 
 /// Reads a file into a document.

@@ -34,6 +34,11 @@ l3d_model_file model_of(const std::string& path) {
     return model ? *std::move(model) : l3d_model_file();
 }
 
+/// The model with a copy of each shape at each place.
+l3d_model_file flat_model_of(const std::string& path) {
+    return l3d_flattened(model_of(path));
+}
+
 /// The box of the control points of a part's patches: least and most x, y, z.
 std::array<double, 6> box_of(const l3d_model_file& model, const std::string& part) {
     std::array<double, 6> box{1e9, 1e9, 1e9, -1e9, -1e9, -1e9};
@@ -61,7 +66,7 @@ void expect_box(const std::array<double, 6>& is, const std::array<double, 6>& wa
 TEST(cad_file, of_an_assembly_has_its_parts_at_their_places_in_their_colors) {
     const cad_folder folder;
     write_assembly(folder.file("cart.step"));
-    const l3d_model_file model = model_of(folder.file("cart.step"));
+    const l3d_model_file model = flat_model_of(folder.file("cart.step"));
     std::vector<std::string> names;
     for (const l3d_part_run& part : model.patch_parts)
         names.push_back(part.name);
@@ -86,6 +91,25 @@ TEST(cad_file, of_an_assembly_has_its_parts_at_their_places_in_their_colors) {
         } else
             EXPECT_EQ(look(i).color, 0xffffffU);
     EXPECT_EQ(blue, 1);
+}
+
+TEST(cad_file, of_a_thousand_bolts_has_one_bolt_at_a_thousand_places) {
+    const cad_folder folder;
+    write_rows_of_bolts(folder.file("bolts.step"), 100);
+    const l3d_model_file model = model_of(folder.file("bolts.step"));
+    ASSERT_EQ(model.shapes.size(), 1U);
+    ASSERT_EQ(model.placements.size(), 1000U);
+    EXPECT_LT(model.patches.size(), 100U);
+    EXPECT_TRUE(model.patch_parts.empty());
+    const l3d_model_placement& last = model.placements.back();
+    EXPECT_EQ(last.name, "row 10/bolt 100");
+    EXPECT_EQ(last.place(0, 3), 12 * 99);
+    EXPECT_EQ(last.place(1, 3), 12 * 9);
+    EXPECT_EQ(model.mesh.looks[last.material].color, 0xff0000U);
+    EXPECT_EQ(model.mesh.looks[model.placements[0].material].color, 0x808c99U);
+    EXPECT_TRUE(std::ranges::all_of(model.patch_materials, [](std::uint32_t material) {
+        return material == l3d_material_of_place;
+    }));
 }
 
 TEST(cad_file, has_millimetres_whatever_its_unit) {
@@ -142,7 +166,10 @@ std::array<double, 2> place(const l3d_trim_curve& curve, double t) {
 
 TEST(cad_file, has_edges_that_trims_follow) {
     const cad_folder folder;
-    for (const named_shape& one : shapes_of_many_kinds()) {
+    std::vector<named_shape> shapes = shapes_of_many_kinds();
+    for (named_shape& more : hard_shapes())
+        shapes.push_back(std::move(more));
+    for (const named_shape& one : shapes) {
         write_step(one.shape, folder.file("a.step"));
         const cad_records read =
             cad_records::of(cad_records::text_of(folder.file("a.step")), false);
@@ -258,10 +285,11 @@ TEST(cad_file, that_is_changed_at_random_gives_a_model_or_one_line) {
         std::string why;
         EXPECT_TRUE(l3d_read_model(texts.back(), "part", why)) << why;
     };
-    for (const named_shape& one : shapes_of_many_kinds()) {
-        write_step(one.shape, folder.file("a.step"));
-        add();
-    }
+    for (const auto& shapes : {shapes_of_many_kinds(), hard_shapes()})
+        for (const named_shape& one : shapes) {
+            write_step(one.shape, folder.file("a.step"));
+            add();
+        }
     write_assembly(folder.file("a.step"));
     add();
     write_iges(shapes_of_many_kinds()[0].shape, folder.file("a.igs"), true);

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,7 +21,8 @@
 #include <unistd.h>
 #include <vector>
 
-/// A folder that is gone after the test. The kernel tells the terminal of each file that it writes.
+/// A folder that is gone after the test, unless L3D_CAD_FILES names one that stays. The kernel
+/// tells the terminal of each file that it writes.
 class cad_folder {
 public:
     cad_folder() {
@@ -29,12 +31,17 @@ public:
     }
     cad_folder(const cad_folder&) = delete;
     cad_folder& operator=(const cad_folder&) = delete;
-    ~cad_folder() { std::filesystem::remove_all(path_); }
+    ~cad_folder() {
+        if (!kept_)
+            std::filesystem::remove_all(path_);
+    }
 
     std::string file(const std::string& name) const { return path_ + '/' + name; }
 
 private:
-    std::string path_ = testing::TempDir() + "l3d_cad_" + std::to_string(getpid());
+    const char* kept_ = std::getenv("L3D_CAD_FILES");
+    std::string path_ =
+        kept_ ? kept_ : testing::TempDir() + "l3d_cad_" + std::to_string(getpid());
 };
 
 /// The records of a file, without what was made of them.
@@ -70,8 +77,8 @@ struct cad_records {
             0)
             result.why = why.data();
         l3d_detail::cad_reader from(bytes);
-        std::uint64_t color = 0;
-        std::string part;
+        std::uint64_t color = of_place;
+        std::vector<std::vector<shape_face>> shapes;
         while (!from.is_over())
             switch (static_cast<l3d_detail::cad_record>(from.count())) {
             case l3d_detail::cad_record::end:
@@ -88,8 +95,14 @@ struct cad_records {
                 color = from.count();
                 from.number();
                 break;
-            case l3d_detail::cad_record::part:
-                part = from.text();
+            case l3d_detail::cad_record::of_place:
+                color = of_place;
+                break;
+            case l3d_detail::cad_record::shape:
+                shapes.emplace_back();
+                break;
+            case l3d_detail::cad_record::place:
+                result.place(from, shapes);
                 break;
             case l3d_detail::cad_record::edge:
                 result.tolerances.push_back(from.number());
@@ -99,15 +112,44 @@ struct cad_records {
                 result.curves.push_back(curve(from));
                 break;
             case l3d_detail::cad_record::face:
-                result.faces.push_back(face(from));
-                result.colors.push_back(color);
-                result.parts.push_back(part);
+                shapes.back().push_back({face(from), color});
                 break;
             }
         return result;
     }
 
 private:
+    static constexpr std::uint64_t of_place = ~std::uint64_t{0};
+    struct shape_face {
+        l3d_nurbs_surface surface;
+        std::uint64_t color;
+    };
+
+    /// Adds the faces of a shape at its place.
+    void place(l3d_detail::cad_reader& from, const std::vector<std::vector<shape_face>>& shapes) {
+        const std::uint64_t shape = from.count();
+        const std::string part = from.text();
+        const std::uint64_t color = from.count();
+        from.number();
+        double m[3][4];
+        for (auto& row : m)
+            for (double& number : row)
+                number = from.number();
+        for (const shape_face& one : shapes[shape]) {
+            std::vector<l3d_nurbs_surface::vector> points;
+            for (const auto& p : one.surface.points()) {
+                auto& q = points.emplace_back();
+                for (int i = 0; i < 3; ++i)
+                    q[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
+            }
+            const l3d_nurbs_surface whole(one.surface.u(), one.surface.v(), std::move(points),
+                                          one.surface.weights());
+            faces.push_back(whole.trimmed(one.surface.trims()));
+            colors.push_back(one.color == of_place ? color : one.color);
+            parts.push_back(part);
+        }
+    }
+
     static l3d_bspline_direction direction(l3d_detail::cad_reader& from) {
         l3d_bspline_direction result;
         result.degree = static_cast<int>(from.count());

@@ -18,6 +18,10 @@ struct named_shape {
 /// voids, tolerances from 1e-7 to 1e-2 mm.
 std::vector<named_shape> shapes_of_many_kinds();
 
+/// Threads and helices that are cut, poles and seams that are, points at the ends of lofts, gaps,
+/// slits, shapes that are far away, small, large or mirrored.
+std::vector<named_shape> hard_shapes();
+
 /// A plate of 100 by 100 by 5 mm with n by n holes.
 TopoDS_Shape plate_with_holes(int n);
 
@@ -32,5 +36,9 @@ void write_iges(const TopoDS_Shape& shape, const std::string& path, bool of_soli
 /// Writes an assembly: two red wheels and a beam, whose first face is blue and half transparent.
 /// The wheels are at x = -30 and x = 30, the second one turned by 90 degrees about z.
 void write_assembly(const std::string& path);
+
+/// Writes an assembly of 10 rows, each of n bolts, 12 mm apart: one bolt and one row, at many
+/// places. Each tenth bolt of a row is red, all others are steel. Names are "row 3/bolt 7", from 1.
+void write_rows_of_bolts(const std::string& path, int n);
 
 #endif

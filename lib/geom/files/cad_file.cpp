@@ -85,10 +85,9 @@ public:
     l3d_model_file finish() {
         if (left_out_ > 0)
             note(std::to_string(left_out_) + " more notes are left out");
-        if (model_.mesh.looks.empty()) {
-            model_.patch_materials.clear();
-            model_.curve_materials.clear();
-        }
+        // Shapes of one place each share nothing, and a model without them is plainer.
+        if (model_.placements.size() <= model_.shapes.size())
+            return l3d_flattened(model_);
         return std::move(model_);
     }
 
@@ -123,11 +122,17 @@ private:
             note_first(from.text());
             break;
         case cad_record::material:
-            read_material(from);
+            material_ = material(from);
             break;
-        case cad_record::part:
-            model_.patch_parts.push_back(
-                {from.text(), static_cast<std::uint32_t>(model_.patches.size())});
+        case cad_record::of_place:
+            material_ = l3d_material_of_place;
+            break;
+        case cad_record::shape:
+            model_.shapes.push_back({static_cast<std::uint32_t>(model_.patches.size()),
+                                     static_cast<std::uint32_t>(model_.curves.size())});
+            break;
+        case cad_record::place:
+            read_place(from);
             break;
         case cad_record::edge: {
             const double tolerance = from.number();
@@ -157,17 +162,30 @@ private:
         note(text.data());
     }
 
-    void read_material(cad_reader& from) {
+    std::uint32_t material(cad_reader& from) {
         l3d_material look;
         look.color = static_cast<l3d_color>(from.count());
         look.opacity = static_cast<float>(from.number());
         auto& looks = model_.mesh.looks;
         const auto found = std::ranges::find(looks, look);
-        material_ = static_cast<std::uint32_t>(found - looks.begin());
+        const auto result = static_cast<std::uint32_t>(found - looks.begin());
         if (found == looks.end()) {
             looks.push_back(look);
             model_.mesh.materials.push_back("material " + std::to_string(looks.size()));
         }
+        return result;
+    }
+
+    void read_place(cad_reader& from) {
+        l3d_model_placement at;
+        at.shape = static_cast<std::uint32_t>(from.count());
+        at.name = from.text();
+        at.material = material(from);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column)
+                at.place(row, column) = from.number();
+        if (at.shape < model_.shapes.size())
+            model_.placements.push_back(std::move(at));
     }
 
     void read_face(cad_reader& from) {

@@ -15,7 +15,7 @@
 namespace l3d_detail {
 
 /// The version of cad_plugin and of its records.
-inline constexpr std::uint32_t cad_version = 1;
+inline constexpr std::uint32_t cad_version = 2;
 
 /// The interface of the plug-in libl3d_cad.so.
 struct cad_plugin : plugin_interface {
@@ -37,7 +37,10 @@ enum class cad_record : std::uint64_t {
     effort,   ///< seconds, bytes: time and memory of reading; follows `end`
     note,     ///< text: about something left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
-    part,     ///< name: of the faces that follow
+    of_place, ///< faces and curves that follow have the material of their shape's place
+    shape,    ///< the faces and curves that follow are a shape; shapes count from 0
+    /// Shape, name, material as above, and three rows of a 3 by 4 matrix: a place where it stands.
+    place,
     edge,     ///< tolerance, curve: edges count from 0
     curve,    ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;

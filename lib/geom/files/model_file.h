@@ -6,6 +6,7 @@
 
 #include "base/public.h"
 #include "geom/files/patch_file.h"
+#include "geom/matrix.h"
 #include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
 #include "geom/subdivision.h"
@@ -75,6 +76,27 @@ struct L3D_PUBLIC l3d_model_edge {
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
 };
 
+/// Where the patches and curves of a shape begin. It ends where the next shape begins.
+struct L3D_PUBLIC l3d_model_shape {
+    std::uint32_t first_patch = 0; ///< index in l3d_model_file::patches
+    std::uint32_t first_curve = 0; ///< index in l3d_model_file::curves
+
+    friend bool operator==(const l3d_model_shape&, const l3d_model_shape&) = default;
+};
+
+/// The material of patches and curves that have that of the place where their shape stands.
+inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
+
+/// A shape at a place, such as one of the bolts of an assembly.
+struct L3D_PUBLIC l3d_model_placement {
+    std::string name;        ///< the part that the shape is there
+    std::uint32_t shape = 0; ///< index in l3d_model_file::shapes
+    l3d_matrix<double> place = l3d_identity<double>(); ///< from the shape's coordinates; affine
+    std::uint32_t material = 0; ///< the one that l3d_material_of_place stands for
+
+    friend bool operator==(const l3d_model_placement&, const l3d_model_placement&) = default;
+};
+
 /// Polygons, patches, or both, in the file's own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
@@ -97,9 +119,23 @@ struct L3D_PUBLIC l3d_model_file {
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
     /// Bound of the distance between the patches and the surface that they stand for.
     double patch_error = 0;
+    /// Optional: the patches and curves as shapes, in their order. Then the model is what
+    /// `placements` make of them, and there are no patch_parts. l3d_flattened makes copies of it.
+    std::vector<l3d_model_shape> shapes{};
+    /// Where the shapes stand: at least at one place each. A shape's own coordinates mean nothing.
+    std::vector<l3d_model_placement> placements{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
+
+/// The same model without shapes: each placement has patches, curves and edges of its own, and is a
+/// part of its name. Edges that several shapes share stay shared where they stand at one place.
+L3D_PUBLIC l3d_model_file l3d_flattened(const l3d_model_file& model);
+
+/// The patches, curves and edges of one shape, in its own coordinates. Where it has the material of
+/// its place, it gets this one. Expects: an index of shapes.
+L3D_PUBLIC l3d_model_file l3d_shape_of(const l3d_model_file& model, std::size_t shape,
+                                       std::uint32_t material);
 
 /// A function that gives the bytes of another file that a model names, in the model's own folder.
 /// Errors:  nothing, and the reason in `why`.

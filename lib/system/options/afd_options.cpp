@@ -481,6 +481,26 @@ void l3d_afd_options::lay_picture(l3d_patch_scene& scene) const {
 l3d_patch_model l3d_afd_options::model() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
+    return made_of_file<l3d_patch_model>(
+        [](const l3d_patch_model& model) { return model.edges_note(); });
+}
+
+l3d_patch_scene l3d_afd_options::scene() const {
+    if (model_file_.empty())
+        return l3d_patch_model::teapot();
+    return made_of_file<l3d_patch_scene>([](const l3d_patch_scene& scene) {
+        std::string note; // of the first model that has one
+        for (auto at = scene.instances().begin(); note.empty() && at != scene.instances().end();
+             ++at)
+            note = at->model().edges_note();
+        return note;
+    });
+}
+
+/// Makes a model or a scene of the file, and prints what there is to be said.
+template <class Made>
+Made l3d_afd_options::made_of_file(
+    const std::function<std::string(const Made& made)>& edges_note) const {
     const l3d_model_file file = this->file();
     const std::string polygons = l3d_detail::counted(file.mesh.faces(), "polygons");
     if (file.patches.empty())
@@ -488,21 +508,21 @@ l3d_patch_model l3d_afd_options::model() const {
                         model_file_ + ": holds " + polygons +
                             " and no patches; modelview --pipeline zbuffer shows them");
     std::string why;
-    auto model = [&] {
+    auto made = [&] {
         const auto work = l3d_detail::tell_work("preparing", model_file_);
-        return l3d_patch_model::from_file(file, model_file_, why);
+        return Made::from_file(file, model_file_, why);
     }();
-    if (!model)
+    if (!made)
         throw l3d_error(l3d_exit::bad_input, why);
     for (const std::string& note : file.notes)
         std::cerr << note << '\n';
-    if (const std::string note = model->edges_note(); !note.empty())
+    if (const std::string note = edges_note(*made); !note.empty())
         std::cerr << l3d_detail::printable(model_file_) << ": " << note << '\n';
     if (file.mesh.faces() > 0)
         std::cerr << l3d_detail::printable(model_file_) << ": " << polygons
                   << (file.mesh.faces() == 1 ? " is" : " are")
                   << " skipped; modelview --pipeline zbuffer shows them\n";
-    return *std::move(model);
+    return *std::move(made);
 }
 
 std::vector<l3d_nurbs_surface> l3d_afd_options::surfaces(const l3d_patch_model& model) const {

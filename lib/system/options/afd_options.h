@@ -47,6 +47,11 @@ public:
     /// Errors:  l3d_error(bad_input) with file and line, or for a file without patches.
     l3d_patch_model model() const;
 
+    /// The same as a scene, in which shapes that stand at many places of the file are one model
+    /// each.
+    /// Errors:  as model().
+    l3d_patch_scene scene() const;
+
     /// Lays the picture of --texture on all of a scene. If it cannot be read, stderr gets a line,
     /// and the scene stays as it is.
     void lay_picture(l3d_patch_scene& scene) const;
@@ -139,6 +144,8 @@ public:
     bool shows_the_usual() const;
 
 private:
+    template <class Made>
+    Made made_of_file(const std::function<std::string(const Made& made)>& edges_note) const;
     void read_fog(const std::string& text);
     void add_light(const std::string& text);
     void add_point_light(const std::string& text);

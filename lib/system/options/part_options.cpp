@@ -11,6 +11,7 @@
 #include <array>
 #include <iostream>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -20,18 +21,9 @@ namespace {
     throw l3d_error(l3d_exit::usage, why);
 }
 
-std::size_t found(const l3d_parts& parts, const char* option, const std::string& name) {
+void check_name(const l3d_parts& parts, const char* option, const std::string& name) {
     if (const std::string why = parts.complaint(name); !why.empty())
         refuse(std::string(option) + ": " + why);
-    return *parts.find(name);
-}
-
-std::vector<std::size_t> all_found(const l3d_parts& parts, const char* option,
-                                   const std::vector<std::string>& names) {
-    std::vector<std::size_t> result;
-    for (const std::string& name : names)
-        result.push_back(found(parts, option, name));
-    return result;
 }
 
 bool is_empty(const l3d_patch_model& model) {
@@ -96,61 +88,96 @@ void l3d_part_options::list(const l3d_parts& parts, std::string_view things) {
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
 }
 
-template <class Model> Model l3d_part_options::applied_to(const Model& model) const {
+/// Refuses names that are no parts.
+void l3d_part_options::check(const l3d_parts& parts) const {
+    for (const colored& color : colors_)
+        check_name(parts, "--color", color.part);
+    for (const std::string& name : shown_)
+        check_name(parts, "--show-only", name);
+    for (const std::string& name : hidden_)
+        check_name(parts, "--hide", name);
+}
+
+void l3d_part_options::check_opacities(const l3d_parts& parts) const {
+    std::set<std::string> names;
+    for (const opacity& o : opacities_) {
+        check_name(parts, "--opacity", o.part);
+        names.insert(o.part);
+    }
+    if (names.size() > l3d_patch_scene::most_transparent)
+        refuse("--opacity: more than " + std::to_string(l3d_patch_scene::most_transparent) +
+               " parts");
+}
+
+/// A model that may have some of the parts, or none. It may become empty.
+template <class Model> Model l3d_part_options::as_asked(const Model& model) const {
     Model result = model;
     for (const colored& color : colors_)
-        result = result.part_painted(found(model.parts(), "--color", color.part),
-                                     {.color = color.color});
-    const auto shown = all_found(model.parts(), "--show-only", shown_);
-    std::vector<std::size_t> hidden = all_found(model.parts(), "--hide", hidden_);
-    if (shown.empty() && hidden.empty())
-        return result;
-    std::vector<std::size_t> kept;
-    for (const std::size_t part : shown)
-        if (std::ranges::find(hidden, part) == hidden.end())
-            kept.push_back(part);
-    result = shown.empty() ? result.without(hidden) : result.only(kept);
-    if (is_empty(result))
+        if (const auto part = model.parts().find(color.part))
+            result = result.part_painted(*part, {.color = color.color});
+    std::vector<std::size_t> hidden, kept;
+    for (const std::string& name : hidden_)
+        if (const auto part = model.parts().find(name))
+            hidden.push_back(*part);
+    for (const std::string& name : shown_)
+        if (const auto part = model.parts().find(name);
+            part && std::ranges::find(hidden, *part) == hidden.end())
+            kept.push_back(*part);
+    if (!shown_.empty())
+        return result.only(kept);
+    return hidden.empty() ? result : result.without(hidden);
+}
+
+template <class Model> Model l3d_part_options::applied_to(const Model& model) const {
+    check(model.parts());
+    Model result = as_asked(model);
+    if (is_empty(result) && !is_empty(model))
         refuse("--hide: nothing of the model is left");
     return result;
 }
 
-/// The scene of a model. A part's last opacity counts, in place of those of its materials. A hidden
-/// part has none.
-l3d_patch_scene l3d_part_options::scene(const l3d_patch_model& model) const {
-    for (const opacity& o : opacities_)
-        found(model.parts(), "--opacity", o.part);
-    return of_shown(applied(model));
+l3d_patch_scene l3d_part_options::scene(const l3d_patch_scene& whole) const {
+    const l3d_parts parts = whole.parts();
+    check_opacities(parts);
+    check(parts);
+    l3d_patch_scene result;
+    bool was_empty = true;
+    for (const l3d_patch_instance& instance : whole.instances()) {
+        was_empty = was_empty && is_empty(instance.model());
+        const l3d_patch_model model = as_asked(instance.model());
+        if (!is_empty(model))
+            add_by_opacity({model, instance.placement()}, result);
+    }
+    if (result.instances().empty() && !was_empty)
+        refuse("--hide: nothing of the model is left");
+    return result;
 }
 
-l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_model& model) const {
-    for (const opacity& o : opacities_)
-        found(model.parts(), "--opacity", o.part);
-    return of_shown(model);
+l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_scene& whole) const {
+    check_opacities(whole.parts());
+    l3d_patch_scene result;
+    for (const l3d_patch_instance& instance : whole.instances())
+        add_by_opacity(instance, result);
+    return result;
 }
 
-l3d_patch_scene l3d_part_options::of_shown(const l3d_patch_model& whole) const {
+/// Adds an instance in as many as it has opacities. A part's last opacity counts, in place of those
+/// of its materials. A hidden part has none.
+void l3d_part_options::add_by_opacity(const l3d_patch_instance& whole, l3d_patch_scene& to) const {
     std::map<std::size_t, double> by_part;
     for (const opacity& o : opacities_)
-        if (const auto part = whole.parts().find(o.part))
+        if (const auto part = whole.model().parts().find(o.part))
             by_part[*part] = o.value;
-    l3d_patch_scene result;
-    if (by_part.empty()) {
-        result.add_by_opacity(whole);
-        return result;
-    }
-    if (by_part.size() > l3d_patch_scene::most_transparent)
-        refuse("--opacity: more than " + std::to_string(l3d_patch_scene::most_transparent) +
-               " parts");
+    if (by_part.empty())
+        return to.add_by_opacity(whole.model(), whole.placement());
     std::vector<std::size_t> apart;
     for (const auto& [part, value] : by_part) {
         apart.push_back(part);
-        result.add(whole.only(std::span(&part, 1)));
-        result.set_opacity(result.instances().size() - 1, value);
+        to.add(whole.model().only(std::span(&part, 1)), whole.placement());
+        to.set_opacity(to.instances().size() - 1, value);
     }
-    if (const l3d_patch_model rest = whole.without(apart); !is_empty(rest))
-        result.add_by_opacity(rest);
-    return result;
+    if (const l3d_patch_model rest = whole.model().without(apart); !is_empty(rest))
+        to.add_by_opacity(rest, whole.placement());
 }
 
 l3d_patch_model l3d_part_options::applied(const l3d_patch_model& model) const {
@@ -168,16 +195,13 @@ void l3d_part_options::refuse_for_polygons() const {
 }
 
 void l3d_part_options::put_into(l3d_part_list& list, const l3d_parts& parts) const {
-    const auto shown = all_found(parts, "--show-only", shown_);
-    const auto hidden = all_found(parts, "--hide", hidden_);
-    for (const colored& color : colors_)
-        found(parts, "--color", color.part);
-    const auto has = [](const std::vector<std::size_t>& indices, std::size_t part) {
-        return std::ranges::find(indices, part) != indices.end();
+    check(parts);
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end();
     };
     for (std::size_t i = 0; i < parts.names().size(); ++i) {
         l3d_listed_part part{.name = parts.names()[i]};
-        part.is_hidden = has(hidden, i) || (!shown.empty() && !has(shown, i));
+        part.is_hidden = has(hidden_, part.name) || (!shown_.empty() && !has(shown_, part.name));
         for (const colored& color : colors_)
             if (color.part == part.name)
                 part.color = color.color;

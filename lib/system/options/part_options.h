@@ -35,14 +35,15 @@ public:
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
-    /// The model as --color, --hide, --show-only and --opacity ask. Each part that --opacity names
-    /// becomes an instance. The rest becomes an instance for each opacity that its materials have.
+    /// The scene as --color, --hide, --show-only and --opacity ask. Each part that --opacity names
+    /// becomes an instance. The rest of an instance becomes one for each opacity that its materials
+    /// have.
     /// Errors:  as applied().
-    l3d_patch_scene scene(const l3d_patch_model& model) const;
+    l3d_patch_scene scene(const l3d_patch_scene& whole) const;
 
     /// The same as --opacity asks, whatever other options say: for a viewer with a list of parts.
     /// Errors:  l3d_error(usage) as scene().
-    l3d_patch_scene scene_by_opacity(const l3d_patch_model& model) const;
+    l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
     /// Has a list of parts hide and colour what --color, --hide and --show-only name.
     /// Errors:  as applied().
     void put_into(l3d_part_list& list, const l3d_parts& parts) const;
@@ -68,8 +69,11 @@ private:
         double value;
     };
 
+    void check(const l3d_parts& parts) const;
+    void check_opacities(const l3d_parts& parts) const;
+    template <class Model> Model as_asked(const Model& model) const;
     template <class Model> Model applied_to(const Model& model) const;
-    l3d_patch_scene of_shown(const l3d_patch_model& whole) const;
+    void add_by_opacity(const l3d_patch_instance& whole, l3d_patch_scene& to) const;
     void add_color(const std::string& text);
     void add_opacity(const std::string& text);
 

@@ -92,7 +92,7 @@ l3d_pipeline_kind l3d_polygon_options::pipeline() const {
 
 void l3d_polygon_options::list_parts() const {
     if (pipeline() == l3d_pipeline_kind::afd)
-        l3d_part_options::list(shared_.model().parts(), "patches");
+        l3d_part_options::list(shared_.scene().parts(), "patches");
     else
         l3d_part_options::list(model().parts(), "faces");
 }
