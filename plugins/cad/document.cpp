@@ -26,6 +26,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XCAFPrs.hxx>
@@ -126,7 +127,10 @@ public:
         if (const int times = ++names_[name]; times > 1)
             name += " (" + std::to_string(times) + ')';
         to_.text(name);
-        put(node.Style.IsSetColorSurf() ? face_look(node.Style) : line_look(node.Style));
+        const bool shows_own = whole_[number] && !has_color(node);
+        put(shows_own                     ? *whole_[number]
+            : node.Style.IsSetColorSurf() ? face_look(node.Style)
+                                          : line_look(node.Style));
         const gp_Trsf place = stays ? node.Location.Transformation() : gp_Trsf();
         for (int row = 1; row <= 3; ++row)
             for (int column = 1; column <= 4; ++column)
@@ -149,16 +153,26 @@ private:
         XCAFPrs::CollectStyleSettings(label, TopLoc_Location(), styles);
         TopTools_IndexedMapOfShape shapes;
         TopExp::MapShapes(shape, TopAbs_FACE, shapes);
-        // A style of a solid or a shell is that of its faces, unless they have their own.
+        // A style of a solid or a shell is that of its faces, unless they have their own. A place
+        // may have another style than the whole shape.
         std::vector<std::optional<look>> by_face(static_cast<std::size_t>(shapes.Size()));
+        std::optional<look> whole;
         for (const TopAbs_ShapeEnum kind :
              {TopAbs_COMPOUND, TopAbs_COMPSOLID, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
-            for (int i = 1; i <= styles.Extent(); ++i)
-                if (styles.FindKey(i).ShapeType() == kind && styles(i).IsSetColorSurf())
-                    for (TopExp_Explorer face(styles.FindKey(i), TopAbs_FACE); face.More();
-                         face.Next())
-                        if (const int index = shapes.FindIndex(face.Current()); index > 0)
-                            by_face[static_cast<std::size_t>(index) - 1] = face_look(styles(i));
+            for (int i = 1; i <= styles.Extent(); ++i) {
+                if (styles.FindKey(i).ShapeType() != kind || !styles(i).IsSetColorSurf())
+                    continue;
+                TopTools_IndexedMapOfShape styled;
+                TopExp::MapShapes(styles.FindKey(i), TopAbs_FACE, styled);
+                if (kind != TopAbs_FACE && styled.Size() == shapes.Size()) {
+                    whole = face_look(styles(i));
+                    continue;
+                }
+                for (int k = 1; k <= styled.Size(); ++k)
+                    if (const int index = shapes.FindIndex(styled(k)); index > 0)
+                        by_face[static_cast<std::size_t>(index) - 1] = face_look(styles(i));
+            }
+        whole_.push_back(whole);
         use(std::nullopt);
         for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
             use(by_face[static_cast<std::size_t>(shapes.FindIndex(face.Current())) - 1]);
@@ -171,7 +185,15 @@ private:
                     : std::nullopt);
             faces_.write_curve(TopoDS::Edge(edge.Current().Moved(by)));
         }
-        return shapes_++;
+        return whole_.size() - 1;
+    }
+
+    /// Whether a place has a colour of its own.
+    static bool has_color(const XCAFPrs_DocumentNode& node) {
+        TDF_Label color;
+        return node.Label != node.RefLabel &&
+               (XCAFDoc_ColorTool::GetColor(node.Label, XCAFDoc_ColorSurf, color) ||
+                XCAFDoc_ColorTool::GetColor(node.Label, XCAFDoc_ColorGen, color));
     }
 
     void put(const look& one) {
@@ -195,7 +217,7 @@ private:
     std::map<std::string, int> names_;
     std::optional<look> look_;
     NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< of shapes
-    std::uint64_t shapes_ = 0;
+    std::vector<std::optional<look>> whole_; ///< looks of all of each shape
 };
 
 /// Reads a file into a document.

@@ -225,7 +225,7 @@ private:
 
     std::string name_;
     l3d_model_file model_;
-    std::uint32_t material_ = 0;
+    std::uint32_t material_ = l3d_material_of_place;
     std::size_t faces_ = 0, left_out_ = 0;
     bool is_complete_ = false;
 };
