@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
         if (model.empty() || picture.empty())
             throw l3d_error(l3d_exit::usage, "a model and a picture are to be named (see --help)");
         std::visit([&](const auto& of) { draw(of, model, side, picture); },
-                   l3d_load_any_model(model));
+                   l3d_load_any_scene(model));
         return 0;
     } catch (const std::exception& error) {
         return l3d_report(options.command(), error);

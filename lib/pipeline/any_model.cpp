@@ -7,7 +7,12 @@
 #include "scene/model_loader.h"
 #include "base/error.h"
 
-l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::string>* notes) {
+namespace {
+
+/// Patches as a model or as a scene, or polygons.
+template <class Patches>
+std::variant<Patches, l3d_polygon_model> load(const std::string& file,
+                                              std::vector<std::string>* notes) {
     const l3d_model_file read = l3d_load_model(file, file);
     if (notes)
         notes->insert(notes->end(), read.notes.begin(), read.notes.end());
@@ -21,8 +26,18 @@ l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::strin
         return plain.textured(std::move(textures));
     }
     std::string why;
-    const auto patches = l3d_patch_model::from_file(read, file, why);
+    const auto patches = Patches::from_file(read, file, why);
     if (!patches)
         throw l3d_error(l3d_exit::bad_input, why);
     return *patches;
+}
+
+} // namespace
+
+l3d_any_model l3d_load_any_model(const std::string& file, std::vector<std::string>* notes) {
+    return load<l3d_patch_model>(file, notes);
+}
+
+l3d_any_scene l3d_load_any_scene(const std::string& file, std::vector<std::string>* notes) {
+    return load<l3d_patch_scene>(file, notes);
 }

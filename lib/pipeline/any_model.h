@@ -8,6 +8,7 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/polygons/polygon_model.h"
 #include "scene/patch_model.h"
+#include "scene/patch_scene.h"
 
 #include <string>
 #include <type_traits>
@@ -25,6 +26,15 @@ using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
 L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);
 
+/// The contents of a model file as a pipeline draws them: patches as a scene, or polygons.
+using l3d_any_scene = std::variant<l3d_patch_scene, l3d_polygon_model>;
+
+/// Loads a model file as l3d_load_any_model does. Shapes that stand at many places, as in an
+/// assembly, are instances of one model, which takes the memory of one.
+/// Errors: as l3d_load_any_model.
+L3D_PUBLIC l3d_any_scene l3d_load_any_scene(const std::string& file,
+                                            std::vector<std::string>* notes = nullptr);
+
 /// The viewer for a kind of model: exact patches, or polygons through a depth buffer. Its
 /// constructor takes a canvas, the model, a camera and settings; `{}` stands for the usual
 /// settings.
@@ -36,7 +46,7 @@ L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
 ///         pipeline.draw_event();
 ///     }, l3d_load_any_model(file));
 template <class Model>
-using l3d_pipeline_for = std::conditional_t<std::is_same_v<Model, l3d_patch_model>,
+using l3d_pipeline_for = std::conditional_t<std::is_convertible_v<Model, l3d_patch_scene>,
                                             l3d_pipeline_afd_viewer, l3d_pipeline_zbuffer>;
 
 #endif

@@ -57,7 +57,40 @@ void l3d_part_list::set_names(std::span<const std::string> names) {
         parts_.push_back(at == known.end() ? l3d_listed_part{.name = name} : at->second);
     }
     before_ = parts_;
+    make_lines();
     choose(was_chosen);
+}
+
+/// A group has the parts that follow each other and have its path in common.
+void l3d_part_list::make_lines() {
+    tree_.clear();
+    line_of_.clear();
+    std::vector<std::size_t> open; // groups that the last part is in, by their places in tree_
+    std::vector<std::string> path; // their names
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        std::vector<std::string> words;
+        for (std::string_view rest = parts_[i].name;;) {
+            const std::size_t slash = rest.find('/');
+            words.emplace_back(rest.substr(0, slash));
+            if (slash == rest.npos)
+                break;
+            rest.remove_prefix(slash + 1);
+        }
+        const std::string name = words.back();
+        words.pop_back();
+        const auto same = static_cast<std::size_t>(
+            std::ranges::mismatch(path, words).in1 - path.begin());
+        path = words;
+        open.resize(same);
+        for (std::size_t depth = same; depth < words.size(); ++depth) {
+            open.push_back(tree_.size());
+            tree_.push_back({words[depth], i, i, static_cast<int>(depth), true});
+        }
+        for (const std::size_t group : open)
+            tree_[group].end = i + 1;
+        line_of_.push_back(tree_.size());
+        tree_.push_back({name, i, i + 1, static_cast<int>(words.size()), false});
+    }
 }
 
 const l3d_listed_part* l3d_part_list::find(const std::string& name) const {
@@ -153,11 +186,12 @@ std::size_t l3d_part_list::lines() const {
 void l3d_part_list::reveal_chosen() {
     const std::size_t count = std::max<std::size_t>(lines(), 1);
     if (follows_chosen_ && chosen_) {
-        first_ = std::min(first_, *chosen_);
-        first_ = std::max(first_, *chosen_ + 1 > count ? *chosen_ + 1 - count : 0);
+        const std::size_t chosen = line_of_[*chosen_];
+        first_ = std::min(first_, chosen);
+        first_ = std::max(first_, chosen + 1 > count ? chosen + 1 - count : 0);
     }
     follows_chosen_ = false;
-    first_ = std::min(first_, parts_.size() > count ? parts_.size() - count : 0);
+    first_ = std::min(first_, tree_.size() > count ? tree_.size() - count : 0);
 }
 
 void l3d_part_list::draw(l3d_rasterizer_2d& rasterizer, l3d_size picture,
@@ -171,38 +205,76 @@ void l3d_part_list::draw(l3d_rasterizer_2d& rasterizer, l3d_size picture,
     padding_ = style.size / 2;
     reveal_chosen();
     const int left = box_.left + padding_, width = box_.right - padding_ - left;
-    const std::size_t end = std::min(parts_.size(), first_ + lines());
+    const std::size_t end = std::min(tree_.size(), first_ + lines());
     int y = box_.top + padding_;
-    const std::string title = l3d_detail::counted(parts_.size(), "parts") +
-                              (end - first_ < parts_.size() ? ", " + std::to_string(first_ + 1) +
-                                                                  " to " + std::to_string(end)
-                                                            : "");
+    const std::string title =
+        l3d_detail::counted(parts_.size(), "parts") +
+        (end - first_ < tree_.size() ? ", " + std::to_string(tree_[first_].first + 1) + " to " +
+                                           std::to_string(end > 0 ? tree_[end - 1].end : 0)
+                                     : "");
     style.font.draw(rasterizer, left, y, shortened(title, width, style), style.key, style.size);
     for (std::size_t i = first_; i < end; ++i) {
         y += line_;
-        const l3d_listed_part& part = parts_[i];
-        const bool is_chosen = chosen_ == i;
+        const line& of = tree_[i];
+        const l3d_listed_part& part = parts_[of.first];
+        const bool is_chosen = !of.is_group && chosen_ == of.first;
+        const bool is_hidden =
+            std::all_of(parts_.begin() + static_cast<std::ptrdiff_t>(of.first),
+                        parts_.begin() + static_cast<std::ptrdiff_t>(of.end),
+                        [](const l3d_listed_part& each) { return each.is_hidden; });
         if (is_chosen)
             fill(rasterizer, {box_.left, y, box_.right, y + line_}, style.key, 0.25);
         const int side = style.size * 3 / 4, top = y + (line_ - side) / 2;
-        const l3d_pixel_box square{left, top, left + side, top + side};
-        fill(rasterizer, square, style.text, part.is_hidden ? 0.5 : 1);
+        const int in = std::min(of.depth * line_, width / 2);
+        const l3d_pixel_box square{left + in, top, left + in + side, top + side};
+        fill(rasterizer, square, style.text, is_hidden ? 0.5 : 1);
         fill(rasterizer, {square.left + 1, square.top + 1, square.right - 1, square.bottom - 1},
-             part.is_hidden ? style.ground : part.color.value_or(style.text), 1);
-        style.font.draw(rasterizer, left + line_, y, shortened(part.name, width - line_, style),
-                        is_chosen ? style.key : style.text, style.size);
+             is_hidden     ? style.ground
+             : of.is_group ? style.text
+                           : part.color.value_or(style.text),
+             1);
+        style.font.draw(rasterizer, left + in + line_, y,
+                        shortened(of.text, width - in - line_, style),
+                        is_chosen || of.is_group ? style.key : style.text, style.size);
     }
 }
 
-/// The part whose line is at this row of the picture.
-std::optional<std::size_t> l3d_part_list::part_at(int y) const {
+/// The line at this row of the picture; null if there is none.
+const l3d_part_list::line* l3d_part_list::line_at(int y) const {
     const int below = y - box_.top - padding_ - line_;
     if (below < 0)
-        return std::nullopt;
-    const auto line = static_cast<std::size_t>(below / line_);
-    if (line >= lines() || first_ + line >= parts_.size())
-        return std::nullopt;
-    return first_ + line;
+        return nullptr;
+    const auto row = static_cast<std::size_t>(below / line_);
+    if (row >= lines() || first_ + row >= tree_.size())
+        return nullptr;
+    return &tree_[first_ + row];
+}
+
+/// Does to all parts of a group what a click does to a part.
+std::string l3d_part_list::of_group(const line& of, const l3d_event& event, bool on_square) {
+    const bool colors = event.button == 3, isolates = event.button == 1 && event.clicks == 2;
+    const std::string count = l3d_detail::counted(of.end - of.first, "parts");
+    if (!colors && !isolates && !(event.button == 1 && on_square))
+        return printable(of.text) + ": " + count;
+    before_ = parts_;
+    chosen_ = of.first;
+    if (colors)
+        color_chosen();
+    const l3d_listed_part first = parts_[of.first];
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const bool is_in = i >= of.first && i < of.end;
+        if (is_in && colors)
+            parts_[i].color = first.color;
+        else if (isolates && !on_square)
+            parts_[i].is_hidden = !is_in;
+        else if (is_in && !colors)
+            parts_[i].is_hidden = !first.is_hidden;
+    }
+    return printable(of.text) + ": " + count +
+           (colors                   ? " have another colour"
+            : isolates && !on_square ? " are shown alone"
+            : first.is_hidden        ? " are shown"
+                                     : " are hidden");
 }
 
 bool l3d_part_list::pointer(const l3d_event& event, std::string& said) {
@@ -220,11 +292,16 @@ bool l3d_part_list::pointer(const l3d_event& event, std::string& said) {
     }
     if (event.type != l3d_event_type::button_press)
         return false; // a drag that began beside the list goes on
-    const std::optional<std::size_t> part = part_at(event.y);
-    if (!part)
+    const line* const of = line_at(event.y);
+    if (!of)
         return true;
-    chosen_ = part;
-    const bool on_square = event.x < box_.left + padding_ + line_;
+    const int in = std::min(of->depth * line_, (box_.right - box_.left - 2 * padding_) / 2);
+    const bool on_square = event.x < box_.left + padding_ + in + line_;
+    if (of->is_group) {
+        said = of_group(*of, event, on_square);
+        return true;
+    }
+    chosen_ = of->first;
     if (event.button == 3)
         said = color_chosen();
     else if (event.button == 1 && on_square)
@@ -232,6 +309,6 @@ bool l3d_part_list::pointer(const l3d_event& event, std::string& said) {
     else if (event.button == 1 && event.clicks == 2)
         said = isolate_chosen();
     else
-        said = state_of(*part);
+        said = state_of(*chosen_);
     return true;
 }

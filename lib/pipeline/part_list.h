@@ -27,6 +27,10 @@ struct L3D_PUBLIC l3d_listed_part {
 
 /// The parts of a model, one of which may be chosen, as a list at the left of the picture.
 ///
+/// Slashes in names are those of a tree: "arm/bolt" stands, moved to the right, below a line "arm"
+/// that is of all parts of the arm. A click on that line's square hides or shows them all, one with
+/// the right button gives them the next colour, and a double click shows them alone.
+///
 /// It knows no model: its owner shows each part as the list says. Each change returns a line for
 /// people, such as "lid is hidden". A line of the list has a square, filled with the part's colour
 /// or empty if the part is hidden, and the name; a name without room ends in three dots. A click on
@@ -83,17 +87,29 @@ public:
     bool pointer(const l3d_event& event, std::string& said);
 
 private:
+    /// A line of the list: a part, or the name of those that it is above.
+    struct line {
+        std::string text;
+        std::size_t first, end; ///< the parts that it is of
+        int depth = 0;
+        bool is_group = false;
+    };
+
+    void make_lines();
+    std::string of_group(const line& of, const l3d_event& event, bool on_square);
     bool choose_any();
     std::string no_parts() const { return "the model has no named parts"; }
     std::string state_of(std::size_t part) const;
     void reveal_chosen();
     std::size_t lines() const;
-    std::optional<std::size_t> part_at(int y) const;
+    const line* line_at(int y) const;
 
     std::vector<l3d_listed_part> parts_, before_;
+    std::vector<line> tree_;           ///< all lines, those of parts in the parts' order
+    std::vector<std::size_t> line_of_; ///< of each part, in tree_
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
-    std::size_t first_ = 0; ///< the part in the uppermost line
+    std::size_t first_ = 0; ///< the uppermost line
     // The last picture's:
     l3d_pixel_box box_;
     int line_ = 1, padding_ = 0; ///< height of a line, and the way from the box to its text

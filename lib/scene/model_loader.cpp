@@ -137,7 +137,8 @@ l3d_model_file heights_of(const std::string& bytes, const std::string& name) {
 
 } // namespace
 
-l3d_model_file l3d_load_model(const std::string& path, const std::string& name) {
+l3d_model_file l3d_load_model(const std::string& path, const std::string& name,
+                              const l3d_detail::reading_progress& progress) {
     std::string why;
     const std::string text = l3d_read_text_file(path);
     if (text.starts_with("\x89PNG"))
@@ -148,7 +149,7 @@ l3d_model_file l3d_load_model(const std::string& path, const std::string& name) 
         std::string other = text_of(beside(path, named), reason);
         return reason.empty() ? std::optional(std::move(other)) : std::nullopt;
     };
-    auto model = l3d_read_model_with(read_beside, text, name, why);
+    auto model = l3d_detail::read_model(read_beside, text, name, why, progress);
     if (!model)
         throw l3d_error(l3d_exit::bad_input, why);
     if (model->patches.empty())

@@ -5,6 +5,7 @@
 
 #include "base/printable_p.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <iostream>
@@ -45,6 +46,9 @@ public:
     long_work& operator=(const long_work&) = delete;
     ~long_work() = default; // ends the thread
 
+    /// Tells from now on which share of the work is done, from 0 to 1, as a percentage.
+    void set_share(double share) { share_ = share; }
+
 private:
     void tell(const std::stop_token& ends, std::chrono::milliseconds first,
               std::chrono::milliseconds period) {
@@ -61,6 +65,8 @@ private:
             out_ << erase << what_;
             if (seconds > 0)
                 out_ << ", " << seconds << " s";
+            if (const double share = share_; share >= 0)
+                out_ << ", " << static_cast<int>(100 * share) << " %";
             out_ << std::flush;
             ++seconds;
         }
@@ -70,6 +76,7 @@ private:
 
     std::ostream& out_;
     std::string what_;
+    std::atomic<double> share_ = -1; ///< negative: nobody knows
     std::jthread teller_;
 };
 

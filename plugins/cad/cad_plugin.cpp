@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -14,10 +15,12 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -54,27 +57,38 @@ private:
     int file_;
 };
 
-/// Memory that two processes share, for a text that ends with a zero.
-class shared_text {
+/// Memory that two processes share: the share of the work that is done, and a text for a fault.
+class shared_state {
 public:
-    explicit shared_text(std::size_t size)
-        : size_(size),
-          at_(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
-    shared_text(const shared_text&) = delete;
-    shared_text& operator=(const shared_text&) = delete;
-    ~shared_text() {
+    shared_state()
+        : at_(mmap(nullptr, sizeof(state), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1,
+                   0)) {
         if (is_there())
-            munmap(at_, size_);
+            new (at_) state;
+    }
+    shared_state(const shared_state&) = delete;
+    shared_state& operator=(const shared_state&) = delete;
+    ~shared_state() {
+        if (is_there())
+            munmap(at_, sizeof(state));
     }
 
     bool is_there() const { return at_ != MAP_FAILED; }
-    void set(std::string_view text) {
-        std::snprintf(get(), size_, "%.*s", static_cast<int>(text.size()), text.data());
+    std::atomic<double>& share() { return get().share; }
+    std::string fault() { return get().fault.data(); }
+    void set_fault(std::string_view text) {
+        std::snprintf(get().fault.data(), get().fault.size(), "%.*s",
+                      static_cast<int>(text.size()), text.data());
     }
-    char* get() { return static_cast<char*>(at_); }
 
 private:
-    std::size_t size_;
+    struct state {
+        std::atomic<double> share = 0;
+        std::array<char, 512> fault{};
+    };
+    static_assert(std::atomic<double>::is_always_lock_free); // locks are of one process
+    state& get() { return *static_cast<state*>(at_); }
+
     void* at_;
 };
 
@@ -110,11 +124,11 @@ void stand_alone(pid_t parent, rlim_t seconds) {
 }
 
 /// Reads the text, and sends its records. Returns the process's exit status.
-int work(std::string_view text, bool is_iges, int records, shared_text& why) {
+int work(std::string_view text, bool is_iges, int records, shared_state& state) {
     // The kernel reads files by name alone.
     const int file = memfd_create("l3d_cad", MFD_CLOEXEC);
     if (file < 0 || !send(file, text)) {
-        why.set("there is no memory for a copy of the file");
+        state.set_fault("there is no memory for a copy of the file");
         return 1;
     }
     const std::string path = "/proc/self/fd/" + std::to_string(file);
@@ -124,24 +138,27 @@ int work(std::string_view text, bool is_iges, int records, shared_text& why) {
         is_lost = is_lost || !send(records, to.bytes);
         to.bytes.clear();
     };
-    const std::string fault = cad::write_document(path.c_str(), is_iges, to, [&] {
+    const auto send_much = [&] {
         if (to.bytes.size() > chunk)
             send_all();
-    });
+    };
+    const std::string fault =
+        cad::write_document(path.c_str(), is_iges, to, send_much, state.share());
     send_all();
-    why.set(fault);
+    state.set_fault(fault);
     return fault.empty() && !is_lost ? 0 : 1;
 }
 
 int read(const char* text, std::size_t size, int is_iges, void* to,
-         void (*take)(void* to, const void* bytes, std::size_t size), char* why, std::size_t room) {
+         void (*take)(void* to, const void* bytes, std::size_t size),
+         int (*tell)(void* to, double share), char* why, std::size_t room) {
     const auto fail = [&](const std::string& reason) {
         std::snprintf(why, room, "%s", reason.c_str());
         return 0;
     };
-    shared_text fault(room);
+    shared_state state;
     std::array<int, 2> ends{-1, -1};
-    if (!fault.is_there() || pipe2(ends.data(), O_CLOEXEC) != 0)
+    if (!state.is_there() || pipe2(ends.data(), O_CLOEXEC) != 0)
         return fail(std::string("no process can be made for Open CASCADE: ") +
                     std::strerror(errno));
     open_file records(ends[0]), sent(ends[1]);
@@ -154,15 +171,26 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
         stand_alone(parent, most_seconds(size));
         int status = 1;
         try {
-            status = work({text, size}, is_iges != 0, sent.get(), fault);
+            status = work({text, size}, is_iges != 0, sent.get(), state);
         } catch (const std::exception& failure) {
-            fault.set(std::string("Open CASCADE fails: ") + failure.what());
+            state.set_fault(std::string("Open CASCADE fails: ") + failure.what());
         }
         _exit(status); // what the parent registered for its own end does not happen twice
     }
     sent.close();
     std::string bytes(chunk, '\0');
+    bool goes_on = true;
     for (ssize_t got = 1; got != 0;) {
+        constexpr int between_calls = 100; // milliseconds
+        pollfd news{records.get(), POLLIN, 0};
+        const int has_news = poll(&news, 1, between_calls);
+        goes_on = tell(to, state.share()) != 0;
+        if (!goes_on)
+            kill(child, SIGKILL);
+        if (!goes_on || (has_news < 0 && errno != EINTR))
+            break;
+        if (has_news <= 0)
+            continue;
         got = ::read(records.get(), bytes.data(), bytes.size());
         if (got > 0)
             take(to, bytes.data(), static_cast<std::size_t>(got));
@@ -173,6 +201,8 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
     rusage used{};
     while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
         continue;
+    if (!goes_on)
+        return fail("reading was stopped");
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
         l3d_detail::cad_writer effort;
         effort.begin(l3d_detail::cad_record::effort);
@@ -188,7 +218,8 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
                     std::to_string(most_seconds(size)) + " seconds");
     if (WIFSIGNALED(status))
         return fail(std::string("Open CASCADE crashes on it: ") + strsignal(WTERMSIG(status)));
-    return fail(*fault.get() != 0 ? fault.get() : "Open CASCADE ends without a word");
+    const std::string fault = state.fault();
+    return fail(fault.empty() ? "Open CASCADE ends without a word" : fault);
 }
 
 } // namespace

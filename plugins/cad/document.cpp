@@ -18,6 +18,7 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TCollection_AsciiString.hxx>
+#include <Message_ProgressIndicator.hxx>
 #include <NCollection_DataMap.hxx>
 #include <TDF_LabelMapHasher.hxx>
 #include <TDataStd_Name.hxx>
@@ -220,9 +221,26 @@ private:
     std::vector<std::optional<look>> whole_; ///< looks of all of each shape
 };
 
+/// Shares of the work, as large files take them: a text is parsed, shapes are made of it, and faces
+/// are written.
+constexpr double when_parsed = 0.2, when_made = 0.7;
+
+/// What the kernel says of its progress with shapes.
+class told_share : public Message_ProgressIndicator {
+public:
+    explicit told_share(std::atomic<double>& share) : share_(share) {}
+    void Show(const Message_ProgressScope&, Standard_Boolean) override {
+        share_ = when_parsed + (when_made - when_parsed) * GetPosition();
+    }
+
+private:
+    std::atomic<double>& share_;
+};
+
 /// Reads a file into a document.
 template <class Reader>
-std::string read(const char* path, const Handle(TDocStd_Document) & document, const char* format) {
+std::string read(const char* path, const Handle(TDocStd_Document) & document, const char* format,
+                 std::atomic<double>& share) {
     Reader reader;
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     reader.SetColorMode(true);
@@ -230,26 +248,33 @@ std::string read(const char* path, const Handle(TDocStd_Document) & document, co
     reader.SetLayerMode(false);
     if (reader.ReadFile(path) != IFSelect_RetDone)
         return std::string("Open CASCADE cannot read it as ") + format;
+    share = when_parsed;
     Handle(TDocStd_Document) to = document;
-    return reader.Transfer(to) ? "" : "it holds no shapes that Open CASCADE can make";
+    const Handle(told_share) told = new told_share(share);
+    return reader.Transfer(to, told->Start()) ? "" : "it holds no shapes that Open CASCADE can make";
 }
 
 } // namespace
 
 std::string write_document(const char* path, bool is_iges, l3d_detail::cad_writer& to,
-                           const std::function<void()>& flush) {
+                           const std::function<void()>& flush, std::atomic<double>& share) {
     try {
         const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
-        std::string why = is_iges ? read<IGESCAFControl_Reader>(path, document, "IGES")
-                                  : read<STEPCAFControl_Reader>(path, document, "STEP");
+        std::string why = is_iges ? read<IGESCAFControl_Reader>(path, document, "IGES", share)
+                                  : read<STEPCAFControl_Reader>(path, document, "STEP", share);
         if (!why.empty())
             return why;
         TDF_LabelSequence roots;
         XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
         part_writer parts(to, flush);
-        for (XCAFPrs_DocumentExplorer at(document, XCAFPrs_DocumentExplorerFlags_OnlyLeafNodes);
-             at.More(); at.Next())
+        constexpr auto leaves = XCAFPrs_DocumentExplorerFlags_OnlyLeafNodes;
+        double count = 0, done = 0;
+        for (XCAFPrs_DocumentExplorer at(document, leaves); at.More(); at.Next())
+            ++count;
+        for (XCAFPrs_DocumentExplorer at(document, leaves); at.More(); at.Next()) {
             parts.write(at, roots.Length() == 1);
+            share = when_made + (1 - when_made) * ++done / count;
+        }
         parts.finish();
         return {};
     } catch (const Standard_Failure& failure) {

@@ -3,6 +3,7 @@
 #include "cad/records.h"
 #include "cad/shapes.h"
 #include "geom/files/model_file.h"
+#include "geom/files/reading_progress_p.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -110,6 +111,47 @@ TEST(cad_file, of_a_thousand_bolts_has_one_bolt_at_a_thousand_places) {
     EXPECT_TRUE(std::ranges::all_of(model.patch_materials, [](std::uint32_t material) {
         return material == l3d_material_of_place;
     }));
+}
+
+TEST(cad_file, is_read_with_progress_and_stops_when_asked) {
+    const cad_folder folder;
+    write_step(plate_with_holes(16), folder.file("a.step"));
+    const std::string text = cad_records::text_of(folder.file("a.step"));
+    std::vector<double> shares;
+    std::string why;
+    EXPECT_TRUE(l3d_detail::read_model({}, text, "part", why, [&](double share) {
+        shares.push_back(share);
+        return true;
+    })) << why;
+    ASSERT_FALSE(shares.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_FALSE(l3d_detail::read_model({}, text, "part", why, [](double) { return false; }));
+    EXPECT_EQ(why, "part: reading was stopped");
+}
+
+TEST(cad_file, has_the_same_places_as_copies_and_as_instances) {
+    const cad_folder folder;
+    write_assembly(folder.file("cart.step"));
+    const l3d_model_file model = model_of(folder.file("cart.step"));
+    const l3d_model_file flat = l3d_flattened(model);
+    ASSERT_EQ(model.shapes.size(), 2U);
+    ASSERT_EQ(model.placements.size(), 3U);
+    EXPECT_TRUE(flat.placements.empty());
+    EXPECT_TRUE(flat.shapes.empty());
+    const std::size_t wheel = model.shapes[1].first_patch;
+    ASSERT_EQ(flat.patches.size(), model.patches.size() + wheel);
+    EXPECT_EQ(flat.edges.size(), model.edges.size() + l3d_shape_of(model, 0, 0).edges.size());
+    // The second wheel is turned by 90 degrees about z, and moved by 30.
+    for (std::size_t i = 0; i < wheel; ++i)
+        for (std::size_t k = 0; k < model.patches[i].points.size(); ++k) {
+            const auto& p = model.patches[i].points[k];
+            const auto& q = flat.patches[wheel + i].points[k];
+            EXPECT_NEAR(q[0], 30 - p[1], 1e-12);
+            EXPECT_NEAR(q[1], p[0], 1e-12);
+            EXPECT_NEAR(q[2], p[2], 1e-12);
+        }
 }
 
 TEST(cad_file, has_millimetres_whatever_its_unit) {

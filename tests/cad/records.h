@@ -73,8 +73,9 @@ struct cad_records {
         const auto take = [](void* to, const void* from, std::size_t size) {
             static_cast<std::string*>(to)->append(static_cast<const char*>(from), size);
         };
-        if (plugin->read(text.data(), text.size(), is_iges, &bytes, take, why.data(), why.size()) ==
-            0)
+        const auto tell = [](void*, double) { return 1; };
+        if (plugin->read(text.data(), text.size(), is_iges, &bytes, take, tell, why.data(),
+                         why.size()) == 0)
             result.why = why.data();
         l3d_detail::cad_reader from(bytes);
         std::uint64_t color = of_place;

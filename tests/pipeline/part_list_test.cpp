@@ -149,6 +149,35 @@ TEST(part_list, scrolls_by_the_wheel_and_to_the_chosen_part) {
 }
 
 /// Nothing is drawn beside its box, however long names are.
+TEST(part_list, is_a_tree_where_names_have_slashes) {
+    drawn_list drawn(0);
+    l3d_part_list& list = drawn.list;
+    list.set_names(std::vector<std::string>{"arm/left/bolt", "arm/left/nut", "arm/bolt", "base"});
+    drawn.draw();
+    const auto hidden = [&] {
+        std::string result;
+        for (const l3d_listed_part& part : list.parts())
+            result += part.is_hidden ? 'h' : '-';
+        return result;
+    };
+    // Lines: arm, left, bolt, nut, bolt, base.
+    EXPECT_EQ(drawn.press(0, true), "arm: 3 parts are hidden");
+    EXPECT_EQ(hidden(), "hhh-");
+    EXPECT_EQ(drawn.press(0, true), "arm: 3 parts are shown");
+    EXPECT_EQ(hidden(), "----");
+    EXPECT_EQ(drawn.press(5, true), "base is hidden");
+    list.show_all();
+    EXPECT_EQ(drawn.press(0, false, 1, 2), "arm: 3 parts are shown alone");
+    EXPECT_EQ(hidden(), "---h");
+    EXPECT_EQ(drawn.press(0, false, 3), "arm: 3 parts have another colour");
+    EXPECT_TRUE(list.parts()[0].color && list.parts()[0].color == list.parts()[2].color);
+    EXPECT_FALSE(list.parts()[3].color);
+    EXPECT_EQ(drawn.press(0, false), "arm: 3 parts");
+    drawn.press(3, false);
+    ASSERT_TRUE(list.chosen());
+    EXPECT_EQ(list.chosen()->name, "arm/left/nut");
+}
+
 TEST(part_list, stays_in_its_box) {
     drawn_list drawn(1000);
     const l3d_pixel_box box = drawn.list.box(size, drawn.style);

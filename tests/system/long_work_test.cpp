@@ -41,6 +41,17 @@ TEST(long_work, is_told_with_its_seconds_and_taken_away) {
     EXPECT_TRUE(out.text().ends_with(" s\r\x1b[K")) << out.text().size();
 }
 
+TEST(long_work, is_told_with_the_share_that_is_done) {
+    told_stream out;
+    {
+        long_work work(out, true, "reading a.step", milliseconds(0), milliseconds(0));
+        work.set_share(0.425);
+        for (int lines = 0; lines < 3; ++lines)
+            out.await();
+    }
+    EXPECT_NE(out.text().find("reading a.step, 2 s, 42 %"), std::string::npos) << out.text();
+}
+
 TEST(long_work, of_a_moment_and_elsewhere_than_in_terminals_is_not_told) {
     std::ostringstream out;
     { const long_work work(out, true, "reading a.obj", std::chrono::hours(1)); }

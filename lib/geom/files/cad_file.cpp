@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/printable_p.h"
 #include "geom/files/cad_plugin_p.h"
+#include "geom/files/reading_progress_p.h"
 
 #include <algorithm>
 #include <array>
@@ -234,6 +235,12 @@ private:
 
 std::optional<l3d_model_file> l3d_read_cad(std::string_view text, std::string_view name,
                                            std::string& why) {
+    return l3d_detail::read_cad(text, name, why, {});
+}
+
+std::optional<l3d_model_file> l3d_detail::read_cad(std::string_view text, std::string_view name,
+                                                   std::string& why,
+                                                   const reading_progress& progress) {
     const auto fail = [&](const std::string& reason) {
         why = l3d_detail::printable(name) + ": " + reason;
         return std::nullopt;
@@ -247,17 +254,26 @@ std::optional<l3d_model_file> l3d_read_cad(std::string_view text, std::string_vi
         "cad", l3d_detail::cad_version, sizeof(l3d_detail::cad_plugin), reason));
     if (!plugin)
         return fail(reason);
-    std::string bytes;
+    struct receiver {
+        std::string bytes;
+        const reading_progress& progress;
+    } to{{}, progress};
     std::array<char, 512> complaint{};
-    const auto take = [](void* to, const void* from, std::size_t size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(from), size);
+    const auto take = [](void* of, const void* from, std::size_t size) {
+        static_cast<receiver*>(of)->bytes.append(static_cast<const char*>(from), size);
     };
-    if (plugin->read(text.data(), text.size(), is_iges, &bytes, take, complaint.data(),
+    const auto tell = [](void* of, double share) {
+        const auto& told = static_cast<receiver*>(of)->progress;
+        return !told || told(share) ? 1 : 0;
+    };
+    if (plugin->read(text.data(), text.size(), is_iges, &to, take, tell, complaint.data(),
                      complaint.size()) == 0)
         return fail(l3d_detail::printable(complaint.data()));
+    if (progress)
+        progress(1);
     builder made{std::string(name)};
     try {
-        made.read(bytes);
+        made.read(to.bytes);
     } catch (const l3d_error& error) { // a curve that is none
         return fail(error.what());
     }

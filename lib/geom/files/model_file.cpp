@@ -2,6 +2,7 @@
 // l3d_read_model: chooses the reader by the beginning of the text.
 #include "geom/files/model_file.h"
 
+#include "geom/files/reading_progress_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/stl_file_p.h"
 
@@ -88,6 +89,13 @@ std::optional<l3d_model_file> l3d_read_model(std::string_view text, std::string_
 std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                   std::string_view text, std::string_view name,
                                                   std::string& why) {
+    return l3d_detail::read_model(files, text, name, why, {});
+}
+
+std::optional<l3d_model_file> l3d_detail::read_model(const l3d_other_files& files,
+                                                     std::string_view text, std::string_view name,
+                                                     std::string& why,
+                                                     const reading_progress& progress) {
     const auto format = l3d_model_format_of(text);
     if (!format) {
         text_cursor cursor(text, name, '#');
@@ -121,7 +129,7 @@ std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
         return l3d_read_gltf(text, name, why, files);
     case l3d_model_format::step:
     case l3d_model_format::iges:
-        return l3d_read_cad(text, name, why);
+        return read_cad(text, name, why, progress);
     }
     return std::nullopt;
 }

@@ -9,12 +9,15 @@
 #include "system/options/output_names_p.h"
 #include "system/plugin_loader.h"
 #include "system/long_work_p.h"
+#include "system/stop_key_p.h"
 #include "tool_2d/text_file.h"
 #include "base/error.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -37,6 +40,36 @@ std::vector<std::string> l3d_detail::model_names() {
     return names;
 }
 
+namespace {
+
+/// Loads a model that may take long: a terminal shows how far it is, and Escape stops it.
+l3d_model_file load_told(const std::string& path, const std::string& name) {
+    using clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds soon(500); // what takes less is not worth a word
+    auto work = l3d_detail::tell_work("reading", name);
+    const clock::time_point start = clock::now();
+    std::optional<l3d_detail::stop_key> key;
+    bool is_stopped = false;
+    const auto progress = [&](double share) {
+        work.set_share(share);
+        if (share >= 1)
+            key.reset(); // what follows cannot be stopped
+        else if (!key && clock::now() - start > soon)
+            key.emplace();
+        is_stopped = is_stopped || (key && key->is_pressed());
+        return !is_stopped;
+    };
+    try {
+        return l3d_load_model(path, name, progress);
+    } catch (const l3d_error& error) {
+        if (is_stopped)
+            throw l3d_error(l3d_exit::failure, error.what());
+        throw;
+    }
+}
+
+} // namespace
+
 l3d_model_file l3d_detail::load_named_model(const std::string& name) {
     std::error_code unknown;
     if (const auto shape = l3d_exact_shape(name); shape && !fs::exists(name, unknown)) {
@@ -48,8 +81,7 @@ l3d_model_file l3d_detail::load_named_model(const std::string& name) {
     }
     const std::string path = l3d_data_file(name);
     if (fs::exists(path, unknown) || fs::path(name).has_parent_path()) {
-        const auto work = tell_work("reading", name);
-        return l3d_load_model(path, name);
+        return load_told(path, name);
     }
     const std::vector<std::string> names = model_names();
     std::string why = printable(name) + ": no such file is here, nor a model of that name in " +

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// reading_progress: readers of files that take long, told how far they are, and stopped.
+#ifndef L3D_GEOM_FILES_READING_PROGRESS_P_H
+#define L3D_GEOM_FILES_READING_PROGRESS_P_H
+
+#include "geom/files/model_file.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace l3d_detail {
+
+/// Takes the share of the work that is done, from 0 to 1, some times a second: 1 is the last call.
+/// If it returns false, the reading stops. Only STEP and IGES, which take long, tell of it.
+using reading_progress = std::function<bool(double share)>;
+
+/// l3d_read_model_with, which tells how far it is.
+/// Errors: as that one; also for a reading that was stopped.
+std::optional<l3d_model_file> read_model(const l3d_other_files& files, std::string_view text,
+                                         std::string_view name, std::string& why,
+                                         const reading_progress& progress);
+
+/// l3d_read_cad, which tells how far it is.
+/// Errors: as read_model.
+std::optional<l3d_model_file> read_cad(std::string_view text, std::string_view name,
+                                       std::string& why, const reading_progress& progress);
+
+} // namespace l3d_detail
+
+#endif
