@@ -20,6 +20,7 @@
 #include <TCollection_AsciiString.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <NCollection_DataMap.hxx>
+#include <NCollection_Map.hxx>
 #include <TDF_LabelMapHasher.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -266,15 +267,24 @@ std::string write_document(const char* path, bool is_iges, l3d_detail::cad_write
             return why;
         TDF_LabelSequence roots;
         XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
-        part_writer parts(to, flush);
         constexpr auto leaves = XCAFPrs_DocumentExplorerFlags_OnlyLeafNodes;
-        double count = 0, done = 0;
-        for (XCAFPrs_DocumentExplorer at(document, leaves); at.More(); at.Next())
-            ++count;
+        double count = 1, done = 0; // faces and places; flush is called after each, and at the end
+        NCollection_Map<TDF_Label, TDF_LabelMapHasher> known;
         for (XCAFPrs_DocumentExplorer at(document, leaves); at.More(); at.Next()) {
-            parts.write(at, roots.Length() == 1);
-            share = when_made + (1 - when_made) * ++done / count;
+            ++count;
+            if (known.Add(at.Current().RefLabel))
+                for (TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(at.Current().RefLabel),
+                                          TopAbs_FACE);
+                     face.More(); face.Next())
+                    ++count;
         }
+        const std::function<void()> flush_and_tell = [&] {
+            flush();
+            share = std::min(1.0, when_made + (1 - when_made) * ++done / count);
+        };
+        part_writer parts(to, flush_and_tell);
+        for (XCAFPrs_DocumentExplorer at(document, leaves); at.More(); at.Next())
+            parts.write(at, roots.Length() == 1);
         parts.finish();
         return {};
     } catch (const Standard_Failure& failure) {
