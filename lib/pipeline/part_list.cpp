@@ -78,8 +78,8 @@ void l3d_part_list::make_lines() {
         }
         const std::string name = words.back();
         words.pop_back();
-        const auto same = static_cast<std::size_t>(
-            std::ranges::mismatch(path, words).in1 - path.begin());
+        const auto same =
+            static_cast<std::size_t>(std::ranges::mismatch(path, words).in1 - path.begin());
         path = words;
         open.resize(same);
         for (std::size_t depth = same; depth < words.size(); ++depth) {

@@ -106,7 +106,7 @@ private:
 
     std::vector<l3d_listed_part> parts_, before_;
     std::vector<line> tree_;           ///< all lines, those of parts in the parts' order
-    std::vector<std::size_t> line_of_; ///< of each part, in tree_
+    std::vector<std::size_t> line_of_; ///< the line of each part, in tree_
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
     std::size_t first_ = 0; ///< the uppermost line

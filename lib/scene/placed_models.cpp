@@ -54,8 +54,8 @@ bool is_transparent(const l3d_patch_model& model) {
 
 } // namespace
 
-std::optional<l3d_patch_scene>
-l3d_patch_scene::from_file(const l3d_model_file& file, std::string_view name, std::string& why) {
+std::optional<l3d_patch_scene> l3d_patch_scene::from_file(const l3d_model_file& file,
+                                                          std::string_view name, std::string& why) {
     l3d_patch_scene result;
     const auto add_flattened = [&](const l3d_model_file& rest) {
         const auto model = l3d_patch_model::from_file(rest, name, why);
@@ -80,8 +80,8 @@ l3d_patch_scene::from_file(const l3d_model_file& file, std::string_view name, st
         const l3d_part_run part{at.name, 0};
         const l3d_patch_model named = model->with_parts(std::array{part});
         if (const std::string fault = complaint(named, at.place); !fault.empty()) {
-            why = l3d_detail::printable(name) + ": " + l3d_detail::printable(at.name) + ": " +
-                  fault;
+            why =
+                l3d_detail::printable(name) + ": " + l3d_detail::printable(at.name) + ": " + fault;
             return std::nullopt;
         }
         result.add(named, at.place);
@@ -113,8 +113,7 @@ l3d_patch_scene::vector l3d_patch_scene::pieces_middle() const {
         const l3d_matrix<double>& place = instances()[i].placement();
         const vector half = (model.pieces_most() - model.pieces_least()) * 0.5;
         const vector middle = (model.pieces_least() + model.pieces_most()) * 0.5;
-        const auto centre =
-            place * l3d_vector<double, 4>(middle[0], middle[1], middle[2], 1.0);
+        const auto centre = place * l3d_vector<double, 4>(middle[0], middle[1], middle[2], 1.0);
         for (int k = 0; k < 3; ++k) {
             const double reach = std::abs(place(k, 0)) * half[0] + std::abs(place(k, 1)) * half[1] +
                                  std::abs(place(k, 2)) * half[2];

@@ -77,8 +77,8 @@ public:
     std::atomic<double>& share() { return get().share; }
     std::string fault() { return get().fault.data(); }
     void set_fault(std::string_view text) {
-        std::snprintf(get().fault.data(), get().fault.size(), "%.*s",
-                      static_cast<int>(text.size()), text.data());
+        std::snprintf(get().fault.data(), get().fault.size(), "%.*s", static_cast<int>(text.size()),
+                      text.data());
     }
 
 private:

@@ -252,7 +252,8 @@ std::string read(const char* path, const Handle(TDocStd_Document) & document, co
     share = when_parsed;
     Handle(TDocStd_Document) to = document;
     const Handle(told_share) told = new told_share(share);
-    return reader.Transfer(to, told->Start()) ? "" : "it holds no shapes that Open CASCADE can make";
+    return reader.Transfer(to, told->Start()) ? ""
+                                              : "it holds no shapes that Open CASCADE can make";
 }
 
 } // namespace

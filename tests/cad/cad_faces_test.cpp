@@ -199,4 +199,68 @@ TEST(cad_faces, of_iges_files_are_all_there_and_as_large_as_the_kernel_says) {
     }
 }
 
+/// Bodies as gmsh's script makes them: a box with a hole and fillets, a torus, a ball, a cone, and
+/// a pipe along a helix.
+constexpr const char* gmsh_script = R"(SetFactory("OpenCASCADE");
+Box(1) = {0,0,0, 3,2,1}; Cylinder(2) = {1.5,1,-1, 0,0,3, 0.5};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+Fillet{3}{1:4}{0.1}
+Torus(10) = {0,0,5, 2,0.5}; Sphere(11) = {6,0,0, 1.2}; Cone(12) = {6,5,0, 0,0,2, 1,0};
+For i In {0:19}
+  t = i * 2 * Pi * 3 / 20; Point(1000 + i) = {20 + Cos(t), Sin(t), i / 20};
+EndFor
+Spline(1000) = {1000:1019}; Wire(1000) = {1000};
+Disk(1000) = {21,0,0, 0.2}; Rotate {{1,0,0}, {21,0,0}, Pi/2} { Surface{1000}; }
+Extrude { Surface{1000}; } Using Wire {1000}
+Delete { Surface{1000}; }
+)";
+
+/// The same for FreeCAD, which writes the bodies of its list to files of their own.
+constexpr const char* freecad_script = R"(import FreeCAD, Part
+V = FreeCAD.Vector
+box = Part.makeBox(30, 20, 10)
+loops = Part.makePolygon([V(-5,-5,0), V(5,-5,0), V(5,5,0), V(-5,5,0), V(-5,-5,0)])
+ring = Part.Wire(Part.makeCircle(1, V(8,0,0), V(0,1,0)))
+bodies = [box.makeFillet(2, box.Edges),
+          Part.makeCylinder(8, 40).cut(Part.makeCylinder(3, 40)),
+          Part.makeSphere(10).cut(Part.makeCylinder(4, 40, V(3,0,-20))),
+          Part.makeLoft([loops, Part.Wire(Part.makeCircle(3, V(0,0,15)))], True),
+          Part.makeTorus(12, 4).common(Part.makeBox(20, 20, 20)),
+          Part.Wire(Part.makeHelix(3, 12, 8)).makePipeShell([ring], True, False)]
+for i, body in enumerate(bodies):
+    body.exportStep('freecad %d.step' % i)
+)";
+
+bool is_installed(const std::string& program) {
+    return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+}
+
+TEST(cad_faces, of_files_of_other_programs_are_all_there_and_as_large_as_the_kernel_says) {
+    const cad_folder folder;
+    const std::string in_folder = "cd '" + folder.file("") + "' && HOME=$PWD timeout 100 ";
+    const bool has_gmsh = is_installed("gmsh"), has_freecad = is_installed("freecadcmd");
+    if (!has_gmsh && !has_freecad)
+        GTEST_SKIP() << "neither gmsh nor freecadcmd is installed";
+    std::vector<std::string> names;
+    if (has_gmsh) {
+        std::ofstream(folder.file("gmsh.geo")) << gmsh_script;
+        ASSERT_EQ(std::system((in_folder + "gmsh -v 0 -0 gmsh.geo -format step -o gmsh.step "
+                                           ">/dev/null 2>&1")
+                                  .c_str()),
+                  0);
+        names.emplace_back("gmsh.step");
+    }
+    if (has_freecad) {
+        std::ofstream(folder.file("freecad.py")) << freecad_script;
+        ASSERT_EQ(
+            std::system((in_folder + "freecadcmd freecad.py </dev/null >/dev/null 2>&1").c_str()),
+            0);
+        for (int i = 0; i < 6; ++i)
+            names.push_back("freecad " + std::to_string(i) + ".step");
+    }
+    for (const std::string& name : names)
+        expect_faces(name, cad_records::of(cad_records::text_of(folder.file(name)), false),
+                     faces_of<STEPControl_Reader>(folder.file(name)));
+}
+
 } // namespace

@@ -111,7 +111,8 @@ TopoDS_Shape spring() {
 }
 
 TopoDS_Shape spiral_stair() {
-    TopExp_Explorer inner(helix(4, 6, 2.5, 0), TopAbs_EDGE), outer(helix(9, 6, 2.5, 0), TopAbs_EDGE);
+    TopExp_Explorer inner(helix(4, 6, 2.5, 0), TopAbs_EDGE),
+        outer(helix(9, 6, 2.5, 0), TopAbs_EDGE);
     return BRepFill::Face(TopoDS::Edge(inner.Current()), TopoDS::Edge(outer.Current()));
 }
 
@@ -257,7 +258,8 @@ std::vector<named_shape> hard_shapes() {
         {"cells with common faces", cells()},
         {"plate with slits and an island", slit_plate()},
         {"ball without a corner at its pole", cut(ball, box(-3, -2, 5, 20, 20, 20))},
-        {"ball with a hole over its seam", cut(ball, drum(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), 3, 20))},
+        {"ball with a hole over its seam",
+         cut(ball, drum(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), 3, 20))},
         {"ball with a slanting hole", cut(ball, drum(slanted, 3, 40))},
         {"ring with a slanting hole", cut(ring, drum(slanted, 3, 40))},
         {"part of a ring", BRepAlgoAPI_Common(ring, box(2, -20, -3, 20, 20, 3.5)).Shape()},

@@ -40,8 +40,7 @@ public:
 
 private:
     const char* kept_ = std::getenv("L3D_CAD_FILES");
-    std::string path_ =
-        kept_ ? kept_ : testing::TempDir() + "l3d_cad_" + std::to_string(getpid());
+    std::string path_ = kept_ ? kept_ : testing::TempDir() + "l3d_cad_" + std::to_string(getpid());
 };
 
 /// The records of a file, without what was made of them.

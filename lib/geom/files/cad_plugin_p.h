@@ -42,8 +42,8 @@ enum class cad_record : std::uint64_t {
     shape,    ///< the faces and curves that follow are a shape; shapes count from 0
     /// Shape, name, material as above, and three rows of a 3 by 4 matrix: a place where it stands.
     place,
-    edge,     ///< tolerance, curve: edges count from 0
-    curve,    ///< curve: a line in space that bounds no face
+    edge,  ///< tolerance, curve: edges count from 0
+    curve, ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
     /// number of loops. Each loop is the number of its curves, and the curves. A curve of a loop
     /// begins with its edge's number or l3d_no_edge, and the edge's parameters at its ends. Then

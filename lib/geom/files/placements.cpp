@@ -83,7 +83,7 @@ private:
 
     const l3d_model_file& from_;
     l3d_model_file& to_;
-    std::map<std::array<double, 12>, std::size_t> numbers_; ///< of places
+    std::map<std::array<double, 12>, std::size_t> numbers_; ///< the numbers of places
     std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> edges_;
 };
 

@@ -45,7 +45,7 @@ namespace {
 /// Loads a model that may take long: a terminal shows how far it is, and Escape stops it.
 l3d_model_file load_told(const std::string& path, const std::string& name) {
     using clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds soon(500); // what takes less is not worth a word
+    constexpr std::chrono::milliseconds soon(500); // less is not worth a word
     auto work = l3d_detail::tell_work("reading", name);
     const clock::time_point start = clock::now();
     std::optional<l3d_detail::stop_key> key;
@@ -53,7 +53,7 @@ l3d_model_file load_told(const std::string& path, const std::string& name) {
     const auto progress = [&](double share) {
         work.set_share(share);
         if (share >= 1)
-            key.reset(); // what follows cannot be stopped
+            key.reset(); // nothing can stop the rest
         else if (!key && clock::now() - start > soon)
             key.emplace();
         is_stopped = is_stopped || (key && key->is_pressed());
