@@ -32,7 +32,8 @@ using vector = l3d_nurbs_surface::vector;
 /// The kernel's faces of a file, in its order.
 template <class Reader> std::vector<TopoDS_Face> faces_of(const std::string& path) {
     Reader reader;
-    reader.ReadFile(path.c_str());
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        return {};
     reader.TransferRoots();
     std::vector<TopoDS_Face> faces;
     for (TopExp_Explorer face(reader.OneShape(), TopAbs_FACE); face.More(); face.Next())
@@ -251,9 +252,9 @@ TEST(cad_faces, of_files_of_other_programs_are_all_there_and_as_large_as_the_ker
         names.emplace_back("gmsh.step");
     }
     if (has_freecad) {
-        std::ofstream(folder.file("freecad.py")) << freecad_script;
+        std::ofstream(folder.file("bodies.py")) << freecad_script;
         ASSERT_EQ(
-            std::system((in_folder + "freecadcmd freecad.py </dev/null >/dev/null 2>&1").c_str()),
+            std::system((in_folder + "freecadcmd bodies.py </dev/null >/dev/null 2>&1").c_str()),
             0);
         for (int i = 0; i < 6; ++i)
             names.push_back("freecad " + std::to_string(i) + ".step");
