@@ -17,7 +17,8 @@
 enum class L3D_PUBLIC l3d_line_kind {
     contour, ///< the surface turns away from the eye: its silhouette, also in front of itself
     crease,  ///< two pieces meet at an angle of more than two degrees
-    border   ///< the surface ends, or is trimmed
+    border,  ///< the surface ends, or is trimmed
+    joint    ///< two faces meet at an edge of the model without an angle
 };
 
 /// A place of a line in the picture.
@@ -49,6 +50,8 @@ struct L3D_PUBLIC l3d_line_settings {
     double tolerance = 0.1;
     /// Whether lines that surfaces hide are part of the drawing.
     bool hidden = true;
+    /// Whether edges of a model at which faces meet without an angle are part of the drawing.
+    bool joints = false;
 };
 
 /// The lines of a scene's surfaces in a picture.

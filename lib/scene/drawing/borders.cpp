@@ -2,12 +2,12 @@
 // borders_of: sides that meet, curves as chords.
 #include "scene/drawing/borders_p.h"
 
+#include "scene/drawing/curve_chords_p.h"
 #include "scene/sides/side_pairs.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -26,6 +26,9 @@ struct side {
     std::size_t piece, number;
     double from = 0, to = 1; ///< where the part begins and ends on the side
 
+    /// The parameter that is equal along the side: 0 for u, 1 for v; and its value.
+    std::size_t across() const { return number % 2 == 0 ? 1 : 0; }
+    double at_end() const { return number == 1 || number == 2 ? 1 : 0; }
     std::array<double, 2> place(double t) const {
         return l3d_side_pairs::place_on(number, on_side(t));
     }
@@ -108,74 +111,27 @@ bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
     return result;
 }
 
-/// Turns curves into chords, which it adds to lines.
-class flattener {
-public:
-    flattener(std::size_t piece, const drawing_view& view, double tolerance)
-        : piece_(piece), view_(view), tolerance_(tolerance) {}
-
-    /// `place` tells the parameters of t, from 0 to 1.
-    void add(const bernstein_net& curve,
-             const std::function<std::array<double, 2>(double)>& place) {
-        add(curve, place, 0, 1, 0);
-    }
-    std::vector<surface_line> take() { return std::move(lines_); }
-
-private:
-    void add(const bernstein_net& curve, const std::function<std::array<double, 2>(double)>& place,
-             double from, double to, int halvings) {
-        constexpr int most_halvings = 24;
-        const ahead_of_near where = side_of_near(curve, view_);
-        if (where == ahead_of_near::none || is_beside(curve, view_))
-            return;
-        const bool is_ahead = where == ahead_of_near::all;
-        if (is_ahead && (halvings == most_halvings || is_flat(curve))) {
-            const surface_vertex a = vertex(curve.at(0, 0), place(from));
-            if (lines_.empty() || !goes_on(lines_.back().back(), a))
-                lines_.push_back({a});
-            lines_.back().push_back(vertex(curve.at(0, curve.m), place(to)));
-            return;
+/// Visits the sides of a region's polygons on a line of equal u (along = 0) or v (along = 1).
+template <class Visit>
+void for_sides_on(const l3d_trim_region& region, std::size_t along, double at, const Visit& visit) {
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            if (a[along] == at && b[along] == at)
+                visit(a, b);
         }
-        if (halvings == most_halvings)
-            return;
-        const auto [low, high] = curve.halves(true);
-        const double middle = (from + to) / 2;
-        add(low, place, from, middle, halvings + 1);
-        add(high, place, middle, to, halvings + 1);
-    }
+}
 
-    static bool goes_on(const surface_vertex& last, const surface_vertex& next) {
-        constexpr double rounding = 1e-12;
-        return std::abs(last.u - next.u) < rounding && std::abs(last.v - next.v) < rounding;
-    }
-
-    surface_vertex vertex(const double* p, const std::array<double, 2>& at) const {
-        return {{p[0] / p[2], p[1] / p[2], p[3] / p[2]}, piece_, at[0], at[1]};
-    }
-
-    /// Depths may be off four times as much as places: they only tell what is in front.
-    bool is_flat(const bernstein_net& curve) const {
-        const auto place = [](const double* p) {
-            return image_place{p[0] / p[2], p[1] / p[2], p[3] / p[2]};
-        };
-        const image_place a = place(curve.at(0, 0)), b = place(curve.at(0, curve.m));
-        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-        for (int i = 1; i < curve.m; ++i) {
-            const image_place c = place(curve.at(0, i));
-            const double along = (c.x - a.x) * dx + (c.y - a.y) * dy;
-            const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-            if (!(distance_from(c, a, b) <= tolerance_ &&
-                  std::abs(a.z + t * (b.z - a.z) - c.z) <= 4 * tolerance_))
-                return false;
-        }
-        return true;
-    }
-
-    std::size_t piece_;
-    const drawing_view& view_;
-    double tolerance_;
-    std::vector<surface_line> lines_;
-};
+/// Whether a piece goes on to a side of its own, but for edges of the model.
+bool reaches(const image_piece& piece, const side& one) {
+    bool result = !piece.is_trimmed;
+    if (piece.is_trimmed)
+        for_sides_on(piece.region, one.across(), one.at_end(),
+                     [&](const l3d_trim_corner& a, const l3d_trim_corner&) {
+                         result = result || a.side.edge == l3d_no_edge;
+                     });
+    return result;
+}
 
 /// Sides at the same places, and whether each runs as the first one does.
 struct met_sides {
@@ -223,6 +179,8 @@ void border_search::pair_sides() {
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k) {
+            if (!reaches(pieces_[i], {i, k}))
+                continue;
             const placed_side one(pieces_[i], {i, k});
             for (const vector& p : one.places)
                 for (int d = 0; d < 3; ++d) {
@@ -299,8 +257,7 @@ bool border_search::is_smooth(const side& a, const side& b, bool turns) const {
         const auto [s, r] = b.place(turns ? t : 1 - t);
         const auto n = pieces_[a.piece].normal(u, v);
         const auto o = pieces_[b.piece].normal(s, r) * (turns ? -1.0 : 1.0);
-        if (l3d_length(n) > 0 && l3d_length(o) > 0 &&
-            !(l3d_dot(n, o) > 0 && l3d_length(l3d_cross(n, o)) < least_angle))
+        if (!have_one_plane(n, o))
             return false;
     }
     return true;
@@ -347,6 +304,29 @@ void border_search::add_contours(const side& a, const side& b, bool turns) {
     }
 }
 
+/// The parts of a line of equal u (along = 0) or equal v (along = 1) that a region has, without
+/// those that follow edges of the model.
+std::vector<std::array<double, 2>> free_stretches(const l3d_trim_region& region, std::size_t along,
+                                                  double at) {
+    std::vector<std::array<double, 2>> result = region.stretches(along, at), edges;
+    for_sides_on(region, along, at, [&](const l3d_trim_corner& a, const l3d_trim_corner& b) {
+        if (a.side.edge != l3d_no_edge)
+            edges.push_back(
+                {std::min(a[1 - along], b[1 - along]), std::max(a[1 - along], b[1 - along])});
+    });
+    for (const auto& [from, to] : edges) {
+        std::vector<std::array<double, 2>> left;
+        for (const auto& [low, high] : result) {
+            if (low < std::min(high, from))
+                left.push_back({low, std::min(high, from)});
+            if (std::max(low, to) < high)
+                left.push_back({std::max(low, to), high});
+        }
+        result = std::move(left);
+    }
+    return result;
+}
+
 void border_search::add(const side& of, double from, double to, l3d_line_kind kind,
                         const std::vector<std::size_t>& sides) {
     const image_piece& piece = pieces_[of.piece];
@@ -357,8 +337,7 @@ void border_search::add(const side& of, double from, double to, l3d_line_kind ki
         // The walk along sides 2 and 3 goes down.
         stretches.clear();
         const bool is_back = of.number >= 2;
-        for (const auto& [low, high] : piece.region.stretches(
-                 of.number % 2 == 0 ? 1 : 0, of.number == 1 || of.number == 2 ? 1 : 0)) {
+        for (const auto& [low, high] : free_stretches(piece.region, of.across(), of.at_end())) {
             const double first = std::max(from, is_back ? 1 - high : low);
             const double last = std::min(to, is_back ? 1 - low : high);
             if (first < last)
@@ -367,7 +346,7 @@ void border_search::add(const side& of, double from, double to, l3d_line_kind ki
     }
     const bernstein_net curve = curve_along(piece.net, of.number);
     for (const auto& [first, last] : stretches) {
-        flattener flat(of.piece, view_, tolerance_);
+        curve_chords flat(of.piece, view_, tolerance_);
         flat.add(curve.part(first, last, 0, 1), [&, first = first, last = last](double t) {
             return l3d_side_pairs::place_on(of.number, first + (last - first) * t);
         });
@@ -379,13 +358,13 @@ void border_search::add(const side& of, double from, double to, l3d_line_kind ki
 void border_search::add_trims(std::size_t number) {
     const image_piece& piece = pieces_[number];
     for (const l3d_trim_polygon& polygon : piece.region.polygons) {
-        flattener flat(number, view_, tolerance_);
+        curve_chords flat(number, view_, tolerance_);
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const l3d_trim_place &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            const l3d_trim_corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
             const auto on_side = [&](std::size_t k) {
                 return a[k] == b[k] && (a[k] == 0 || a[k] == 1);
             };
-            if (on_side(0) || on_side(1))
+            if (a.side.edge != l3d_no_edge || on_side(0) || on_side(1))
                 continue;
             flat.add(curve_between(piece.net, a, b), [&](double t) -> std::array<double, 2> {
                 return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t};
@@ -402,6 +381,11 @@ std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
                                     std::span<const std::vector<surface_line>> contours,
                                     const drawing_view& view, double tolerance) {
     return border_search(pieces, contours, view, tolerance).chains();
+}
+
+bool have_one_plane(const l3d_vector<double, 3>& n, const l3d_vector<double, 3>& o) {
+    return l3d_length(n) == 0 || l3d_length(o) == 0 ||
+           (l3d_dot(n, o) > 0 && l3d_length(l3d_cross(n, o)) < least_angle);
 }
 
 std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& line) {
@@ -428,8 +412,10 @@ std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& 
             if (t == 0 || t == 1)
                 return t == 0 ? a : b;
             surface_vertex c{.piece = a.piece, .u = a.u + du * t, .v = a.v + dv * t};
-            c.at = piece.at(c.u, c.v);
-            return on_contour(piece, c).value_or(c);
+            // The place stays on the polygon in parameters, which tell the edge that it is on.
+            const auto exact = on_contour(piece, c);
+            c.at = exact ? exact->at : piece.at(c.u, c.v);
+            return c;
         };
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const double middle = (cuts[k] + cuts[k + 1]) / 2;

@@ -21,16 +21,20 @@ struct drawn_chain {
     std::vector<std::size_t> cusps{}; ///< vertices at which the picture of a contour turns back
 };
 
-/// The lines along the sides of pieces, and along their trims.
+/// The lines along the sides of pieces, and along their trims, but for those along edges of a
+/// model (edge_joints).
 ///
 /// Two sides at the same places are one, walked either way; so are the half of a side and a whole
 /// one. They are a crease if the normals differ by two degrees or more, in any of some places.
 /// Otherwise the side is a contour wherever one piece shows its front and the other its back. So
 /// contours of pieces that are not quite smooth join too. Shape: `contours` holds the lines of
-/// contours_of for each piece, not trimmed.
+/// contours_of for each piece, trimmed.
 std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
                                     std::span<const std::vector<surface_line>> contours,
                                     const drawing_view& view, double tolerance);
+
+/// Whether two unit normals differ by less than two degrees, or one of them is not there.
+bool have_one_plane(const l3d_vector<double, 3>& n, const l3d_vector<double, 3>& o);
 
 /// The parts of a line that the piece's trims leave.
 std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& line);

@@ -23,9 +23,10 @@ struct cell {
     double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
     int halvings = 0;
 
-    std::pair<cell, cell> halves(bool along_u) const {
-        auto nets = net.halves(along_u);
-        auto contours = contour.halves(along_u);
+    /// Expects: the cell's own nets are not asked for afterwards.
+    std::pair<cell, cell> halves(bool along_u) {
+        auto nets = bernstein_net::halves(std::move(net), along_u);
+        auto contours = bernstein_net::halves(std::move(contour), along_u);
         std::pair<cell, cell> result{
             {std::move(nets.first), std::move(contours.first), u0, u1, v0, v1},
             {std::move(nets.second), std::move(contours.second), u0, u1, v0, v1}};
@@ -142,7 +143,7 @@ public:
     std::vector<surface_line> lines();
 
 private:
-    void search(const cell& of);
+    void search(cell of);
     bool settle(const cell& of);
     void add_by_signs(const cell& of);
     arc_end crossing(const cell& of, std::size_t edge) const;
@@ -171,28 +172,7 @@ std::array<bool, 4> contour_search::signs_of(const cell& of) const {
     return result;
 }
 
-/// Across the direction in which a cell is larger.
-bool goes_along_u(const cell& of, bool is_ahead) {
-    if (!is_ahead)
-        return of.u1 - of.u0 >= of.v1 - of.v0;
-    const bernstein_net& net = of.net;
-    double along_u = 0, along_v = 0;
-    const auto square = [](const double* a, const double* b) {
-        const double dx = a[0] / a[2] - b[0] / b[2], dy = a[1] / a[2] - b[1] / b[2];
-        const double dz = a[3] / a[2] - b[3] / b[2];
-        return dx * dx + dy * dy + dz * dz;
-    };
-    for (int r = 0; r <= net.n; ++r)
-        for (int k = 0; k <= net.m; ++k) {
-            if (k < net.m)
-                along_u = std::max(along_u, square(net.at(r, k), net.at(r, k + 1)) * net.m * net.m);
-            if (r < net.n)
-                along_v = std::max(along_v, square(net.at(r, k), net.at(r + 1, k)) * net.n * net.n);
-        }
-    return along_u >= along_v;
-}
-
-void contour_search::search(const cell& of) {
+void contour_search::search(cell of) {
     if (has_one_sign(of.contour) || is_beside(of.net, view_))
         return;
     const ahead_of_near side = side_of_near(of.net, view_);
@@ -206,9 +186,9 @@ void contour_search::search(const cell& of) {
             add_by_signs(of);
         return;
     }
-    const auto halves = of.halves(goes_along_u(of, is_ahead));
-    search(halves.first);
-    search(halves.second);
+    auto halves = of.halves(is_ahead ? bends_along_u(of.net) : of.u1 - of.u0 >= of.v1 - of.v0);
+    search(std::move(halves.first));
+    search(std::move(halves.second));
 }
 
 /// True if the contour of a cell is known well enough, and added.

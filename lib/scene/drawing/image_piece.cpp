@@ -34,14 +34,14 @@ void basis_of(int degree, double t, values& b) {
 
 /// Values and derivatives of the polynomials.
 void bases_of(int degree, double t, values& b, values& slopes) {
-    slopes.fill(0);
+    std::fill_n(slopes.begin(), degree + 1, 0.0);
     if (degree == 0) {
         b[0] = 1;
         return;
     }
-    values lower{};
+    values lower;
     basis_of(degree - 1, t, lower);
-    b.fill(0);
+    std::fill_n(b.begin(), degree + 1, 0.0);
     for (int i = 0; i < degree; ++i) {
         const auto k = static_cast<std::size_t>(i);
         b[k] += lower[k] * (1 - t);
@@ -132,10 +132,11 @@ bernstein_net contour_of(const bernstein_net& p) {
 
 } // namespace
 
-std::pair<bernstein_net, bernstein_net> bernstein_net::halves(bool along_u) const {
-    std::pair<bernstein_net, bernstein_net> result{{m, n, dims}, *this};
+std::pair<bernstein_net, bernstein_net> bernstein_net::halves(bernstein_net whole, bool along_u) {
+    std::pair<bernstein_net, bernstein_net> result{{whole.m, whole.n, whole.dims}, {}};
     auto& [low, high] = result;
-    for_lines(*this, along_u, [&](std::size_t first, std::size_t stride, int degree) {
+    high = std::move(whole);
+    for_lines(low, along_u, [&](std::size_t first, std::size_t stride, int degree) {
         low.c[first] = high.c[first];
         for (int left = degree; left > 0; --left) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(left); ++i) {
@@ -235,6 +236,10 @@ double drawing_view::depth_of(double z) const {
     return is_parallel_ ? middle_ + z / scale_ : 1 / (1 / middle_ - z / scale_);
 }
 
+double drawing_view::scale_at(double z) const {
+    return is_parallel_ ? scale_ : scale_ / middle_ / depth_of(z);
+}
+
 image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                          const drawing_view& view)
     : net(piece.degree_u, piece.degree_v, 4), world(piece.degree_u, piece.degree_v, 4) {
@@ -286,7 +291,15 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted) {
     }
     is_trimmed = true;
     const double off = l3d_flat_trims(loops, lengths, wanted, region);
+    // Trims of files run along sides of pieces but for rounding. They must not be cut off there.
+    constexpr double rounding = 1e-9;
+    for (l3d_trim_polygon& polygon : region.polygons)
+        for (l3d_trim_corner& corner : polygon)
+            for (double& at : corner)
+                if (std::abs(at - std::round(at)) < rounding)
+                    at = std::round(at);
     region = region.within({});
+    rows = region_rows(region);
     return off;
 }
 
@@ -309,6 +322,38 @@ l3d_vector<double, 3> image_piece::normal(double u, double v) const {
     const double length = l3d_length(n);
     constexpr double least_sine = 1e-9; // below, rounding decides
     return length > least_sine * l3d_length(su) * l3d_length(sv) ? n * (1 / length) : vector(0.0);
+}
+
+/// Rows hold a few sides each, as polygons cross few rows.
+region_rows::region_rows(const l3d_trim_region& region) {
+    std::size_t sides = 0;
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        sides += polygon.size();
+    constexpr std::size_t sides_of_row = 4;
+    rows_.resize(sides / sides_of_row + 1);
+    for (const l3d_trim_polygon& polygon : region.polygons)
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const l3d_trim_place &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            if (a[1] == b[1])
+                continue;
+            const auto [low, high] = std::minmax(a[1], b[1]);
+            for (std::size_t row = row_of(low); row <= row_of(high); ++row)
+                rows_[row].push_back({a, b});
+        }
+}
+
+std::size_t region_rows::row_of(double v) const {
+    const double last = static_cast<double>(rows_.size()) - 1;
+    return static_cast<std::size_t>(std::clamp(v * last, 0.0, last));
+}
+
+bool region_rows::contains(double u, double v) const {
+    bool inside = false;
+    for (const auto& [a, b] : rows_[row_of(v)])
+        if ((a[1] <= v) != (b[1] <= v) &&
+            a[0] + (b[0] - a[0]) * ((v - a[1]) / (b[1] - a[1])) > u)
+            inside = !inside;
+    return inside;
 }
 
 ahead_of_near side_of_near(const bernstein_net& net, const drawing_view& view) {
@@ -377,6 +422,51 @@ flat_image::flat_image(const bernstein_net& net) {
         }
     const double widest = std::hypot(along_u.x, along_u.y) + std::hypot(along_v.x, along_v.y);
     error = (std::sqrt(squares) + widest * (most - least) / 2) / least;
+}
+
+bool bends_along_u(const bernstein_net& net) {
+    struct differences {
+        double bend = 0, length = 0; ///< squares of the second derivative and of the first
+    };
+    std::array<differences, 2> along{};
+    double twist = 0;
+    const auto at = [&](int row, int column) -> image_place {
+        const double* const p = net.at(row, column);
+        return {p[0] / p[2], p[1] / p[2], p[3] / p[2]};
+    };
+    const auto square = [](double x) { return x * x; };
+    for (int r = 0; r <= net.n; ++r)
+        for (int k = 0; k <= net.m; ++k) {
+            const image_place p = at(r, k);
+            for (const std::size_t direction : {0U, 1U}) {
+                const int u = direction == 0 ? 1 : 0, v = 1 - u;
+                const int degree = direction == 0 ? net.m : net.n;
+                const int here = direction == 0 ? k : r;
+                if (here == degree)
+                    continue;
+                differences& to = along[direction];
+                const image_place next = at(r + v, k + u);
+                const double first = square(degree) * (square(next.x - p.x) + square(next.y - p.y));
+                to.length = std::max(to.length, first + square(degree * (next.z - p.z)));
+                // Perspective bends parameters: x'' = -2 x' w' / w along a straight line.
+                const double w = net.at(r, k)[2], rise = net.at(r + v, k + u)[2] - w;
+                to.bend = std::max(to.bend, 4 * first * square(degree * rise / w));
+                if (here == 0)
+                    continue;
+                const image_place last = at(r - v, k - u);
+                to.bend = std::max(to.bend, square(degree * (degree - 1)) *
+                                                (square(last.x + next.x - 2 * p.x) +
+                                                 square(last.y + next.y - 2 * p.y)));
+            }
+            if (r == net.n || k == net.m)
+                continue;
+            const image_place a = at(r, k + 1), b = at(r + 1, k), c = at(r + 1, k + 1);
+            twist = std::max(twist, square(net.m * net.n) * (square(p.x - a.x - b.x + c.x) +
+                                                             square(p.y - a.y - b.y + c.y)));
+        }
+    const auto& [in_u, in_v] = along;
+    return twist > std::max(in_u.bend, in_v.bend) ? in_u.length >= in_v.length
+                                                  : in_u.bend >= in_v.bend;
 }
 
 double distance_from(const image_place& p, const image_place& from, const image_place& to) {

@@ -39,7 +39,8 @@ struct bernstein_net {
     double* at(int row, int column) { return &c[index(row, column)]; }
     std::size_t places() const { return static_cast<std::size_t>((m + 1) * (n + 1)); }
 
-    std::pair<bernstein_net, bernstein_net> halves(bool along_u) const;
+    /// The halves of a net along u, or along v. The second one takes the whole net's memory.
+    static std::pair<bernstein_net, bernstein_net> halves(bernstein_net whole, bool along_u);
     /// The derivative along u, or along v.
     bernstein_net derivative(bool along_u) const;
     /// The same polynomial with new parameters that run from 0 to 1 where u runs from u0 to u1 and
@@ -75,6 +76,8 @@ public:
     double ahead(const double* p) const { return is_parallel_ ? 1 : p[3] - near_ * p[2]; }
     /// The distance along the view axis.
     double depth_of(double z) const;
+    /// Pixels for a unit of the world across the line of sight, at a depth of the picture.
+    double scale_at(double z) const;
     l3d_size size() const { return size_; }
     /// The error by the shear, in pixels.
     double error() const { return error_; }
@@ -98,13 +101,32 @@ struct image_bounds {
     double height() const { return bottom - top; }
 };
 
+/// The sides of a region's polygons in rows of equal heights of v, for questions about many places.
+class region_rows {
+public:
+    region_rows() = default;
+    explicit region_rows(const l3d_trim_region& region);
+
+    /// Whether a place is inside, as l3d_trim_region::contains tells but for rounding.
+    bool contains(double u, double v) const;
+
+private:
+    using side = std::array<l3d_trim_place, 2>;
+
+    std::size_t row_of(double v) const;
+
+    std::vector<std::vector<side>> rows_;
+};
+
 /// A piece of a surface in the picture.
 struct image_piece {
     bernstein_net net;      ///< 4 dims, as drawing_view::placed
     bernstein_net contour;  ///< zero at contours; its sign is that of the side that is seen
     bernstein_net world;    ///< x w, y w, z w, w
     l3d_trim_region region; ///< the part that trims leave; empty without trims
+    region_rows rows;       ///< of the region
     std::size_t instance = 0, number = 0;
+    std::size_t first_edge = 0; ///< the drawing's index of the first edge of its model
     bool is_trimmed = false;
 
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
@@ -115,7 +137,7 @@ struct image_piece {
     double trim(std::span<const l3d_trim_loop> loops, double wanted);
 
     image_place at(double u, double v) const;
-    bool contains(double u, double v) const { return !is_trimmed || region.contains({u, v}); }
+    bool contains(double u, double v) const { return !is_trimmed || rows.contains(u, v); }
     /// The unit normal in the world, zero where there is none.
     l3d_vector<double, 3> normal(double u, double v) const;
 };
@@ -142,6 +164,11 @@ struct flat_image {
                 middle.z + (s - 0.5) * along_u.z + (t - 0.5) * along_v.z};
     }
 };
+
+/// Whether a net is nearer to a parallelogram if it is halved along u rather than along v: along
+/// the direction in which it bends more, or is longer if its twist is what counts.
+/// Expects: all in front of the near plane.
+bool bends_along_u(const bernstein_net& net);
 
 /// The distance of a place in the picture from a chord.
 double distance_from(const image_place& p, const image_place& from, const image_place& to);

@@ -7,6 +7,7 @@
 #include "geom/nurbs_surface.h"
 #include "scene/drawing/borders_p.h"
 #include "scene/drawing/contours_p.h"
+#include "scene/drawing/edge_joints_p.h"
 #include "scene/drawing/image_piece_p.h"
 #include "scene/drawing/line_cuts_p.h"
 #include "scene/drawing/line_joints_p.h"
@@ -24,9 +25,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Shares of the tolerance for chords and for polygons that stand for trims. The rest is for the
-/// shear and for rounding.
-constexpr double chord_share = 0.5, trim_share = 0.25;
+/// Shares of the tolerance for chords, for polygons that stand for trims, and for ends of contours
+/// on an edge. The rest is for the shear and for rounding.
+constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
 /// A stretch that is shorter takes after its neighbours. Units: pixels.
 constexpr double sliver = 0.75;
@@ -58,7 +59,7 @@ public:
            const l3d_line_settings& settings)
         : settings_(settings), chord_(chord_share * settings.tolerance),
           view_(view_of(scene, camera, size)) {
-        double trims = 0;
+        double trims = 0, edges_off = 0;
         for (std::size_t i = 0; i < scene.instances().size(); ++i) {
             const l3d_patch_instance& instance = scene.instances()[i];
             if (instance.opacity() == 0)
@@ -71,10 +72,17 @@ public:
                 if (!pieces[p].trims.empty())
                     trims = std::max(trims,
                                      piece.trim(pieces[p].trims, trim_share * settings.tolerance));
+                piece.first_edge = edges_.size();
+            }
+            for (const l3d_shared_edge& edge : instance.model().edges()) {
+                edges_.emplace_back(edge, instance, view_);
+                edges_off = std::max(edges_off, edges_.back().off);
             }
         }
         result_.size = size;
-        result_.bound = chord_ + trims + view_.error();
+        // Both ends of contours that become one place are moved by half of what is between.
+        const double joints = edges_.empty() ? 0 : joint_share * settings.tolerance / 2;
+        result_.bound = chord_ + trims + edges_off + joints + view_.error();
     }
 
     l3d_line_drawing draw() {
@@ -122,22 +130,27 @@ private:
     double chord_;
     drawing_view view_;
     std::vector<image_piece> pieces_;
+    std::vector<image_edge> edges_;
     std::vector<drawn_chain> chains_;
     std::vector<drawn_stretch> stretches_;
     l3d_line_drawing result_;
 };
 
 void drawer::find_chains() {
-    std::vector<std::vector<surface_line>> contours;
+    std::vector<std::vector<surface_line>> contours(pieces_.size());
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        contours.push_back(contours_of(pieces_[i], i, view_, chord_));
+        for (const surface_line& line : contours_of(pieces_[i], i, view_, chord_))
+            std::ranges::move(trimmed(pieces_[i], line), std::back_inserter(contours[i]));
+    edge_joints joints(pieces_, edges_, view_, chord_);
+    joints.end_on_edges(contours, joint_share * settings_.tolerance);
     std::vector<drawn_chain> parts;
-    for (drawn_chain& chain : borders_of(pieces_, contours, view_, chord_))
-        (chain.kind == l3d_line_kind::contour ? parts : chains_).push_back(std::move(chain));
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        for (const surface_line& line : contours[i])
-            for (surface_line& part : trimmed(pieces_[i], line))
-                parts.push_back({l3d_line_kind::contour, std::move(part)});
+    for (std::vector<drawn_chain>& chains :
+         std::array{joints.chains(settings_.joints), borders_of(pieces_, contours, view_, chord_)})
+        for (drawn_chain& chain : chains)
+            (chain.kind == l3d_line_kind::contour ? parts : chains_).push_back(std::move(chain));
+    for (std::vector<surface_line>& lines : contours)
+        for (surface_line& line : lines)
+            parts.push_back({l3d_line_kind::contour, std::move(line)});
     join_contours(std::move(parts));
     for (drawn_chain& chain : chains_)
         if (chain.kind == l3d_line_kind::contour && chain.sides.empty())

@@ -47,6 +47,8 @@ const char* name_of(l3d_line_kind kind) {
         return "contour";
     case l3d_line_kind::crease:
         return "crease";
+    case l3d_line_kind::joint:
+        return "joint";
     default:
         return "border";
     }

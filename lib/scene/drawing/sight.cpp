@@ -46,17 +46,11 @@ void line_of_sight::add(bernstein_net net, const node* whole, bool along_u, bool
 }
 
 void line_of_sight::split(std::size_t index) {
+    bernstein_net net = std::move(nodes_[index].net); // only its halves are asked for from now on
     const node whole = nodes_[index];
-    double along_u = 0, along_v = 0;
-    const bernstein_net& net = whole.net;
-    if (whole.box) {
-        const flat_image flat(net);
-        along_u = std::hypot(flat.along_u.x, flat.along_u.y, flat.along_u.z);
-        along_v = std::hypot(flat.along_v.x, flat.along_v.y, flat.along_v.z);
-    }
     const bool goes_along_u =
-        along_u == along_v ? whole.u1 - whole.u0 >= whole.v1 - whole.v0 : along_u > along_v;
-    auto [low, high] = net.halves(goes_along_u);
+        whole.box ? bends_along_u(net) : whole.u1 - whole.u0 >= whole.v1 - whole.v0;
+    auto [low, high] = bernstein_net::halves(std::move(net), goes_along_u);
     nodes_[index].halves = nodes_.size();
     add(std::move(low), &whole, goes_along_u, false);
     add(std::move(high), &whole, goes_along_u, true);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// curve_chords: curves on surfaces as chords in the picture.
+#ifndef L3D_SCENE_DRAWING_CURVE_CHORDS_P_H
+#define L3D_SCENE_DRAWING_CURVE_CHORDS_P_H
+
+#include "scene/drawing/contours_p.h"
+#include "scene/drawing/image_piece_p.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Turns curves into chords, which it adds to lines. A curve that begins where the one before ends
+/// goes on with its line. Parts behind the near plane or beside the picture are left out.
+///
+/// Curves are halved until all control points are within the tolerance of the chord.
+class curve_chords {
+public:
+    /// Lives: borrows the view.
+    curve_chords(std::size_t piece, const drawing_view& view, double tolerance)
+        : piece_(piece), view_(view), tolerance_(tolerance) {}
+
+    /// Adds a net with n = 0. `place` tells the parameters of t, from 0 to 1.
+    void add(const bernstein_net& curve,
+             const std::function<std::array<double, 2>(double)>& place) {
+        add(curve, place, 0, 1, 0);
+    }
+    std::vector<surface_line> take() { return std::move(lines_); }
+
+private:
+    void add(const bernstein_net& curve, const std::function<std::array<double, 2>(double)>& place,
+             double from, double to, int halvings);
+    surface_vertex vertex(const double* p, const std::array<double, 2>& at) const {
+        return {.at = {p[0] / p[2], p[1] / p[2], p[3] / p[2]},
+                .piece = piece_,
+                .u = at[0],
+                .v = at[1]};
+    }
+    bool is_flat(const bernstein_net& curve) const;
+
+    std::size_t piece_;
+    const drawing_view& view_;
+    double tolerance_;
+    std::vector<surface_line> lines_;
+};
+
+} // namespace l3d_detail
+
+#endif
