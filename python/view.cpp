@@ -4,9 +4,11 @@
 #include "look.h"
 #include "types.h"
 
+#include <l3d/line_drawing.h>
 #include <l3d/screen_memory.h>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 #include <variant>
 
@@ -324,6 +326,58 @@ reference pick(view_owner& self, arguments& a) {
         self->pipeline);
 }
 
+void append(const reference& list, const reference& item) {
+    if (PyList_Append(list.get(), item.get()) != 0)
+        throw error_is_set();
+}
+
+reference line_of(const l3d_drawn_line& line) {
+    static constexpr std::array<const char*, 4> names{"contour", "crease", "border", "joint"};
+    const reference pieces = reference::taken(PyList_New(0));
+    const reference points = reference::taken(PyList_New(0));
+    for (const std::size_t piece : line.pieces)
+        append(pieces, number(static_cast<std::int64_t>(piece)));
+    for (const l3d_drawn_place& p : line.points)
+        append(points, numbers(l3d_vector<double, 3>(p.x, p.y, p.depth)));
+    dictionary result;
+    result.add("kind", text(names[static_cast<std::size_t>(line.kind)]))
+        .add("is_seen", flag(line.is_seen))
+        .add("instance", number(static_cast<std::int64_t>(line.instance)))
+        .add("pieces", pieces)
+        .add("points", points);
+    return result.get();
+}
+
+reference lines(view_owner& self, arguments& a) {
+    a.are("View.lines", "| tolerance hidden joints");
+    l3d_line_settings settings;
+    if (PyObject* const tolerance = a.find("tolerance"))
+        settings.tolerance =
+            number_of(tolerance, a.what("tolerance"), l3d_line_settings::least_tolerance,
+                      l3d_line_settings::most_tolerance);
+    settings.hidden = a.flag("hidden", settings.hidden);
+    settings.joints = a.flag("joints", settings.joints);
+    const busy alone(self->is_drawing, "View");
+    follow(*self);
+    const auto* const patches = std::get_if<patches_pipeline>(&self->pipeline);
+    if (!patches)
+        throw value_error("View.lines: polygons have none; a model of patches is wanted");
+    l3d_line_drawing drawing;
+    {
+        const unlocked while_drawing;
+        drawing = l3d_draw_lines((*patches)->scene(), (*patches)->camera(),
+                                 self->screen->image()->size(), settings);
+    }
+    const reference all = reference::taken(PyList_New(0));
+    for (const l3d_drawn_line& line : drawing.lines)
+        append(all, line_of(line));
+    dictionary result;
+    result.add("bound", number(drawing.bound))
+        .add("lines", all)
+        .add("svg", text(l3d_svg_of(drawing)));
+    return result.get();
+}
+
 reference camera(const view_owner& self) {
     return self->camera;
 }
@@ -360,6 +414,7 @@ PyTypeObject* add_view_type(PyObject* module) {
                                     method<v, change>("change", doc("View.change")),
                                     method<v, frame_all>("frame_all", doc("View.frame_all")),
                                     method<v, pick>("pick", doc("View.pick")),
+                                    method<v, lines>("lines", doc("View.lines")),
                                     {}};
     static PyGetSetDef attributes[] = {
         attribute<v, camera, set_camera>("camera", doc("View.camera")),

@@ -320,6 +320,13 @@ class View:
         """Moves the camera so that everything is seen."""
     def pick(self, x: float, y: float) -> Optional[dict[str, Any]]:
         """The nearest surface at a place of the picture: point, normal, curvatures, and their errors."""
+    def lines(self, *, tolerance: float = 0.1, hidden: bool = True,
+              joints: bool = False) -> dict[str, Any]:
+        """Contours, creases and borders of patches as polylines: their `bound` in pixels, `lines` and an `svg` file.
+
+        A line has a `kind`, `is_seen`, the `instance` and the `pieces` that it lies on, and `points`: x, y
+        and depth. With joints=True, edges of a model at which faces meet smoothly are lines as well.
+        """
     @property
     def camera(self) -> Camera:
         """The eye of the next frame."""

@@ -87,6 +87,25 @@ def check_polygons():
     expect(bytes(l3d.draw(sphere.painted(l3d.Material("#2040ff")), (80, 60))) != bytes(solid))
 
 
+def check_lines():
+    view = l3d.View(l3d.Model.from_surfaces(l3d.shape("cylinder")), (160, 120))
+    drawing = view.lines(tolerance=0.05)
+    expect(0 < drawing["bound"] <= 0.05 and drawing["svg"].startswith("<?xml"), drawing["bound"])
+    kinds = sorted((line["kind"], line["is_seen"]) for line in drawing["lines"])
+    expect(("contour", True) in kinds and ("crease", True) in kinds and ("crease", False) in kinds, kinds)
+    for line in drawing["lines"]:
+        expect(line["instance"] == 0 and line["pieces"] and len(line["points"]) >= 2, line)
+        expect(all(0 <= x <= 160 and 0 <= y <= 120 and depth > 0 for x, y, depth in line["points"]), line)
+    expect(all(line["is_seen"] for line in view.lines(hidden=False)["lines"]))
+    triangle = l3d.Model.from_polygons([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+    for wrong, word in ((lambda: view.lines(tolerance=0), "tolerance"), (l3d.View(triangle).lines, "patches")):
+        try:
+            wrong()
+            expect(False, word)
+        except l3d.Error as error:
+            expect(word in str(error), error)
+
+
 def check_picks():
     view = l3d.View(teapot, (160, 120))
     pick = view.pick(80, 60)

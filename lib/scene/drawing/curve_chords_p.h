@@ -35,10 +35,8 @@ private:
     void add(const bernstein_net& curve, const std::function<std::array<double, 2>(double)>& place,
              double from, double to, int halvings);
     surface_vertex vertex(const double* p, const std::array<double, 2>& at) const {
-        return {.at = {p[0] / p[2], p[1] / p[2], p[3] / p[2]},
-                .piece = piece_,
-                .u = at[0],
-                .v = at[1]};
+        return {
+            .at = {p[0] / p[2], p[1] / p[2], p[3] / p[2]}, .piece = piece_, .u = at[0], .v = at[1]};
     }
     bool is_flat(const bernstein_net& curve) const;
 

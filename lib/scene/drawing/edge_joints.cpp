@@ -44,7 +44,8 @@ image_edge::image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& in
         bernstein_net net(static_cast<int>(one.points.size()) - 1, 0, 4);
         for (std::size_t i = 0; i < one.points.size(); ++i) {
             const l3d_vector<double, 4> p = instance.placement() * one.points[i];
-            std::ranges::copy(view.placed({p[0], p[1], p[2], p[3]}), net.at(0, static_cast<int>(i)));
+            std::ranges::copy(view.placed({p[0], p[1], p[2], p[3]}),
+                              net.at(0, static_cast<int>(i)));
         }
         is_ahead = is_ahead && side_of_near(net, view) == ahead_of_near::all;
         if (is_ahead)
@@ -96,9 +97,8 @@ edge_joints::edge_joints(std::span<const image_piece> pieces, std::span<const im
             });
             constexpr double beside = 1e-6;
             const l3d_trim_place middle = l3d_detail::between(side.a, side.b, 0.5);
-            use.is_left = pieces_[use.piece].contains(
-                middle[0] - beside * (side.b[1] - side.a[1]),
-                middle[1] + beside * (side.b[0] - side.a[0]));
+            use.is_left = pieces_[use.piece].contains(middle[0] - beside * (side.b[1] - side.a[1]),
+                                                      middle[1] + beside * (side.b[0] - side.a[0]));
         }
     }
 }
@@ -127,8 +127,8 @@ std::array<double, 2> edge_joints::edge_use::place(double t) const {
     auto side = std::ranges::upper_bound(sides, t, {}, &trim_side::from);
     if (side != sides.begin())
         --side;
-    return l3d_detail::between(
-        side->a, side->b, std::clamp((t - side->from) / (side->to - side->from), 0.0, 1.0));
+    return l3d_detail::between(side->a, side->b,
+                               std::clamp((t - side->from) / (side->to - side->from), 0.0, 1.0));
 }
 
 bool edge_joints::edge_use::has(double t) const {
@@ -146,8 +146,7 @@ void edge_joints::end_on_edges(std::span<std::vector<surface_line>> contours, do
                         const l3d_trim_corner& a = polygon[k];
                         if (a.side.edge == l3d_no_edge)
                             continue;
-                        const double part =
-                            part_on(a, polygon[(k + 1) % polygon.size()], *vertex);
+                        const double part = part_on(a, polygon[(k + 1) % polygon.size()], *vertex);
                         if (part >= 0)
                             ends[pieces_[i].first_edge + a.side.edge].push_back(
                                 {a.side.at(part), vertex});
@@ -156,9 +155,9 @@ void edge_joints::end_on_edges(std::span<std::vector<surface_line>> contours, do
         std::ranges::sort(ends[i], {}, &contour_end::t);
         for (std::size_t k = 0; k < ends[i].size(); ++k) {
             double t = ends[i][k].t;
-            const bool is_pair = k + 1 < ends[i].size() &&
-                                 length_between(edges_[i].at(t),
-                                                edges_[i].at(ends[i][k + 1].t)) <= near;
+            const bool is_pair =
+                k + 1 < ends[i].size() &&
+                length_between(edges_[i].at(t), edges_[i].at(ends[i][k + 1].t)) <= near;
             if (is_pair)
                 t = (t + ends[i][k + 1].t) / 2;
             ends[i][k].vertex->at = edges_[i].at(t);
@@ -179,8 +178,8 @@ std::vector<double> edge_joints::cuts_of(std::size_t edge) const {
     std::ranges::sort(all);
     std::vector<double> result;
     for (const double t : all)
-        if (result.empty() || length_between(edges_[edge].at(result.back()), edges_[edge].at(t)) >
-                                  2 * tolerance_)
+        if (result.empty() ||
+            length_between(edges_[edge].at(result.back()), edges_[edge].at(t)) > 2 * tolerance_)
             result.push_back(t);
     if (result.size() > 1)
         result.back() = all.back();

@@ -84,7 +84,7 @@ private:
     std::span<const image_edge> edges_;
     const drawing_view& view_;
     double tolerance_;
-    std::vector<std::vector<edge_use>> uses_;    ///< by edge
+    std::vector<std::vector<edge_use>> uses_;   ///< by edge
     std::vector<std::vector<double>> contours_; ///< parameters at which contours end, by edge
 };
 

@@ -350,8 +350,7 @@ std::size_t region_rows::row_of(double v) const {
 bool region_rows::contains(double u, double v) const {
     bool inside = false;
     for (const auto& [a, b] : rows_[row_of(v)])
-        if ((a[1] <= v) != (b[1] <= v) &&
-            a[0] + (b[0] - a[0]) * ((v - a[1]) / (b[1] - a[1])) > u)
+        if ((a[1] <= v) != (b[1] <= v) && a[0] + (b[0] - a[0]) * ((v - a[1]) / (b[1] - a[1])) > u)
             inside = !inside;
     return inside;
 }
