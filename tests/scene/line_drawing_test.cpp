@@ -390,6 +390,41 @@ TEST(line_drawing, a_line_changes_where_it_passes_through_a_surface) {
     EXPECT_LT(nearest, 0.5); // a quarter of a pixel of depth is not yet in front
 }
 
+TEST(line_drawing, contours_of_balls_that_pierce_each_other_change_where_they_enter) {
+    // The left ball's contour is the circle of places whose direction is across the sight.
+    constexpr double apart = 0.5;
+    l3d_patch_scene scene;
+    scene.add(shape("sphere"), l3d_translation<double>(-apart, 0, 0));
+    scene.add(shape("sphere"), l3d_translation<double>(apart, 0, 0));
+    for (const view& v : {view{{0.0, 0.0, 8.0}, true}, view{{3.0, 2.0, 7.0}, true}}) {
+        const l3d_camera camera = v.camera(scene);
+        const l3d_line_drawing drawing = l3d_draw_lines(scene, camera, size);
+        const vector eye = l3d_normalized(camera.eye - camera.target);
+        const vector across = l3d_normalized(l3d_cross(eye, vector{0.0, 1.0, 0.0}));
+        const vector up = l3d_cross(across, eye);
+        double late = 0;
+        int hidden = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 1000;
+            const vector out = across * std::cos(angle) + up * std::sin(angle);
+            // From the right ball's middle; the ray towards the eye has b and c of its square.
+            const vector from = out - vector{2 * apart, 0.0, 0.0};
+            const double b = l3d_dot(from, eye), c = l3d_dot(from, from) - 1;
+            const bool is_hidden = c < 0 || (b < 0 && b * b > c);
+            hidden += is_hidden ? 1 : 0;
+            const l3d_drawn_place p = seen(camera, out - vector{apart, 0.0, 0.0});
+            double off = 1e9;
+            for (const l3d_drawn_line& line : drawing.lines)
+                if (line.is_seen != is_hidden)
+                    off = std::min(off, distance_from(line.points, p.x, p.y));
+            late = std::max(late, off);
+        }
+        EXPECT_LE(late, 0.5) << v.eye[0];
+        EXPECT_GT(hidden, 200);
+        EXPECT_LT(hidden, 500);
+    }
+}
+
 TEST(line_drawing, trims_are_borders_and_cut_contours) {
     l3d_patch_points piece{
         .degree_u = 1, .degree_v = 1, .points = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}};

@@ -256,13 +256,18 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
 }
 
 /// The most that a change of u, and of v, moves a place in the picture: with P = (x, y) / w in the
-/// net's box, P' = ((x, y)' - P w') / w. Weights far below the largest, as they are near the eye,
-/// are not counted: nothing sensible is seen there.
-double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted) {
-    double most = 0;
-    for (std::size_t i = 0; i < net.c.size(); i += 4)
+/// net's box, P' = ((x, y)' - P w') / w. Weights far below the largest, as they are beyond the near
+/// plane, are not counted: they would ask for millions of chords of what is hardly seen.
+double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
+                         const drawing_view& view) {
+    double most = 0, least = net.c[2];
+    for (std::size_t i = 0; i < net.c.size(); i += 4) {
         most = std::max(most, net.c[i + 2]);
-    const double least = most / 1024;
+        least = std::min(least, net.c[i + 2]);
+    }
+    constexpr double depths = 16; // that are in the picture where a piece reaches the near plane
+    if (side_of_near(net, view) != ahead_of_near::all)
+        least = most / depths;
     image_bounds box{};
     bool is_first = true;
     double least_w = most;

@@ -132,9 +132,10 @@ struct image_piece {
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Makes the region of these loops by polygons, and returns how far they are off.
+    /// Makes the region of these loops by polygons, and returns how far they are off. Where the
+    /// piece reaches the near plane, that is no bound.
     /// Units: pixels.
-    double trim(std::span<const l3d_trim_loop> loops, double wanted);
+    double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
     image_place at(double u, double v) const;
     bool contains(double u, double v) const { return !is_trimmed || rows.contains(u, v); }

@@ -70,8 +70,8 @@ public:
                 piece.instance = i;
                 piece.number = p;
                 if (!pieces[p].trims.empty())
-                    trims = std::max(trims,
-                                     piece.trim(pieces[p].trims, trim_share * settings.tolerance));
+                    trims = std::max(
+                        trims, piece.trim(pieces[p].trims, trim_share * settings.tolerance, view_));
                 piece.first_edge = edges_.size();
             }
             for (const l3d_shared_edge& edge : instance.model().edges()) {
