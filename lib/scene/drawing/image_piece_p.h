@@ -124,7 +124,7 @@ struct image_piece {
     bernstein_net contour;  ///< zero at contours; its sign is that of the side that is seen
     bernstein_net world;    ///< x w, y w, z w, w
     l3d_trim_region region; ///< the part that trims leave; empty without trims
-    region_rows rows;       ///< of the region
+    region_rows rows;       ///< the region again, in rows
     std::size_t instance = 0, number = 0;
     std::size_t first_edge = 0; ///< the drawing's index of the first edge of its model
     bool is_trimmed = false;
