@@ -69,7 +69,7 @@ l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_net& piece, const l3d_dice
                  view.section.leaves(net_.points);
         if (whole_) {
             accuracy.reach = view.drawn_box(hull).reach();
-            small = l3d_is_small(hull);
+            small = l3d_is_one_block(net_, hull, view);
             if (!seen.intersected(hull).empty())
                 seen = seen.intersected(hull);
         }

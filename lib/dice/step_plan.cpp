@@ -2,7 +2,9 @@
 // The demands of a piece's blocks on its steps, one after the other.
 #include "dice/step_plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace {
 
@@ -58,7 +60,83 @@ void add_mixed(l3d_block_needs& needs, const l3d_image_net& net, const l3d_dice_
     needs.uuvv = mixed.uuvv / 256;
 }
 
+bool is_large(const l3d_image_box& hull) {
+    return !(hull.width() < l3d_largest_one_block && hull.height() < l3d_largest_one_block);
+}
+
+/// The largest of some differences of control points, as seen from the eye.
+class largest_bend {
+public:
+    largest_bend(const l3d_image_box& hull, double focal)
+        : x_((hull.left + hull.right) / 2), y_((hull.top + hull.bottom) / 2), focal_(focal) {}
+
+    /// Expects: second differences of x, y and w. A length along the line of sight counts like one
+    /// across it where depth is kept.
+    void take(double x, double y, double w) {
+        const double dx = x - x_ * w, dy = y - y_ * w, dw = focal_ * w;
+        square_ = std::max(square_, dx * dx + dy * dy + dw * dw);
+    }
+    void take(const l3d_image_point& a, const l3d_image_point& b, const l3d_image_point& c) {
+        take(a[0] - 2 * b[0] + c[0], a[1] - 2 * b[1] + c[1], a[2] - 2 * b[2] + c[2]);
+    }
+    double size() const { return std::sqrt(square_); }
+
+private:
+    double x_, y_, focal_, square_ = 0;
+};
+
+/// The budget of chords, finer where outlines may be.
+double budget_of(const l3d_dice_view& view) {
+    return view.chord_budget(0) / view.finer_outlines();
+}
+
+constexpr double steps_squared = l3d_most_steps_of_one_block * l3d_most_steps_of_one_block;
+
 } // namespace
+
+/// Second derivatives are 6 times second differences along u and v, and 9 times mixed ones. A quad
+/// errs by an eighth of the first two and a sixteenth of the last, see l3d_plan_steps.
+bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
+                      const l3d_dice_view& view) {
+    if (l3d_is_small(hull))
+        return true;
+    if (is_large(hull))
+        return false;
+    const auto& p = net.points;
+    largest_bend uu(hull, view.focal), vv = uu, uv = uu;
+    double least_w = p[0][2];
+    for (const l3d_image_point& point : p)
+        least_w = std::min(least_w, point[2]);
+    for (std::size_t line = 0; line < 4; ++line)
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::size_t u = 4 * line + i, v = 4 * i + line;
+            uu.take(p[u], p[u + 1], p[u + 2]);
+            vv.take(p[v], p[v + 4], p[v + 8]);
+        }
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) {
+            const std::size_t i = 4 * row + column;
+            const auto d = [&](int k) { return p[i][k] - p[i + 1][k] - p[i + 4][k] + p[i + 5][k]; };
+            uv.take(d(0), d(1), d(2));
+        }
+    const double error = 6.0 / 8 * (uu.size() + vv.size()) + 9.0 / 16 * uv.size();
+    return error <= steps_squared * least_w * budget_of(view);
+}
+
+/// An edge gets half of the budget, as each direction of a quad does.
+bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
+                      const l3d_dice_view& view) {
+    if (l3d_is_small(hull))
+        return true;
+    if (is_large(hull))
+        return false;
+    const auto& p = edge.points;
+    largest_bend bend(hull, view.focal);
+    bend.take(p[0], p[1], p[2]);
+    bend.take(p[1], p[2], p[3]);
+    const double least_w = std::min({p[0][2], p[1][2], p[2][2], p[3][2]});
+    return 6.0 / 8 * bend.size() <= steps_squared * least_w * budget_of(view) / 2;
+}
 
 l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind) {

@@ -12,6 +12,28 @@
 #include <cstddef>
 #include <span>
 
+/// The most steps along a direction of a net that is one block though it is not small. Four strips
+/// have no fewer than four.
+inline constexpr int l3d_most_steps_of_one_block = 3;
+
+/// Nets larger than this are four strips. A step is then no longer than l3d_largest_quad, with one
+/// step more than most such nets take. Units: pixels.
+inline constexpr double l3d_largest_one_block = 96;
+
+/// Whether a net is diced as one block: it is small (l3d_is_small), or so flat that three steps in
+/// each direction keep places and depth. Else it is 4 x 4 blocks, whose vertices are balanced.
+///
+/// Nothing proven relies on the choice, as each way has its own bounds.
+/// Expects: every w > 0; `hull` is the net's box.
+/// Cost:    nothing worth mentioning for small nets and for large ones, else some 400 instructions.
+bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
+                      const l3d_dice_view& view);
+
+/// The same for an edge, which is one strip or four. It depends on the edge alone, but may change
+/// with the direction in which the edge runs.
+bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
+                      const l3d_dice_view& view);
+
 /// The way of drawing quads for which steps are chosen.
 enum class l3d_quad_kind {
     whole,     ///< convex quads whole: only for pieces that need no clipping

@@ -3,6 +3,7 @@
 #include "dice/edges/edge_polyline.h"
 
 #include "dice/drawn_error.h"
+#include "dice/step_plan.h"
 #include "dice/edges/edge_strips_p.h"
 
 #include <algorithm>
@@ -264,7 +265,7 @@ void l3d_edge_polyline::add_strip(const l3d_image_curve& strip, double t0, doubl
     bool small = false;
     if (visible && in_front) {
         const l3d_image_box whole = l3d_image_box_of(strip.points);
-        small = l3d_is_small(whole);
+        small = l3d_is_one_strip(strip, whole, view);
         box = box.intersected(whole);
         visible = !box.empty();
     }

@@ -5,6 +5,7 @@
 #include "geom/bezier_patch.h"
 #include "dice/drawn_error.h"
 #include "dice/near_clip.h"
+#include "dice/step_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,7 +192,10 @@ edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_vi
     result.backwards = runs_backwards(edge);
     const l3d_image_box whole = l3d_image_box_of(edge.points);
     const l3d_image_box seen = whole.intersected(view.margin());
-    result.one_strip = seen.empty() || l3d_is_small(whole);
+    l3d_image_curve forwards = edge;
+    if (result.backwards)
+        std::ranges::reverse(forwards.points);
+    result.one_strip = seen.empty() || l3d_is_one_strip(forwards, whole, view);
     if (seen.empty())
         return result;
     double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];

@@ -355,18 +355,28 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     needs.depth_uv[0] = bound(depth, differences::mixed, differences::end, 8 * nine, of_w);
 }
 
-HWY_ATTR void bounds(const double* net, const l3d_dice_view& view, lane_bounds& out) {
-    measure(net, view, out);
+/// The fewest steps of a net that is one block though it is not small.
+void bound_gaps(const l3d_image_patch& net, l3d_block_needs& needs) {
+    const auto [along_u, along_v] = l3d_image_gaps_of(net);
+    needs.least_u[0] = 3 / l3d_largest_quad * along_u;
+    needs.least_v[0] = 3 / l3d_largest_quad * along_v;
+}
+
+HWY_ATTR void bounds(const l3d_image_patch& net, const l3d_dice_view& view, lane_bounds& out) {
+    measure(&net.points[0][0], view, out);
     if (!out.ordinary)
         return;
     out.seen = view.margin().intersected(out.hull);
     if (out.seen.empty())
         out.seen = view.margin();
     centre(out);
-    if (l3d_is_small(out.hull))
+    if (l3d_is_one_block(net, out.hull, view)) {
         bound_whole(view, out);
-    else
+        if (!l3d_is_small(out.hull))
+            bound_gaps(net, out.needs);
+    } else {
         bound_blocks(view, out);
+    }
 }
 
 } // namespace
@@ -381,7 +391,7 @@ L3D_SIMD_TABLE(bounds);
 
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out) {
     static_assert(sizeof patch == 48 * sizeof(double), "points without gaps");
-    L3D_SIMD_CALL(bounds)(&patch.points[0][0], view, out);
+    L3D_SIMD_CALL(bounds)(patch, view, out);
 }
 
 } // namespace l3d_detail
