@@ -137,7 +137,7 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
         // Whole patches, and halves of a patch that was cut along this edge.
         const double high = random.between(0, 1) < 0.5 ? 1 : 0.5;
         l3d_diced_piece quick = piece_along(edge, strips, side, 0, high, view, random);
-        l3d_close_side(quick, side, line);
+        l3d_close_side(quick, side, line, view);
         l3d_diced_piece slow;
         slow.keep_parameters = true;
         l3d_fill_gap(boundary_of(quick, side), line, view, slow);
@@ -184,7 +184,7 @@ TEST(slit, along_a_stretch_is_that_of_any_row) {
             grid.inv_w[index] = v.inv_w;
         }
         const l3d_diced_piece before = quick;
-        l3d_close_side(quick, side, line, t0, t1);
+        l3d_close_side(quick, side, line, view, t0, t1);
         for (const int at : {0, last}) {
             const std::size_t index = along_u ? grid.index(across, at) : grid.index(at, across);
             EXPECT_EQ(grid.x[index], before.part.grid.x[index]);
@@ -215,7 +215,7 @@ TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
                              line.strips().first[static_cast<std::size_t>(s)]);
         const auto side = static_cast<std::size_t>(seed % 4);
         l3d_diced_piece piece = piece_along(edge, strips, side, 0, 1, view, random);
-        l3d_close_side(piece, side, line);
+        l3d_close_side(piece, side, line, view);
         EXPECT_EQ(piece.part.triangles.count, 0u);
         const auto row = boundary_of(piece, side);
         ASSERT_EQ(row.size(), line.size());
@@ -252,7 +252,7 @@ TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
             x += 300 * l3d_subpixel_one;
         for (std::int32_t& y : grid.y)
             y += 700 * l3d_subpixel_one;
-        l3d_close_side(piece, seed % 4, line);
+        l3d_close_side(piece, seed % 4, line, view);
         std::vector<l3d_micro_vertex> outline;
         for (const l3d_boundary_point& point : boundary_of(piece, seed % 4))
             outline.push_back(point.vertex.dice.vertex);
