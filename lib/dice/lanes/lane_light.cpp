@@ -35,7 +35,10 @@ struct quintic_weights {
         const doubles d;
         const hn::Rebind<float, doubles> df;
         const auto five = hn::Set(d, 5.0), ten = hn::Set(d, 10.0);
-        for (std::size_t i = 0; i < parameters.padded(); i += hn::Lanes(d)) {
+        // Whole vectors of floats.
+        const std::size_t end =
+            hwy::RoundUpTo(parameters.count, hn::Lanes(hn::CappedTag<float, lane_columns>()));
+        for (std::size_t i = 0; i < end; i += hn::Lanes(d)) {
             const auto t = hn::Load(d, parameters.at + i), s = hn::Sub(hn::Set(d, 1.0), t);
             const auto s2 = hn::Mul(s, s), t2 = hn::Mul(t, t);
             const auto s4 = hn::Mul(s2, s2), t4 = hn::Mul(t2, t2);
@@ -148,7 +151,7 @@ private:
 template <class Writer>
 HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
                                       const l3d_micro_grid& grid, Writer& writer) {
-    for (std::size_t column = 0; column < u.padded(); column += hn::Lanes(floats())) {
+    for (std::size_t column = 0; column < u.count; column += hn::Lanes(floats())) {
         std::size_t at = column;
         writer.begin(column);
         for (std::size_t row = 0; row < v.count; ++row, at += static_cast<std::size_t>(grid.pitch))

@@ -252,11 +252,14 @@ HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
     const difference_weights weights[4] = {weights_of(0), weights_of(1), weights_of(2),
                                            weights_of(3)};
     column_starts<Number> starts;
-    for (std::size_t column = 0; column < walk.u.padded(); column += lane_columns) {
-        for (std::size_t i = 0; i < lane_columns; i += hn::Lanes(doubles()))
+    constexpr hn::CappedTag<Number, lane_columns> d;
+    for (std::size_t column = 0; column < walk.u.count; column += lane_columns) {
+        // Whole vectors of registers, as many as there are columns for.
+        const std::size_t left = std::min(walk.u.count - column, lane_columns);
+        const std::size_t end = hwy::RoundUpTo(left, hn::Lanes(d));
+        for (std::size_t i = 0; i < end; i += hn::Lanes(doubles()))
             start(powers, walk, weights, column, i, starts);
-        constexpr hn::CappedTag<Number, lane_columns> d;
-        for (std::size_t i = 0; i < lane_columns; i += hn::Lanes(d))
+        for (std::size_t i = 0; i < end; i += hn::Lanes(d))
             walk_down<Number, Parallel>(walk, starts, column, i, grid);
     }
 }
