@@ -218,15 +218,48 @@ struct level_writer {
     }
 };
 
+/// The same for so few columns that a vector holds them and the middles behind them.
+HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_parameters& u,
+                            const lane_parameters& middle_u, const quintic_weights& in_v,
+                            const quintic_weights& beside_v, std::size_t rows,
+                            const eye_rays& rays, const normal_lanes& light, vertex_numbers& to,
+                            l3d_micro_grid& grid) {
+    const floats d;
+    lane_parameters both;
+    both.count = hn::Lanes(d);
+    std::fill_n(both.at, both.count, 1.0);
+    std::copy_n(u.at, u.count, both.at);
+    std::copy_n(middle_u.at, u.count, both.at + u.count);
+    net_columns columns;
+    columns.cut(net, quintic_weights(both), 0);
+    alignas(64) float lit[2 * lane_columns] = {};
+    for (std::size_t row = 0, at = 0; row < rows;
+         ++row, at += static_cast<std::size_t>(grid.pitch)) {
+        const normal_lanes n = columns.normals(in_v, row);
+        const auto scale = over_length(n);
+        const auto level = hn::Mul(dot(n, light), scale);
+        hn::StoreU(level, d, to.level.data() + at);
+        hn::StoreU(hn::Mul(rays.away(n, grid, at), scale), d, to.away.data() + at);
+        hn::Store(level, d, lit);
+        hn::StoreU(hn::LoadU(d, lit + u.count), d, grid.normal[1].data() + at);
+        const normal_lanes along_v = columns.normals(beside_v, row);
+        hn::StoreU(hn::Mul(dot(along_v, light), over_length(along_v)), d,
+                   grid.normal[2].data() + at);
+    }
+}
+
 HWY_ATTR void levels(const l3d_normal_net::float_net& net, const lane_parameters& u,
                      const lane_parameters& v, const l3d_shading& shading, vertex_numbers& memory,
                      l3d_micro_grid& grid) {
     const lane_parameters middle_u = u.middles(), middle_v = v.middles();
-    const quintic_weights in_u(u), in_v(v), beside_u(middle_u), beside_v(middle_v);
+    const quintic_weights in_v(v), beside_v(middle_v);
     const eye_rays rays(shading);
     normal_lanes light = direction_of(shading.light);
     for (auto& component : light)
         component = hn::Mul(component, hn::Set(floats(), l3d_level_of_cosine));
+    if (2 * u.count <= hn::Lanes(floats()))
+        return levels_of_few(net, u, middle_u, in_v, beside_v, v.count, rays, light, memory, grid);
+    const quintic_weights in_u(u), beside_u(middle_u);
     level_writer writer{net, in_u, in_v, beside_u, beside_v, rays, light, grid, memory, {}, {}};
     for_vertices(u, v, grid, writer);
 }
