@@ -124,7 +124,8 @@ double normals_off_slit(double h, double longest, double n_2, double turn) {
 /// quads' distance from planes is measured once vertices exist (l3d_most_off_plane).
 void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_piece& of) const {
     unsigned without = 0;
-    for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i)
+    const auto count = static_cast<std::size_t>(strips * strips);
+    for (std::size_t i = 0; i < count; ++i)
         if (!std::isfinite(of.bends.uu[i] + of.bends.uv[i] + of.bends.vv[i] + of.bends.uuu[i] +
                            of.bends.vvv[i]))
             without |= 1U << i;
@@ -145,7 +146,7 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
         }
     // The factor 1 + 2^-23 makes up for rounding to floats.
     const double of_block = 6 * (1 + 0x1p-23) / (strips * strips);
-    for (std::size_t i = 0; i < l3d_surface_bends::blocks; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if ((without >> i & 1) == 0)
             continue;
         for (const auto member : l3d_detail::bend_members<l3d_surface_bends::lanes>)
@@ -239,7 +240,7 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
             scale[i] = view.focal * w_per_length_ / (needs.least_w[i] * of_block);
         }
     const auto put = [&](const l3d_surface_bends::lanes& from, l3d_block_needs::per_block& to) {
-        for (std::size_t i = 0; i < to.size(); ++i)
+        for (std::size_t i = 0; i < count; ++i)
             to[i] = scale[i] * double{from[i]};
     };
     l3d_block_needs::normal_bends& to = needs.bends;

@@ -77,7 +77,7 @@ public:
         square_ = std::max(square_, dx * dx + dy * dy + dw * dw);
     }
     void take(const l3d_image_point& a, const l3d_image_point& b, const l3d_image_point& c) {
-        take(a[0] - 2 * b[0] + c[0], a[1] - 2 * b[1] + c[1], a[2] - 2 * b[2] + c[2]);
+        take(a[0] + c[0] - 2 * b[0], a[1] + c[1] - 2 * b[1], a[2] + c[2] - 2 * b[2]);
     }
     double size() const { return std::sqrt(square_); }
 

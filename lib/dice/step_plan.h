@@ -29,8 +29,8 @@ inline constexpr double l3d_largest_one_block = 96;
 bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// The same for an edge, which is one strip or four. It depends on the edge alone, but may change
-/// with the direction in which the edge runs.
+/// The same for an edge, which is one strip or four. It depends on the edge alone, and is the same,
+/// bit for bit, for the edge that runs the other way.
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 

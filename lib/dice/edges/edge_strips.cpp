@@ -171,11 +171,12 @@ struct edge_view {
 /// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
 bool safely_drawable(const l3d_image_point& h, double near, const l3d_dice_view& view) {
     constexpr double slack = 0x1p-30;
-    const l3d_image_section& cut = view.section;
-    const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
-                         std::abs(cut.normal[2] * h[2]) + std::abs(cut.d);
-    if (cut.is_on() && cut.distance(h) <= slack * terms)
-        return false;
+    if (const l3d_image_section& cut = view.section; cut.is_on()) {
+        const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
+                             std::abs(cut.normal[2] * h[2]) + std::abs(cut.d);
+        if (cut.distance(h) <= slack * terms)
+            return false;
+    }
     const double reach = l3d_guard_band * (1 - slack) * h[2];
     return h[2] > near * (1 + slack) && h[2] < view.far * (1 - slack) && std::abs(h[0]) <= reach &&
            std::abs(h[1]) <= reach;
@@ -192,10 +193,7 @@ edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_vi
     result.backwards = runs_backwards(edge);
     const l3d_image_box whole = l3d_image_box_of(edge.points);
     const l3d_image_box seen = whole.intersected(view.margin());
-    l3d_image_curve forwards = edge;
-    if (result.backwards)
-        std::ranges::reverse(forwards.points);
-    result.one_strip = seen.empty() || l3d_is_one_strip(forwards, whole, view);
+    result.one_strip = seen.empty() || l3d_is_one_strip(edge, whole, view);
     if (seen.empty())
         return result;
     double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
@@ -229,16 +227,19 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             for (std::size_t k = 0; k < 3; ++k)
                 whole[i].at[4 * k + e] =
                     edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
-        for (std::size_t s = 0; s < most_strips; ++s) {
-            wishes.per_budget.at[4 * s + e] =
-                view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
-            wishes.balance.at[4 * s + e] = seen[e].one_strip ? 1 : 8 * l3d_balance;
-            wishes.grown_by.at[4 * s + e] = seen[e].one_strip ? 0 : view.most_moved();
-        }
     }
-    strip_nets nets{};
     const bool has_strips = !std::ranges::all_of(seen, &edge_view::one_strip);
     const std::size_t used = has_strips ? lanes : edges_at_once;
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        const double per_budget =
+            view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
+        for (std::size_t lane = e; lane < used; lane += edges_at_once) {
+            wishes.per_budget.at[lane] = per_budget;
+            wishes.balance.at[lane] = seen[e].one_strip ? 1 : 8 * l3d_balance;
+            wishes.grown_by.at[lane] = seen[e].one_strip ? 0 : view.most_moved();
+        }
+    }
+    strip_nets nets; // those of lanes that are used are written below
     if (has_strips)
         cut_in_four(whole, nets);
     for (std::size_t e = 0; e < edges_at_once; ++e)
