@@ -233,13 +233,14 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         const double per_budget =
             view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
-        for (std::size_t lane = e; lane < used; lane += edges_at_once) {
+        for (std::size_t lane = e; lane < lanes; lane += edges_at_once) {
             wishes.per_budget.at[lane] = per_budget;
             wishes.balance.at[lane] = seen[e].one_strip ? 1 : 8 * l3d_balance;
             wishes.grown_by.at[lane] = seen[e].one_strip ? 0 : view.most_moved();
         }
     }
-    strip_nets nets; // those of lanes that are used are written below
+    // Vectors may be wider than the lanes that are used, and chance numbers may be denormal: slow.
+    strip_nets nets{};
     if (has_strips)
         cut_in_four(whole, nets);
     for (std::size_t e = 0; e < edges_at_once; ++e)
