@@ -93,7 +93,7 @@ void l3d_edge_polyline::build(std::span<l3d_edge_polyline, 4> lines,
                               const l3d_dice_view& view, const std::array<double, 4>& shares) {
     std::array<l3d_detail::edge_strips, 4> strips;
     for (std::size_t e = 0; e < lines.size(); ++e)
-        strips[e] = lines[e].room_for_strips();
+        lines[e].give_room(strips[e]);
     l3d_detail::make_edge_strips(edges, view, shares, strips);
     for (std::size_t e = 0; e < lines.size(); ++e)
         lines[e].take(strips[e], edges[e], view, shares[e]);
@@ -102,12 +102,13 @@ void l3d_edge_polyline::build(std::span<l3d_edge_polyline, 4> lines,
 void l3d_edge_polyline::build(const l3d_image_curve& edge, const l3d_dice_view& view) {
     // All four lanes write the same numbers to the same places.
     std::array<l3d_detail::edge_strips, 4> strips;
-    strips.fill(room_for_strips());
+    for (l3d_detail::edge_strips& one : strips)
+        give_room(one);
     l3d_detail::make_edge_strips({edge, edge, edge, edge}, view, {1, 1, 1, 1}, strips);
     take(strips[0], edge, view, 1);
 }
 
-l3d_detail::edge_strips l3d_edge_polyline::room_for_strips(std::size_t part) {
+void l3d_edge_polyline::give_room(l3d_detail::edge_strips& to, std::size_t part) {
     const std::size_t from = part * l3d_detail::edge_strips::room;
     const std::size_t end = from + l3d_detail::edge_strips::room;
     if (t_.size() < end) {
@@ -116,14 +117,10 @@ l3d_detail::edge_strips l3d_edge_polyline::room_for_strips(std::size_t part) {
         y_.resize(end);
         inv_w_.resize(end);
     }
-    return {t_.data() + from,
-            x_.data() + from,
-            y_.data() + from,
-            inv_w_.data() + from,
-            {},
-            0,
-            0,
-            false};
+    to.t = t_.data() + from;
+    to.x = x_.data() + from;
+    to.y = y_.data() + from;
+    to.inv_w = inv_w_.data() + from;
 }
 
 void l3d_edge_polyline::reserve_as(const l3d_edge_polyline& other) {
@@ -166,7 +163,8 @@ bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_v
 bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view) {
     constexpr std::size_t at_once = l3d_detail::edges_at_once;
     std::array<l3d_detail::edge_strips, most_parts> strips;
-    room_for_strips(parts.size() - 1);
+    l3d_detail::edge_strips last;
+    give_room(last, parts.size() - 1);
     for (std::size_t part = 0; part < parts.size(); part += at_once) {
         std::array<l3d_image_curve, at_once> some;
         std::array<l3d_detail::edge_strips, at_once> of_some;
@@ -174,7 +172,7 @@ bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_d
             // If there are only two parts, both are made twice.
             const std::size_t which = std::min(part + k, parts.size() - 1);
             some[k] = parts[which];
-            of_some[k] = room_for_strips(which);
+            give_room(of_some[k], which);
         }
         l3d_detail::make_edge_strips(some, view, {1, 1, 1, 1}, of_some);
         for (std::size_t k = 0; k < at_once && part + k < parts.size(); ++k) {

@@ -89,7 +89,7 @@ public:
     double bound() const { return chord_error_ + vertex_error_; }
 
 private:
-    l3d_detail::edge_strips room_for_strips(std::size_t part = 0);
+    void give_room(l3d_detail::edge_strips& to, std::size_t part = 0);
     void take(const l3d_detail::edge_strips& strips, const l3d_image_curve& edge,
               const l3d_dice_view& view, double share);
     bool take_parts(const l3d_image_curve& edge, const l3d_dice_view& view);

@@ -146,15 +146,17 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        row_point of_row = vertex(i), of_edge = point(j);
+        // Points change places and are not copied: a copy would wait for what was just written.
+        row_point points[] = {vertex(i), point(j), {}};
+        row_point *of_row = points, *of_edge = points + 1, *next = points + 2;
         while (i < i_end || j < j_end) {
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            row_point next = along_row ? vertex(i + 1) : point(j + 1);
-            if (!covers_nothing(of_edge, of_row, next, by_centres_))
-                add(of_edge, of_row, next, i);
+            *next = along_row ? vertex(i + 1) : point(j + 1);
+            if (!covers_nothing(*of_edge, *of_row, *next, by_centres_))
+                add(*of_edge, *of_row, *next, i);
             ++(along_row ? i : j);
-            (along_row ? of_row : of_edge) = next;
+            std::swap(along_row ? of_row : of_edge, next);
         }
     }
 

@@ -232,7 +232,10 @@ HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_par
     std::copy_n(middle_u.at, u.count, both.at + u.count);
     net_columns columns;
     columns.cut(net, quintic_weights(both), 0);
-    alignas(64) float lit[2 * lane_columns] = {};
+    std::int32_t places[lane_columns];
+    for (std::size_t i = 0; i < both.count; ++i)
+        places[i] = static_cast<std::int32_t>(std::min(i + u.count, both.count - 1));
+    const auto behind = hn::SetTableIndices(d, places);
     for (std::size_t row = 0, at = 0; row < rows;
          ++row, at += static_cast<std::size_t>(grid.pitch)) {
         const normal_lanes n = columns.normals(in_v, row);
@@ -240,8 +243,7 @@ HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_par
         const auto level = hn::Mul(dot(n, light), scale);
         hn::StoreU(level, d, to.level.data() + at);
         hn::StoreU(hn::Mul(rays.away(n, grid, at), scale), d, to.away.data() + at);
-        hn::Store(level, d, lit);
-        hn::StoreU(hn::LoadU(d, lit + u.count), d, grid.normal[1].data() + at);
+        hn::StoreU(hn::TableLookupLanes(level, behind), d, grid.normal[1].data() + at);
         const normal_lanes along_v = columns.normals(beside_v, row);
         hn::StoreU(hn::Mul(dot(along_v, light), over_length(along_v)), d,
                    grid.normal[2].data() + at);
