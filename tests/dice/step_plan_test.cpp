@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace dice_tests {
 namespace {
@@ -221,6 +223,68 @@ TEST(step_plan, near_the_eye_the_exact_w_stays_above_half_the_near_plane) {
         EXPECT_LE(bend, 0.05);
         EXPECT_GT(plan.nu[a], 1);
     }
+}
+
+/// A net of 60 x 60 pixels at distance 3 whose middle rises by `bend` pixels.
+l3d_image_patch small_sheet(double bend) {
+    l3d_image_patch result;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) {
+            const double up = bend * (r % 3 == 0 ? 0 : 1) * (c % 3 == 0 ? 0 : 1);
+            result.at(r, c) = {3 * (20.0 * c - 30), 3 * (20.0 * r - 30 + up), 3.0};
+        }
+    return result;
+}
+
+TEST(step_plan, nets_are_one_block_where_three_steps_keep_the_budget) {
+    const l3d_dice_view view = view_with(0.5);
+    int blocks = 0;
+    for (double bend = 0; bend < 10; bend += 0.125) {
+        const l3d_image_patch net = small_sheet(bend);
+        if (!l3d_is_one_block(net, l3d_image_box_of(net.points), view))
+            continue;
+        ++blocks;
+        const l3d_step_plan plan =
+            l3d_plan_steps(l3d_image_net(net), std::span(&net, 1), view, 0.5, l3d_quad_kind::whole);
+        EXPECT_EQ(plan.strips, 1);
+        EXPECT_LE(plan.chord_error, 0.5);
+        // Quads of at most l3d_largest_quad pixels may want four steps.
+        EXPECT_LE(std::max(plan.nu[0], plan.nv[0]), l3d_most_steps_of_one_block + 1);
+    }
+    EXPECT_GT(blocks, 4);
+    EXPECT_LT(blocks, 40);
+}
+
+TEST(step_plan, small_nets_are_one_block_and_large_ones_are_not) {
+    const l3d_dice_view view = view_with(0.5);
+    for (const double size : {0.3, 1.8}) {
+        l3d_image_patch net = small_sheet(size < 1 ? 10 : 0);
+        for (l3d_image_point& p : net.points)
+            p = {p[0] * size, p[1] * size, p[2]};
+        EXPECT_EQ(l3d_is_one_block(net, l3d_image_box_of(net.points), view), size < 1);
+        EXPECT_EQ(l3d_is_one_strip(net.row(0), l3d_image_box_of(net.row(0).points), view),
+                  size < 1);
+    }
+}
+
+TEST(step_plan, an_edge_is_one_strip_in_both_directions_or_in_none) {
+    int strips = 0;
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+        random_numbers random(seed);
+        l3d_dice_view view = view_with(0.5);
+        view.focal = seed % 2 == 0 ? 500 : 0;
+        l3d_image_curve edge = small_sheet(0).row(0);
+        for (l3d_image_point& p : edge.points)
+            for (int k = 0; k < 3; ++k)
+                p[k] += random.between(-1, 1) * (k == 2 ? 0.01 : 4);
+        l3d_image_curve other = edge;
+        std::reverse(other.points.begin(), other.points.end());
+        const l3d_image_box hull = l3d_image_box_of(edge.points);
+        EXPECT_EQ(l3d_is_one_strip(edge, hull, view), l3d_is_one_strip(other, hull, view));
+        strips += l3d_is_one_strip(edge, hull, view);
+    }
+    EXPECT_GT(strips, 200);
+    EXPECT_LT(strips, 1800);
 }
 
 } // namespace
