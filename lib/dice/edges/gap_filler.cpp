@@ -43,8 +43,7 @@ bool holds_no_centre(const Point& p, const Point& q, const Point& r,
     const std::int32_t x = centre_of(columns.first), y = centre_of(rows.first);
     const std::int64_t sign = turn(p, q, r.x, r.y) < 0 ? -1 : 1;
     const auto beside = [&](const Point& a, const Point& b) {
-        return side{sign * turn(a, b, x, y),
-                    sign * -l3d_subpixel_one * (std::int64_t{b.y} - a.y),
+        return side{sign * turn(a, b, x, y), sign * -l3d_subpixel_one * (std::int64_t{b.y} - a.y),
                     sign * l3d_subpixel_one * (std::int64_t{b.x} - a.x)};
     };
     side a = beside(p, q), b = beside(q, r), c = beside(r, p);
@@ -125,8 +124,7 @@ public:
     closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                  bool by_centres, double t0, double t1)
         : piece_(piece), grid_(piece.part.grid), edge_(edge), by_centres_(by_centres),
-          along_u_(side < 2),
-          parameters_(along_u_ ? piece.u : piece.v),
+          along_u_(side < 2), parameters_(along_u_ ? piece.u : piece.v),
           across_(along_u_ ? (side == 1 ? piece.v.back() : piece.v.front())
                            : (side == 3 ? piece.u.back() : piece.u.front())),
           first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
@@ -174,13 +172,13 @@ private:
 
     row_point vertex(std::size_t i) const {
         const std::size_t at = first_ + i * step_;
-        return {grid_.x[at],        grid_.y[at],    grid_.inv_w[at],
+        return {grid_.x[at],         grid_.y[at],    grid_.inv_w[at],
                 grid_.normal[0][at], parameters_[i], true};
     }
 
     /// Point j of the edge.
     row_point point(std::size_t j) const {
-        return {edge_.x()[j],         edge_.y()[j],    edge_.inv_w()[j], 0,
+        return {edge_.x()[j],    edge_.y()[j],      edge_.inv_w()[j], 0,
                 parameter_of(j), !piece_.has_levels};
     }
 

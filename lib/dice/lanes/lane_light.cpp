@@ -221,9 +221,8 @@ struct level_writer {
 /// The same for so few columns that a vector holds them and the middles behind them.
 HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_parameters& u,
                             const lane_parameters& middle_u, const quintic_weights& in_v,
-                            const quintic_weights& beside_v, std::size_t rows,
-                            const eye_rays& rays, const normal_lanes& light, vertex_numbers& to,
-                            l3d_micro_grid& grid) {
+                            const quintic_weights& beside_v, std::size_t rows, const eye_rays& rays,
+                            const normal_lanes& light, vertex_numbers& to, l3d_micro_grid& grid) {
     const floats d;
     lane_parameters both;
     both.count = hn::Lanes(d);
