@@ -16,8 +16,8 @@
 /// have no fewer than four.
 inline constexpr int l3d_most_steps_of_one_block = 3;
 
-/// Nets larger than this are four strips. A step is then no longer than l3d_largest_quad, with one
-/// step more than most such nets take. Units: pixels.
+/// Nets larger than this are four strips: four of them are no larger than small nets, 24 pixels.
+/// Units: pixels.
 inline constexpr double l3d_largest_one_block = 96;
 
 /// Whether a net is diced as one block: it is small (l3d_is_small), or so flat that three steps in
