@@ -23,10 +23,11 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
-/// The part of the tolerance for which trimmed patches are diced. Trimming adds a fourth of the
-/// corners' mixed difference, half of the chords' error where all second derivatives are alike, and
-/// snaps once more.
-constexpr double trimmed_share = 0.625;
+/// The tolerance for which trimmed patches are diced: corners that trims make are snapped once
+/// more.
+double trimmed_tolerance(const l3d_dice_view& view) {
+    return std::max(view.tolerance - l3d_trimmed_snap(view), view.tolerance / 2);
+}
 
 /// Whether a part of a net lies nearer than its near plane, but not than the camera's.
 bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double camera_near) {
@@ -231,7 +232,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     slot(i).keep_parameters(keep_parameters_ || inspects || view_.shading.paints || region);
     space.counts = {};
     space.view.trim = region;
-    space.view.tolerance = view_.tolerance * (region ? trimmed_share : 1);
+    space.view.tolerance = region ? trimmed_tolerance(view_) : view_.tolerance;
     space.view.keep = view_.keep;
     space.view.edges = nullptr;
     space.view.edge_reach = 0;

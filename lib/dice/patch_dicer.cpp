@@ -120,7 +120,7 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
         result.row_error = std::max(result.row_error, of_side);
     }
     const bool whole = result.nets.whole();
-    const l3d_quad_kind kind = whole ? l3d_quad_kind::whole : l3d_quad_kind::triangles;
+    const l3d_quad_kind kind = whole ? l3d_whole_kind(of.view) : l3d_quad_kind::triangles;
     const double budget = of.view.chord_budget(result.vertex_error);
     result.needs = l3d_needs_of(result.nets.net(), result.nets.blocks(), of.view, budget, kind);
     const double of_depth =

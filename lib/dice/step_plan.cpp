@@ -2,6 +2,8 @@
 // The demands of a piece's blocks on its steps, one after the other.
 #include "dice/step_plan.h"
 
+#include "geom/trims/trim_region.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,7 +43,7 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
         needs.depth_uv[i] = depth.uv * scale;
         needs.depth_vv[i] = depth.vv * scale;
     }
-    if (kind == l3d_quad_kind::whole) {
+    if (kind != l3d_quad_kind::triangles) {
         // A cubic moves by at most three gaps of its control polygon.
         const auto [along_u, along_v] = l3d_image_gaps_of(block);
         needs.least_u[i] = 3 / l3d_largest_quad * along_u;
@@ -138,11 +140,16 @@ bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
     return 6.0 / 8 * bend.size() <= steps_squared * least_w * budget_of(view) / 2;
 }
 
+l3d_quad_kind l3d_whole_kind(const l3d_dice_view& view) {
+    return view.trim == nullptr || view.trim->is_all_of({}) ? l3d_quad_kind::whole
+                                                            : l3d_quad_kind::trimmed;
+}
+
 l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind) {
     l3d_block_needs needs;
     needs.strips = blocks.size() == 1 ? 1 : l3d_block_needs::most_strips;
-    needs.balanced = needs.strips > 1 && kind == l3d_quad_kind::whole;
+    needs.balanced = needs.strips > 1 && kind != l3d_quad_kind::triangles;
     if (needs.balanced)
         add_mixed(needs, net, view);
     for (std::size_t i = 0; i < blocks.size(); ++i)

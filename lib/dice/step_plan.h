@@ -37,8 +37,12 @@ bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
 /// The way of drawing quads for which steps are chosen.
 enum class l3d_quad_kind {
     whole,     ///< convex quads whole: only for pieces that need no clipping
+    trimmed,   ///< the same, but trims cut some quads into triangles
     triangles, ///< two triangles, clipped
 };
+
+/// The kind of pieces that need no clipping.
+l3d_quad_kind l3d_whole_kind(const l3d_dice_view& view);
 
 /// The demands of a piece's blocks on its steps.
 ///

@@ -312,7 +312,7 @@ void choose_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kin
 
 void plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind,
                 l3d_step_plan& plan) {
-    if (needs.finer_outlines > 1 && kind == l3d_quad_kind::whole) {
+    if (needs.finer_outlines > 1 && kind != l3d_quad_kind::triangles) {
         choose_steps(with_outlines(needs), budget, kind, plan);
         if (std::max(plan.most_u(), plan.most_v()) <= l3d_most_steps_whole) {
             planner steps(needs, budget, kind);

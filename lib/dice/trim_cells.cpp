@@ -459,8 +459,7 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         const double begin = std::max(from, along(low)), end = std::min(to, along(high));
         if (!(begin < end))
             continue;
-        error_.places_px = std::max(error_.places_px, l3d_snap_error<double>(l3d_guard_band) +
-                                                          view_->depth_rounding());
+        error_.places_px = std::max(error_.places_px, l3d_trimmed_snap(*view_));
         const slit_surface::point straight = between(low, high, begin);
         slit_surface::point last = by_way(begin);
         if (begin == from)

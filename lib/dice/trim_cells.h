@@ -4,6 +4,7 @@
 #define L3D_DICE_TRIM_CELLS_H
 
 #include "dice/diced_piece.h"
+#include "dice/snap.h"
 #include "geom/trims/trim_triangles.h"
 #include "scene/dice_view.h"
 
@@ -19,6 +20,11 @@ struct l3d_trim_error {
 
     void add(const l3d_trim_error& other);
 };
+
+/// How far the corners that trims make are off the means that they stand for, in pixels.
+inline double l3d_trimmed_snap(const l3d_dice_view& view) {
+    return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
+}
 
 /// Leaves out what lies outside of a region: of a piece's quads, and of the triangles of its slits.
 ///

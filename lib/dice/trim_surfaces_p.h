@@ -90,26 +90,11 @@ struct quad_surface : corners<4> {
                4 * t * (1 - t) * ((1 - s) * double{bends.ad} + s * double{bends.bc});
     }
 
-    /// Products s t differ by a quarter at most from planes over a part of the quad, and so do
-    /// places by a quarter of what the corners' fourth is off. About the middle of a part, a level
-    /// is a parabola but for cubic terms, whose factors are 4 differences of bends. Nothing is
-    /// farther from the middle than 2/3, and parabolas through six points are at most 5/3 of what
-    /// they go through: 4 (2/3)^3 (1 + 5/3) < 3.2.
+    /// About the middle of a part, a level is a parabola but for cubic terms, whose factors are 4
+    /// differences of bends. Nothing is farther from the middle than 2/3, and parabolas through six
+    /// points are at most 5/3 of what they go through: 4 (2/3)^3 (1 + 5/3) < 3.2.
     l3d_trim_error error(bool has_levels) const {
-        l3d_trim_error result;
-        const double w_off = w[0] - w[1] + w[2] - w[3];
-        const double least = std::min({w[0], w[1], w[2], w[3]});
-        const auto off = [&](auto coordinate) {
-            return w[0] * coordinate(at[0]) - w[1] * coordinate(at[1]) + w[2] * coordinate(at[2]) -
-                   w[3] * coordinate(at[3]);
-        };
-        const double x_off = off([](const l3d_micro_vertex& v) { return double(v.x); });
-        const double y_off = off([](const l3d_micro_vertex& v) { return double(v.y); });
-        for (const l3d_micro_vertex& v : at)
-            result.places_px =
-                std::max(result.places_px, std::hypot(x_off - v.x * w_off, y_off - v.y * w_off) /
-                                               (4 * least * l3d_subpixel_one));
-        result.places_px += l3d_snap_error<double>(l3d_guard_band) + view->depth_rounding();
+        l3d_trim_error result{.places_px = l3d_trimmed_snap(*view)};
         if (has_levels) {
             const quad_bends bends(at);
             result.levels = 3.2 * (std::abs(double{bends.ab} - double{bends.dc}) +

@@ -384,3 +384,79 @@ solid capped_ball() {
     result.outside = [=](const vector& p) { return std::max(l3d_length(p) - 1, p[1] - height); };
     return result;
 }
+
+solid threaded_rod(int turns, int spans) {
+    solid result;
+    // The profile along the axis, by parts of the pitch: crest, flank, root, flank. It has flanks
+    // of 31 degrees.
+    constexpr double pitch = 0.6, root = 1, crest = 1.3;
+    constexpr std::array at{0.0, 0.2, 0.5, 0.7, 1.0}, radius{crest, crest, root, root, crest};
+    const double high = pitch * turns;
+    const auto place = [=](double r, double turn, double y) {
+        return vector{r * std::cos(2 * pi * turn), y, -r * std::sin(2 * pi * turn)};
+    };
+    // Helices run from turn -1 to `turns`, as the parameter goes from 0 to 1.
+    const auto parameter = [=](double turn) { return (turn + 1) / (turns + 1); };
+    const auto helix = [&](std::size_t k) {
+        return fitted(
+            [&](double t) {
+                const double turn = t * (turns + 1) - 1;
+                return place(radius[k], turn, pitch * (turn + at[k]));
+            },
+            spans * (turns + 1));
+    };
+    // Hermite's cubics are off a circle by h^4 / 384, and twice that with the edge's own.
+    result.model_error = 2 * crest * std::pow(2 * pi / spans, 4) / 384;
+    std::array<std::uint32_t, 4> winds{}, low_ends{}, high_ends{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const l3d_nurbs_curve whole = helix(k);
+        l3d_bspline_direction along = whole.along();
+        along.from = parameter(-at[k]);
+        along.to = parameter(turns - at[k]);
+        winds[k] = add_edge(result, {along, whole.points()}, result.model_error);
+        const auto end = [&](double turn, double y) {
+            const auto curve = [&, y, turn](double t) {
+                return place(radius[k] + t * (radius[k + 1] - radius[k]),
+                             turn - at[k] - t * (at[k + 1] - at[k]), y);
+            };
+            return add_edge(result, fitted(curve, spans), result.model_error);
+        };
+        low_ends[k] = end(0, 0);
+        high_ends[k] = end(turns, high);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t next = (k + 1) % 4;
+        const double begin = parameter(-at[k]), end = parameter(turns - at[k]);
+        const double next_begin = parameter(-at[k + 1]), next_end = parameter(turns - at[k + 1]);
+        const auto& along = result.edges[winds[next]].curve.along();
+        add_face(result, l3d_ruled(helix(k), helix(k + 1)),
+                 {{{line(begin, 0, end, 0), {winds[k], begin, end}},
+                   {line(end, 0, next_end, 1), {high_ends[k], 0, 1}},
+                   {line(next_end, 1, next_begin, 1), {winds[next], along.to, along.from}},
+                   {line(next_begin, 1, begin, 0), {low_ends[k], 1, 0}}}});
+    }
+    for (const bool is_high : {false, true}) {
+        const level_plane plane{is_high ? high : 0, 1.1 * crest, is_high};
+        std::vector<curve_use> loop;
+        for (const std::uint32_t edge : is_high ? high_ends : low_ends)
+            loop.push_back({plane.on(result.edges[edge].curve), {edge, 0, 1}});
+        add_face(result, plane.surface(), {loop});
+    }
+    result.outside = [=](const vector& p) {
+        constexpr double slope = (crest - root) / (0.3 * pitch), inner = root / 2;
+        const double r = off_axis(p, 0, 0), ends = std::max(-p[1], p[1] - high);
+        if (r < inner)
+            return std::max(r - root, ends);
+        const double turn = p[1] / pitch - std::atan2(-p[2], p[0]) / (2 * pi);
+        const double part = turn - std::floor(turn);
+        const double down = crest - slope * pitch * std::max(0.0, part - at[1]);
+        const double up = crest - slope * pitch * (1 - std::max(at[3], part));
+        const double surface = std::max({down, up, root});
+        // Along the axis the radius changes by `slope`, and around it by less.
+        const double around = slope * pitch / (2 * pi * inner);
+        return std::max((r - surface) / std::sqrt(1 + slope * slope + around * around), ends);
+    };
+    result.middle = {0.0, high / 2, 0.0};
+    result.radius = std::hypot(crest, high / 2);
+    return result;
+}

@@ -15,11 +15,12 @@ struct solid {
 
     std::vector<l3d_nurbs_surface> faces;
     std::vector<l3d_model_edge> edges;
-    /// At least the distance to the body outside of it, negative within.
-    /// Shape: of Lipschitz constant 1.
+    /// At most the distance to the body outside of it, negative within.
+    /// Shape: of Lipschitz constant 1 outside.
     std::function<double(const vector&)> outside;
     vector middle{0.0, 0.0, 0.0};
-    double radius = 1; ///< of a ball that holds it
+    double radius = 1;      ///< of a ball that holds it
+    double model_error = 0; ///< how far the model's faces are off the closed form
 };
 
 /// How far trims are off the edges that they follow: circles on planes are larger or smaller by
@@ -39,5 +40,9 @@ solid filleted_cylinders(const solid_errors& errors = {});
 solid drilled_ball(int spans, double distance);
 /// A ball without what is above a level plane. One loop goes around the ball, and has no seam.
 solid capped_ball();
+
+/// A rod of radius 1 with a thread of trapezoids around it, `turns` of them, cut by level planes.
+/// Helices are cubics through `spans` places a turn, and flanks are straight between them.
+solid threaded_rod(int turns, int spans);
 
 #endif

@@ -145,7 +145,7 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_patch_part& piece, const 
     if (bends)
         bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
     l3d_ask_for_outlines(piece, view, bounds_.needs);
-    plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_quad_kind::whole);
+    plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_whole_kind(view));
     return &plan_;
 }
 
@@ -197,7 +197,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
          more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs);
          ++more) {
         const l3d_step_plan finer =
-            l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_quad_kind::whole);
+            l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_whole_kind(view));
         if (std::max(finer.most_u(), finer.most_v()) > l3d_most_steps_whole)
             break;
         plan_ = finer;

@@ -116,20 +116,34 @@ double off_chord(const curve& of, const l3d_trim_place& lengths) {
     return between > 0 ? result * (between / (between + ends)) : 0;
 }
 
-/// Adds the points of a curve but its last. Returns how far the polygon may be from it.
-double flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& lengths,
-               double wanted, int halvings, l3d_trim_polygon& to) {
+l3d_trim_box hull_of(const curve& of) {
+    l3d_trim_box hull{{of[0][0], of[0][1]}, {of[0][0], of[0][1]}};
+    for (const auto& p : of)
+        for (std::size_t k = 0; k < 2; ++k) {
+            hull.least[k] = std::min(hull.least[k], p[k]);
+            hull.most[k] = std::max(hull.most[k], p[k]);
+        }
+    return hull;
+}
+
+/// Adds the points of a curve but its last.
+void flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& lengths,
+             const std::function<double(const l3d_trim_box&)>& wanted, int halvings,
+             l3d_trim_polygon& to, l3d_flatness& sum) {
     const double off = off_chord(of, lengths);
-    if (off <= wanted || halvings == 0) {
-        to.push_back({{of.front()[0], of.front()[1]}, use});
-        return off;
+    const double allowed = off > 0 ? wanted(hull_of(of)) : 0;
+    if (off > allowed && halvings > 0) {
+        const auto [first, second] = halves_of(of);
+        const double middle = use.at(0.5);
+        flatten(first, {use.edge, use.from, middle}, lengths, wanted, halvings - 1, to, sum);
+        flatten(second, {use.edge, middle, use.to}, lengths, wanted, halvings - 1, to, sum);
+        return;
     }
-    const auto [first, second] = halves_of(of);
-    const double middle = use.at(0.5);
-    const double of_first =
-        flatten(first, {use.edge, use.from, middle}, lengths, wanted, halvings - 1, to);
-    return std::max(of_first,
-                    flatten(second, {use.edge, middle, use.to}, lengths, wanted, halvings - 1, to));
+    to.push_back({{of.front()[0], of.front()[1]}, use});
+    if (off > 0 && std::isfinite(allowed)) {
+        sum.off = std::max(sum.off, off);
+        sum.share = std::max(sum.share, off / allowed);
+    }
 }
 
 /// Why curves are none, if a loop need not be closed.
@@ -182,16 +196,21 @@ std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops) {
     return complaint_of(loops, true);
 }
 
-double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
-                      double wanted, l3d_trim_region& to) {
+double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths) {
+    return off_chord(curve.points, lengths);
+}
+
+l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
+                            const std::function<double(const l3d_trim_box&)>& wanted,
+                            l3d_trim_region& to) {
     constexpr int most_halvings = 16; // chords of curves fall by 4 with each
-    double off = 0;
+    l3d_flatness result;
     for (const l3d_trim_loop& loop : loops) {
         l3d_trim_polygon& polygon = to.polygons.emplace_back();
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
-            off = std::max(off, flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted,
-                                        most_halvings, polygon));
+            flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted, most_halvings,
+                    polygon, result);
             // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
             const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
             if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
@@ -200,7 +219,14 @@ double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place
         if (is_flat(polygon))
             to.polygons.pop_back();
     }
-    return off;
+    return result;
+}
+
+double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
+                      double wanted, l3d_trim_region& to) {
+    return l3d_flat_trims(
+               loops, lengths, [=](const l3d_trim_box&) { return wanted; }, to)
+        .off;
 }
 
 bool l3d_trim_region::is_all_of(const l3d_trim_box& box) const {

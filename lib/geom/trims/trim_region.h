@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,6 +82,20 @@ void l3d_join_stretches(std::vector<std::array<double, 2>>& stretches);
 /// Source: the convex hull of control points; halving by de Casteljau's scheme.
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                       double wanted, l3d_trim_region& to);
+
+/// How far polygons are off their loops.
+struct l3d_flatness {
+    double off = 0;   ///< the largest distance that counts
+    double share = 0; ///< the largest distance by what is wanted for it
+};
+/// The same with a distance of its own for each part of a curve: wanted(box) has it for the part in
+/// a box. Where it is infinite, no distance counts.
+l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
+                            const std::function<double(const l3d_trim_box&)>& wanted,
+                            l3d_trim_region& to);
+
+/// How far a curve may be from the chord between its ends, in space. Shape: as l3d_flat_trims.
+double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths);
 
 /// The loops that the piece in a box needs, in the box's own parameters from 0 to 1. In the box,
 /// they leave the same places as all loops of the surface.

@@ -67,6 +67,33 @@ l3d_trim_place lengths_of(std::span<const cell> cells) {
     return result;
 }
 
+/// The error of places that is allowed in a part of a piece and `beside` it in space; infinite if
+/// the region shows nothing of it. `lengths` are those of the cells, the ones that may be seen.
+double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
+                  const l3d_trim_place& lengths, const l3d_cell_wish& wanted, double beside) {
+    double result = std::numeric_limits<double>::infinity();
+    for (const cell& one : cells) {
+        const l3d_parameter_range& at = one.range;
+        const double u0 = std::max(part.least[0], at.u0), u1 = std::min(part.most[0], at.u1);
+        const double v0 = std::max(part.least[1], at.v0), v1 = std::min(part.most[1], at.v1);
+        if (u0 > u1 || v0 > v1)
+            continue;
+        const auto middle = one.of.evaluate(((u0 + u1) / 2 - at.u0) / (at.u1 - at.u0),
+                                            ((v0 + v1) / 2 - at.v0) / (at.v1 - at.v0));
+        // A box in space that holds all of the part.
+        const double reach =
+            ((u1 - u0) * lengths[0] + (v1 - v0) * lengths[1]) / 2 + beside + one.error;
+        std::array<l3d_vector<double, 4>, 8> corners;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            corners[k] = {middle[0] + ((k & 1) != 0 ? reach : -reach),
+                          middle[1] + ((k & 2) != 0 ? reach : -reach),
+                          middle[2] + ((k & 4) != 0 ? reach : -reach), 1.0};
+        if (!wanted.region->hides(corners))
+            result = std::min(result, wanted.allowed(corners));
+    }
+    return result;
+}
+
 /// Calls visit(cell, region) for each cell of a part of a piece of which the trims leave something.
 /// The region is empty where they leave all.
 template <class Visit>
@@ -93,6 +120,24 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
     const auto count = static_cast<std::size_t>(half - cells.begin());
     for_each_trimmed(cells.first(count), first, low, visit);
     for_each_trimmed(cells.subspan(count), part.half(along_u, true), high, visit);
+}
+
+/// About the length of a unit of a piece's u and v, by its control net.
+l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
+    l3d_trim_place result{0, 0};
+    const auto width = static_cast<std::size_t>(piece.degree_u) + 1;
+    const auto take = [&](std::size_t along, int degree, std::size_t from, std::size_t to) {
+        const auto &a = piece.points[from], &b = piece.points[to];
+        result[along] =
+            std::max(result[along], degree * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+    };
+    for (std::size_t i = 0; i < piece.points.size(); ++i) {
+        if ((i + 1) % width != 0)
+            take(0, piece.degree_u, i, i + 1);
+        if (i + width < piece.points.size())
+            take(1, piece.degree_v, i, i + width);
+    }
+    return result;
 }
 
 /// How a cell keeps what is wanted.
@@ -183,6 +228,10 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
     bool is_first = true;
     for (const l3d_patch_points& piece : pieces_) {
         has_trims_ = has_trims_ || !piece.trims.empty();
+        const l3d_trim_place lengths = rough_lengths_of(piece);
+        for (const l3d_trim_loop& loop : piece.trims)
+            for (const l3d_trim_curve& curve : loop)
+                trim_bends_ += std::sqrt(l3d_off_chord(curve, lengths));
         for (const auto& p : piece.points) {
             for (int k = 0; k < 3; ++k) {
                 const double value = p[static_cast<std::size_t>(k)];
@@ -362,22 +411,24 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_w
                                                 l3d_found_cells& found) const {
     cells result;
     std::vector<cell> all;
+    double off = 0;
+    for (const l3d_shared_edge& edge : edges_)
+        off = std::max(off, edge.off);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         all.clear();
-        double least_allowed = std::numeric_limits<double>::infinity();
         visit_cells(i, by, wanted, [&](const ranged_part& of) {
             const l3d_bicubic_approximation& one = found.of(i, of.range, of.part);
             all.push_back({one.patch, of.range, one.error, wanted.allowed(of.part.points)});
-            least_allowed = std::min(least_allowed, all.back().allowed);
             result.normal_error = std::max(result.normal_error, one.normal_error);
         });
-        double of_trims = 0;
+        l3d_flatness of_trims;
         const auto add = [&](const cell& one, l3d_trim_region region) {
             result.patches.push_back(one.of);
             result.ranges.push_back(one.range);
             result.pieces.push_back(static_cast<std::uint32_t>(i));
-            result.errors.push_back(one.error + of_trims);
-            result.share = std::max(result.share, result.errors.back() / one.allowed);
+            result.errors.push_back(one.error + of_trims.off);
+            result.share = std::max(result.share, one.error / one.allowed +
+                                                      (1 - share_of_cells) * of_trims.share);
             if (!edges_.empty())
                 result.edges_off.push_back(off_edges(region));
             if (has_trims_)
@@ -389,8 +440,12 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_w
             continue;
         }
         l3d_trim_region region;
-        of_trims = l3d_flat_trims(pieces_[i].trims, lengths_of(all),
-                                  (1 - share_of_cells) * least_allowed, region);
+        const l3d_trim_place lengths = lengths_of(all);
+        const auto allowed = [&](const l3d_trim_box& part) {
+            return (1 - share_of_cells) *
+                   (wanted.region ? allowed_in(part, all, lengths, wanted, off) : wanted.places);
+        };
+        of_trims = l3d_flat_trims(pieces_[i].trims, lengths, allowed, region);
         for_each_trimmed(all, {}, region.within({}), add);
     }
     return result;

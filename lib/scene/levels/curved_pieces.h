@@ -13,6 +13,7 @@
 #include "scene/sides/shared_edges.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -122,6 +123,8 @@ public:
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
+    /// About how many corners the polygons of trims have at a level, beside the ends of curves.
+    double trim_corners(int level) const { return trim_bends_ / std::sqrt(place_target(level)); }
     /// The halvings of all pieces.
     struct cuts {
         /// For each line that l3d_curved_pieces keeps, the parameters at which it is cut, in order.
@@ -157,6 +160,7 @@ private:
     std::vector<line> alike_; ///< for lines 2 i and 2 i + 1, along u and v of the piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;
+    double trim_bends_ = 0; ///< square roots of what trims are off the chords between their ends
 };
 
 #endif

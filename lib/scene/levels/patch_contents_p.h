@@ -79,11 +79,13 @@ struct l3d_patch_model::source {
     }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
-    /// The largest error of places, and the number of patches, of a level.
+    /// The largest error of places of a level, and its patches. Corners of trims count as a part of
+    /// a patch, since they are cut at in each frame.
     std::pair<double, double> error_and_count(int places, int normals) const {
         const std::scoped_lock lock(mutex_);
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
-        return {by.error, by.cells};
+        constexpr double of_corner = 1.0 / 4;
+        return {by.error, by.cells + of_corner * pieces.trim_corners(places)};
     }
     /// The contents for a wish with a region; null if that hides all.
     std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
