@@ -181,6 +181,21 @@ TEST(step_plan, triangles_need_more_than_quads) {
     EXPECT_GT(total(triangles.nu) * total(triangles.nv), total(quads.nu) * total(quads.nv));
 }
 
+TEST(step_plan, of_trims_counts_the_triangles_that_they_cut) {
+    l3d_block_needs needs; // a saddle: its quads are exact, and triangles are not
+    needs.visible = true;
+    needs.uv[0] = 16;
+    const auto steps_of = [&](l3d_quad_kind kind) {
+        const l3d_step_plan plan = l3d_plan_steps(needs, 0.1, kind);
+        EXPECT_LE(plan.chord_error, 0.1);
+        EXPECT_NEAR(plan.chord_error * plan.nu[0] * plan.nv[0],
+                    kind == l3d_quad_kind::whole ? 1 : 4, 1e-12);
+        return plan.nu[0] * plan.nv[0];
+    };
+    EXPECT_EQ(steps_of(l3d_quad_kind::trimmed), steps_of(l3d_quad_kind::triangles));
+    EXPECT_LT(steps_of(l3d_quad_kind::whole), steps_of(l3d_quad_kind::trimmed) / 3);
+}
+
 TEST(step_plan, a_plane_takes_one_step_and_a_hidden_patch_is_not_visible) {
     l3d_image_patch plane, hidden;
     for (int r = 0; r < 4; ++r)

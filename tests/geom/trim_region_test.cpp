@@ -158,6 +158,27 @@ TEST(flat_trims, are_as_near_as_they_say) {
     }
 }
 
+TEST(flat_trims, are_as_fine_as_each_part_asks) {
+    const std::vector<l3d_trim_loop> loops{quarter(0.7)};
+    const double fine = 1e-5;
+    // The arc goes from (0.7, 0) to (0, 0.7). Its low half is not shown.
+    const auto wanted = [&](const l3d_trim_box& box) {
+        return box.most[1] < 0.45 ? HUGE_VAL : fine;
+    };
+    l3d_trim_region whole, part;
+    l3d_flat_trims(loops, {3, 3}, fine, whole);
+    const l3d_flatness flat = l3d_flat_trims(loops, {3, 3}, wanted, part);
+    EXPECT_LE(flat.off, fine);
+    EXPECT_EQ(flat.share, flat.off / fine);
+    EXPECT_GT(flat.off, 0);
+    const auto corners = [](const l3d_trim_region& of, bool low) {
+        return std::ranges::count_if(
+            of.polygons.at(0), [&](const l3d_trim_corner& c) { return (c[1] < 0.45) == low; });
+    };
+    EXPECT_EQ(corners(part, false), corners(whole, false));
+    EXPECT_LT(corners(part, true), corners(whole, true) / 4);
+}
+
 TEST(flat_trims, name_the_loop_at_fault) {
     const auto complaint = [](const l3d_trim_loop& loop) {
         return l3d_trims_complaint(std::array{quarter(0.5), loop});

@@ -247,6 +247,7 @@ solid flange(int bolts, const solid_errors& errors) {
     add_ring_face(result, wall_of(ring(0, low, 0, outer), middle - low), foot, brim);
     add_ring_face(result, wall_of(ring(0, middle, 0, hub), high - middle), neck, head);
     add_ring_face(result, wall_of(ring(0, high, 0, bore), low - high), bore_high, bore_low);
+    std::vector<std::array<double, 2>> holes;
     for (int i = 0; i < bolts; ++i) {
         const double angle = 2 * pi * (i + 0.3) / bolts;
         const double x = at * std::cos(angle), z = at * std::sin(angle);
@@ -255,16 +256,15 @@ solid flange(int bolts, const solid_errors& errors) {
         on_rim.push_back({ring_on(rim, x, z, bolt, up, e)});
         on_bottom.push_back({ring_on(bottom, x, z, bolt, down, -e)});
         add_ring_face(result, wall_of(ring(x, middle, z, bolt), low - middle), up, down);
+        holes.push_back({x, z});
     }
     add_face(result, bottom.surface(), on_bottom);
     add_face(result, rim.surface(), on_rim);
     result.outside = [=](const vector& p) {
         double d = std::min(cylinder(p, outer, low, middle), cylinder(p, hub, low, high));
         d = std::max(d, bore - off_axis(p, 0, 0));
-        for (int i = 0; i < bolts; ++i) {
-            const double angle = 2 * pi * (i + 0.3) / bolts;
-            d = std::max(d, bolt - off_axis(p, at * std::cos(angle), at * std::sin(angle)));
-        }
+        for (const auto& [x, z] : holes)
+            d = std::max(d, bolt - off_axis(p, x, z));
         return d;
     };
     result.middle = {0.0, high / 2, 0.0};

@@ -53,6 +53,12 @@ l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, dou
     const auto is_in = [&](const l3d_trim_place& p) {
         return above ? p[along] >= at : p[along] <= at;
     };
+    // Each corner that is in gives one at most, and so does each side that is cut.
+    const auto in = std::ranges::count_if(polygon, is_in);
+    if (in == 0)
+        return result;
+    const auto out = static_cast<std::ptrdiff_t>(polygon.size()) - in;
+    result.reserve(static_cast<std::size_t>(in + 2 * std::min(in, out)));
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const l3d_trim_corner& a = polygon[i];
         const l3d_trim_corner& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
@@ -67,6 +73,16 @@ l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, dou
     }
     while (result.size() > 1 && result.back() == result.front())
         result.pop_back();
+    return result;
+}
+
+l3d_trim_region part_of(const l3d_trim_region& region, std::size_t along, double at, bool above) {
+    l3d_trim_region result;
+    for (const l3d_trim_polygon& polygon : region.polygons) {
+        l3d_trim_polygon part = part_of(polygon, along, at, above);
+        if (!is_flat(part))
+            result.polygons.push_back(std::move(part));
+    }
     return result;
 }
 
@@ -265,23 +281,14 @@ bool l3d_trim_region::contains(const l3d_trim_place& at) const {
 }
 
 std::array<l3d_trim_region, 2> l3d_trim_region::halves(std::size_t along, double at) const {
-    std::array<l3d_trim_region, 2> result;
-    for (const l3d_trim_polygon& polygon : polygons)
-        for (const bool above : {false, true}) {
-            l3d_trim_polygon part = part_of(polygon, along, at, above);
-            if (!is_flat(part))
-                result[above ? 1 : 0].polygons.push_back(std::move(part));
-        }
-    return result;
+    return {part_of(*this, along, at, false), part_of(*this, along, at, true)};
 }
 
 l3d_trim_region l3d_trim_region::within(const l3d_trim_box& box) const {
-    l3d_trim_region result = *this;
-    for (const std::size_t along : {std::size_t{0}, std::size_t{1}}) {
-        result = result.halves(along, box.least[along])[1];
-        result = result.halves(along, box.most[along])[0];
-    }
-    return result;
+    l3d_trim_region result = part_of(*this, 0, box.least[0], true);
+    result = part_of(result, 0, box.most[0], false);
+    result = part_of(result, 1, box.least[1], true);
+    return part_of(result, 1, box.most[1], false);
 }
 
 l3d_trim_region l3d_trim_region::in_box(const l3d_trim_box& box) const {
