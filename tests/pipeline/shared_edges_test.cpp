@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "pipeline/pipeline_afd.h"
+#include "scene/dice_view.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
