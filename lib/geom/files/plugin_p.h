@@ -13,6 +13,9 @@
 namespace l3d_detail {
 
 /// The head of every plug-in's interface, which is a struct of functions derived from this one.
+///
+/// Functions take and give numbers of C's own types, never l3d_real. So one plug-in serves the
+/// libraries of all number types, and it links nothing of them.
 struct plugin_interface {
     /// Counted up whenever the struct or the meaning of its functions changes.
     std::uint32_t version;
@@ -20,6 +23,11 @@ struct plugin_interface {
 };
 
 /// Finds the plug-in libl3d_NAME.so, and returns its interface, the symbol l3d_NAME_plugin.
+///
+/// Looks in each of plugin_folders(), in their order; the first file of the name is taken.
+/// Lives:  the plug-in stays loaded until the process ends.
+/// Errors: null, and `why` = one line without the name of a model: the package that is missing,
+///         or the file with its fault. Another version or size of the struct is a fault.
 const plugin_interface* load_plugin(std::string_view name, std::uint32_t version, std::size_t size,
                                     std::string& why);
 
