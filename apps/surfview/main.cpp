@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // surfview: any file of surfaces or polygons, with its parts, sections and measures.
+#include "audit.h"
 #include "part_viewer.h"
 
 #include <l3d/afd_options.h>
@@ -13,6 +14,7 @@
 
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -31,6 +33,17 @@ public:
             "cut the model open: draw what lies in this direction from the plane across it");
         options.add("--section-at", place_,
                     "a place of that plane; without it, the middle of the model");
+        options.begin_group("Audit");
+        options.add("--audit", mesh_file_,
+                    "print as JSON how far this mesh is from the surfaces, and where; --output "
+                    "shows it in colours",
+                    "FILE");
+        options.prints_result("--audit");
+        options.add("--audit-tolerance", tolerance_,
+                    "the width of the bounds that --audit prints, by the model's diagonal", 1e-9,
+                    1);
+        options.add_example("part.step --audit part.stl --output audit.png",
+                            "a mesh's largest distance from its part, as JSON and in colours");
         options.add_example("part.step --section -1,0,0 --hide cover",
                             "a part without its cover, and without its half of larger x");
     }
@@ -40,7 +53,9 @@ public:
             l3d_refuse(
                 {{"--section-at", place_ && !normal_, "--section says across which direction"},
                  {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"}});
-            if (parts_.lists())
+            if (!mesh_file_.empty())
+                shows_ = audited();
+            else if (parts_.lists())
                 polygons_.list_parts();
             else
                 shows_ = prepared();
@@ -98,6 +113,32 @@ private:
             default: // by the back-end's rasterizers
                 return show_by.template operator()<l3d_pipeline_zbuffer>();
             }
+        };
+    }
+
+    /// Compares a mesh with the model. The picture is the step that is left, if one is wanted.
+    std::function<l3d_exit()> audited() {
+        l3d_refuse({{"--audit", normal_.has_value(), "it compares whole models"},
+                    {"--audit", parts_.lists(), "--list-parts prints, too"}});
+        const l3d_patch_model model = afd_.model();
+        const auto audit =
+            std::make_shared<const mesh_audit>(afd_.model_file(), model, mesh_file_, tolerance_);
+        std::cout << audit->json() << std::endl;
+        if (const std::string hint = audit->hint(); !hint.empty())
+            std::cerr << "surfview: --audit: " << hint << '\n';
+        if (program_.options().common().output.empty())
+            return {};
+        return [audit, this] {
+            const auto dispatcher = program_.create_dispatcher();
+            l3d_camera camera = afd_.camera();
+            if (!afd_.places_camera())
+                camera.eye = camera.target + audit->sight();
+            audit_viewer pipeline(program_.create_canvas(afd_.model_title()), *audit, camera,
+                                  polygons_.settings());
+            if (!afd_.places_camera())
+                pipeline.frame_all();
+            dispatcher->plug(pipeline, pipeline.screen());
+            return dispatcher->start();
         };
     }
 
@@ -163,6 +204,8 @@ private:
     l3d_polygon_options polygons_;
     l3d_part_options parts_;
     std::optional<vector> normal_, place_;
+    std::string mesh_file_;
+    double tolerance_ = l3d_surface_audit::usual_tolerance;
     std::function<l3d_exit()> shows_;
 };
 

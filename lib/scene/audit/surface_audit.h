@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// l3d_surface_audit: how far a mesh is from the surface that it stands for, and back.
+#ifndef L3D_SCENE_AUDIT_SURFACE_AUDIT_H
+#define L3D_SCENE_AUDIT_SURFACE_AUDIT_H
+
+#include "base/public.h"
+#include "geom/vector.h"
+#include "scene/patch_model.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+/// A largest distance, as proven bounds, and where it is.
+struct L3D_PUBLIC l3d_audited_way {
+    double least = 0; ///< the distance at `place` is at least this
+    double most = 0;  ///< the distance is nowhere larger than this
+    /// A place of the side that is measured from, within the surface's own error.
+    l3d_vector<double, 3> place{0.0, 0.0, 0.0};
+    /// The triangle of the mesh that the place is in; or the piece of the surface, as
+    /// l3d_patch_model::pieces counts them.
+    std::size_t index = 0;
+};
+
+/// The distances between a mesh and a surface, each from all places of one to the nearest place of
+/// the other. The larger one is Hausdorff's distance.
+struct L3D_PUBLIC l3d_mesh_audit {
+    l3d_audited_way from_mesh;    ///< from the triangles to the surface: what is too much
+    l3d_audited_way from_surface; ///< from the surface to the triangles: what is missing
+};
+
+/// Measures distances to the trimmed pieces of a model, from below and from above.
+///
+/// Distances have no sign: neither orientation nor closedness of mesh and surface count.
+/// Lives: as long as it is needed; it shares the model's contents.
+/// Units: all lengths are in the model's unit.
+class L3D_PUBLIC l3d_surface_audit {
+public:
+    /// A place.
+    using vector = l3d_vector<double, 3>;
+    /// The corners of a triangle.
+    using triangle = std::array<vector, 3>;
+
+    /// The width of bounds that programs ask for, by the diagonal of the model's box.
+    static constexpr double usual_tolerance = 1e-5;
+
+    /// Prepares a model. `tolerance` is the width that bounds should have.
+    /// Expects: a model with patches; a tolerance > 0.
+    /// Cost:    the patches of a level of the model whose error is a quarter of the tolerance, and
+    ///          some 300 bytes for each triangle of their trims.
+    l3d_surface_audit(const l3d_patch_model& model, double tolerance);
+    /// Takes the other's contents.
+    l3d_surface_audit(l3d_surface_audit&& other) noexcept;
+    ~l3d_surface_audit();
+
+    /// Bounds of the distance from a place to the surface. Shape: from below, from above.
+    std::array<double, 2> distance(const vector& from) const;
+
+    /// Compares triangles with the surface.
+    ///
+    /// The bounds are valid however long it takes. They are wider than the tolerance if the
+    /// model's finest level is coarser, or if most_cuts are not enough.
+    /// Expects: at least one triangle; finite coordinates of magnitude at most 1e12.
+    /// Cost:    some 10 us for each triangle and each of the surface's cells, and as much for each
+    ///          cut where the distance is nearly as large as at the worst place.
+    /// Source:  branch and bound; NUMERICS derives the bounds.
+    l3d_mesh_audit compare(std::span<const triangle> mesh) const;
+
+    /// The most cuts of triangles, each way.
+    static constexpr std::size_t most_cuts = std::size_t{1} << 19;
+
+private:
+    struct contents;
+    std::unique_ptr<contents> contents_;
+};
+
+#endif
