@@ -3,6 +3,8 @@
 """surfview: the list of parts, sections and measures, by keys and by mouse; views that are told and seen again."""
 
 import contextlib
+import itertools
+import json
 import os
 import shlex
 
@@ -132,12 +134,48 @@ def refuses_what_is_no_section():
             expect(not os.path.exists(os.path.join(path, "o.png")), words)
 
 
+def audits_a_mesh():
+    """An octahedron in the unit sphere: its faces are 1 - 1 / sqrt(3) away from it. The picture has the mark."""
+    program = Program("surfview", (200, 150))
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    with folder() as path:
+        for scale, hint in ((1, None), (1000, "1000 times: millimetres in place of metres")):
+            with open(os.path.join(path, "eight.obj"), "w", encoding="ascii") as file:
+                for corner in corners:
+                    file.write("v %g %g %g\n" % tuple(scale * x for x in corner))
+                for x, y, z in itertools.product((1, 2), (3, 4), (5, 6)):
+                    file.write("f %d %d %d\n" % ((x, y, z) if (x + y + z) % 2 else (x, z, y)))
+            command = program.command("--backend", "memory", "sphere", "--audit", "eight.obj", "--audit-tolerance", "1e-3",
+                                      "--output", "o.png")
+            status, out, messages = run(command, environment(), cwd=path)
+            expect_equal(status, 0)
+            found = json.loads(out)
+            expect_equal((found["mesh"], found["triangles"], found["pieces"]), ("eight.obj", 8, 8))
+            exact = 1 - 3 ** -0.5 if scale == 1 else scale - 1
+            way = found["mesh_to_surface"]
+            expect(way["least"] <= exact <= way["most"], way)
+            expect(way["most"] - way["least"] <= found["tolerance"], way)
+            expect((hint or "") in found.get("hint", "") and (hint is None) == ("hint" not in found), out)
+            expect_equal(hint is None, messages == "")
+            expect(os.path.exists(os.path.join(path, "o.png")), "a picture")
+        for name, text, said in (("none.stl", "", "none.stl"), ("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "nan.obj:1"),
+                                 ("missing.stl", None, "missing.stl")):
+            if text is not None:
+                with open(os.path.join(path, name), "w", encoding="ascii") as file:
+                    file.write(text)
+            status, out, messages = run(program.command("--backend", "memory", "sphere", "--audit", name), environment(),
+                                        cwd=path)
+            expect_equal((status, out, messages.count("\n")), (5, b"", 1))
+            expect(messages.startswith("surfview: " + said), messages)
+
+
 def main():
     checks = Checks()
     for name in ("teapot", "house"):
         checks.run("surfview.%s.obeys_its_keys" % name, obeys_its_keys, name)
         checks.run("surfview.%s.obeys_the_mouse" % name, obeys_the_mouse, name)
-    for check in (tells_a_view_that_is_seen_again, a_thousand_parts_stay_usable, refuses_what_is_no_section):
+    for check in (tells_a_view_that_is_seen_again, a_thousand_parts_stay_usable, refuses_what_is_no_section,
+                  audits_a_mesh):
         checks.run("surfview." + check.__name__, check)
     checks.finish()
 

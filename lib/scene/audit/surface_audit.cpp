@@ -274,8 +274,8 @@ private:
     static constexpr int cuts_at_once = 6;
     static constexpr std::size_t most_near = 24;
     static constexpr double large = 8;
-    /// A search for a part that goes on longer costs more than another cut.
-    static constexpr std::size_t steps_for_parts = 64;
+    /// Where many parts are hardly too far, a search for one that is near enough ends here.
+    static constexpr std::size_t steps_for_parts = 1024;
 
     const part_tree& to_;
     const double slack_;
