@@ -85,7 +85,7 @@ public:
                 if (sampled.insert({p[0], p[1], p[2]}).second)
                     sample(p, part);
         for (const audit_part& part : parts)
-            judge(part, std::numeric_limits<double>::infinity());
+            judge(part, sample(part.middle(), part).most + part.size() + part.off);
         for (std::size_t cuts = 0; !open_.empty() && open_.front().most > enough(); ++cuts) {
             if (cuts == l3d_surface_audit::most_cuts)
                 break;
