@@ -95,7 +95,7 @@ struct audit_part {
     std::array<place, 3> at{};          ///< parameters of the corners
     const patch_sheet* sheet = nullptr; ///< none for a triangle of a mesh
     double off = 0;
-    std::uint32_t index = 0; ///< of the triangle, or of the patch
+    std::uint32_t index = 0; ///< the number of the triangle or patch
 
 private:
     audit_part(const patch_sheet& of, const std::array<place, 3>& at_corners,

@@ -53,7 +53,7 @@ public:
     /// How long a search goes on.
     struct wanted {
         double enough;   ///< a part so near ends the search
-        double hopeless; ///< what cannot be nearer than this is not looked at
+        double hopeless; ///< parts that cannot be nearer than this are not looked at
         double slack;    ///< the search ends when most - least is no larger
         /// So many boxes and parts are opened at most. `least` is then 0, and `most` is valid.
         std::size_t steps = std::numeric_limits<std::size_t>::max();

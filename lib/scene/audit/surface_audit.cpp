@@ -37,7 +37,7 @@ struct cut_place {
 };
 
 /// Parts are cut where what they are compared with ends, since nothing is left to be cut again
-/// on either side then. Of all such places, the one that cuts off most of a side is taken. Where
+/// on either side then. The place that cuts off most of a side is taken. Where
 /// all cut off little, or none is, the longest side is halved, lest parts become slivers.
 class cut_choice {
 public:
@@ -117,7 +117,7 @@ private:
 
     /// Measures at a place of a part. Returns what is near it.
     part_tree::found sample(const vector& place, const audit_part& of) {
-        constexpr double share = 0.125; // of the slack, so that most of it is left to parts
+        constexpr double share = 0.125; // a small part of the slack, so that most is left to parts
         auto found = to_.nearest(std::span(&place, 1),
                                  {.enough = result_.least,
                                   .hopeless = std::numeric_limits<double>::infinity(),
