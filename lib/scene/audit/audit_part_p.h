@@ -28,7 +28,7 @@ public:
 private:
     std::array<vector, 3> corners_;
     vector first_, along_, across_, normal_; ///< the first end of the longest side; unit vectors
-    double length_, x_, y_;                  ///< of that side; of the corner across it, y_ >= 0
+    double length_, x_, y_; ///< the length of that side; the place of the corner across it, y_ >= 0
 };
 
 /// A place of parameters: u and v.
@@ -60,9 +60,9 @@ private:
 /// which has no rectangle.
 struct patch_sheet {
     const bent_patch* patch;
-    std::uint32_t index; ///< of the patch
+    std::uint32_t index; ///< the number of the patch
     bool is_whole = false;
-    patch_place least{0, 0}, most{1, 1}; ///< of the rectangle
+    patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
 };
 
 /// A triangle of a mesh; or the part of a patch over a triangle of parameters.
