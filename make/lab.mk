@@ -3,8 +3,10 @@
 
 .PHONY: lab faults models displays stability pictures bench report report-pages fuzz fuzz-each
 
+# Open CASCADE meshes for peers_bench --cad, where it is installed.
+bench_cad     := $(filter cad,$(library_plugins))
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
-                     tests/scene/bodies.cpp tests/dice/scene.cpp)
+                     tests/scene/bodies.cpp tests/dice/scene.cpp $(if $(bench_cad),tests/cad/shapes.cpp))
 objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
 # Sources that only the lab compiles, and tests WITH=lab.
 LAB       := tests/stability/% tests/models/%
@@ -88,7 +90,7 @@ $(OUT)/tests/models/model_polygons: %: %.o $(call archives,$(uses_models))
 $(BENCHES): %: %.o $(objects_bench) $(call archives,reference compare $(LAYERS))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) \
-	    -lembree3 -lbenchmark -lcairo -lagg -o $@
+	    -lembree3 -lbenchmark -lcairo -lagg $(if $(bench_cad),-lTKMesh $(links_cad)) -o $@
 
 $(OUT)/fuzz/%: tests/fuzz/model_fuzz.cpp $(wildcard tests/fuzz/*.h) $(OUT)/libl3d_geom.a
 	$(call say,LINK,$@)

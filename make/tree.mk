@@ -12,7 +12,7 @@ may_use    = $(1) $(uses_$(1)) $(if $(filter $(1),$(tests_with_reference)),refer
 looks_inside  = $(filter compare/% tests/% $(apps_with_compare:%=apps/%/%),$(1))
 include_paths = $(if $(filter apps/% python/%,$(1)),-I$(OUT)/include) \
                 $(if $(call looks_inside,$(1)),-Ilib -I. -Itests,$(if $(filter lib/% plugins/%,$(1)),-Ilib)) \
-                $(foreach p,$(library_plugins),$(if $(filter plugins/$(p)/% tests/$(p)/%,$(1)),$(includes_$(p))))
+                $(foreach p,$(library_plugins),$(if $(filter plugins/$(p)/% tests/$(p)/% tests/bench/$(p)_%,$(1)),$(includes_$(p))))
 
 # A layer is a folder; large ones have rooms, folders in it, that the law knows nothing of.
 $(foreach l,$(LAYERS),$(eval objects_$(l) := $(call objects,$(wildcard lib/$(l)/*.cpp lib/$(l)/*/*.cpp))))

@@ -24,6 +24,13 @@ bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera,
                          double tolerance, int threads, l3d_shade shade)
     : bench_frame(scene, camera, size, settings(tolerance, threads, shade)) {}
 
+bench_frame::bench_frame(const l3d_patch_scene& scene, const bench_view& view, l3d_size size,
+                         double tolerance, int threads, l3d_shade shade)
+    : bench_frame(scene, view.camera, size, tolerance, threads, shade) {
+    turn_ = view.turn;
+    pipeline_.settings().one_sided = view.of_solid;
+}
+
 bench_frame::bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                          const l3d_afd_settings& settings)
     : camera_(camera), pipeline_(l3d_memory_canvas(size), scene, camera, settings) {}
@@ -33,6 +40,8 @@ double bench_frame::draw() {
     constexpr double tremor = 1e-7;
     pipeline_.camera() = camera_;
     pipeline_.camera().eye = camera_.eye + (camera_.eye - camera_.target) * (tremor * ++frame_);
+    if (turn_ != 0)
+        pipeline_.camera().orbit(turn_ * frame_, 0);
     const auto start = std::chrono::steady_clock::now();
     pipeline_.draw_event();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)

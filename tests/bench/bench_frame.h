@@ -11,6 +11,8 @@
 struct bench_view {
     const char* name;
     l3d_camera camera;
+    double turn = 0;       ///< around the target from frame to frame. Units: degrees
+    bool of_solid = false; ///< of closed bodies, whose backs nobody sees
 };
 
 inline const std::array<bench_view, 3> bench_views{{
@@ -24,10 +26,13 @@ class bench_frame {
 public:
     bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                 double tolerance, int threads, l3d_shade shade = l3d_shade::lambert);
+    bench_frame(const l3d_patch_scene& scene, const bench_view& view, l3d_size size,
+                double tolerance, int threads, l3d_shade shade);
     bench_frame(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size,
                 const l3d_afd_settings& settings);
 
     /// Draws a frame from an eye that is never twice at the same place: nothing can be reused.
+    /// A view's turn is one frame farther.
     /// Returns its milliseconds, by the wall's clock.
     double draw();
 
@@ -40,6 +45,7 @@ public:
 private:
     l3d_camera camera_;
     l3d_pipeline_afd pipeline_;
+    double turn_ = 0;
     int frame_ = 0;
 };
 

@@ -130,7 +130,8 @@ mesa_mesh::mesa_mesh(const mesa_calls& gl, const peer_mesh& mesh, const l3d_came
         type_ = GL_UNSIGNED_INT;
     }
     constexpr double in_front = 0.999; // what rounding of positions may bring nearer
-    to_clip_ = clip_matrix(camera, size, in_front * nearest_w(mesh, camera, size));
+    to_clip_ = clip_matrix(camera, size,
+                           std::max(camera.near_z, in_front * nearest_w(mesh, camera, size)));
 }
 
 mesa_mesh::~mesa_mesh() {

@@ -10,6 +10,7 @@
 // thinned out for as long as the error allows. Ours starts each frame from the patches and shades
 // each pixel (lambert) or, as the peers do, each vertex (gouraud).
 #include "bench/bench_cell.h"
+#include "bench/cad_peers.h"
 #include "bench/peer_timing.h"
 #include "geom/nurbs_surface.h"
 #include "geom/teapot.h"
@@ -29,8 +30,9 @@
 namespace {
 
 struct options {
-    bool quick = false, hull = false;
+    bool quick = false, hull = false, cad = false;
     std::string csv;
+    std::vector<std::string> files;
 
     /// What is not known is for the other benchmarks, which are run with the same arguments.
     options(int argc, char** argv) {
@@ -41,8 +43,12 @@ struct options {
                 quick = true;
             else if (argument == "--hull")
                 hull = true;
+            else if (argument == "--cad")
+                cad = true;
             else if (argument.starts_with(csv_option))
                 csv = argument.substr(csv_option.size());
+            else if (cad && !argument.starts_with('-'))
+                files.emplace_back(argument);
         }
     }
 };
@@ -219,10 +225,14 @@ void run(const options& wanted) {
 
 } // namespace
 
-/// Usage: peers_bench [--quick] [--hull] [--csv=path]. The hull of a ship is drawn instead of the
-/// teapot.
+/// Usage: peers_bench [--quick] [--hull] [--csv=path], or peers_bench --cad [file.step...]. The
+/// hull of a ship is drawn instead of the teapot. With --cad, Open CASCADE makes the peer's meshes.
 int main(int argc, char** argv) try {
-    run(options(argc, argv));
+    const options wanted(argc, argv);
+    if (wanted.cad)
+        compare_cad(wanted.files);
+    else
+        run(wanted);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "peers_bench: %s\n", error.what());
     return 1;

@@ -76,22 +76,32 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-constexpr double binomial(int n, int k) {
-    double result = 1;
-    for (int i = 1; i <= k; ++i)
-        result = result * (n - k + i) / i;
+/// Binomial coefficients n over k, for products of pieces and cubics: exact in a double.
+constexpr int most_degree = 15, most_product = most_degree + 3;
+constexpr auto binomials = [] {
+    std::array<std::array<double, most_product + 1>, most_product + 1> result{};
+    for (std::size_t n = 0; n <= most_product; ++n)
+        for (std::size_t k = 0; k <= n; ++k)
+            result[n][k] = k == 0 ? 1 : result[n - 1][k - 1] + result[n - 1][k];
     return result;
+}();
+
+double binomial(int n, int k) {
+    return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
 /// Weights of the products a_i b_j in Bernstein coefficient i + j of a product of degrees m and n,
 /// j fastest. The weights of one coefficient add up to 1.
-std::vector<double> product_weights(int m, int n) {
-    std::vector<double> result;
-    for (int i = 0; i <= m; ++i)
-        for (int j = 0; j <= n; ++j)
-            result.push_back(binomial(m, i) * binomial(n, j) / binomial(m + n, i + j));
-    return result;
-}
+struct product_weights {
+    std::array<double, (most_degree + 1) * 4> of{}; ///< one of the degrees is 3 at most
+
+    product_weights(int m, int n) {
+        std::size_t next = 0;
+        for (int i = 0; i <= m; ++i)
+            for (int j = 0; j <= n; ++j)
+                of[next++] = binomial(m, i) * binomial(n, j) / binomial(m + n, i + j);
+    }
+};
 
 net<double> along_axis(const net<vector>& of, const vector& axis) {
     net<double> result(of.m, of.n);
@@ -103,16 +113,16 @@ net<double> along_axis(const net<vector>& of, const vector& axis) {
 /// The Bernstein net of a product of two polynomials; `times` multiplies two coefficients.
 template <class V, class A, class B, class Times>
 net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
-    const std::vector<double> in_u = product_weights(a.m, b.m), in_v = product_weights(a.n, b.n);
+    const product_weights in_u(a.m, b.m), in_v(a.n, b.n);
     net<V> result(a.m + b.m, a.n + b.n);
     for (int ra = 0; ra <= a.n; ++ra)
         for (int rb = 0; rb <= b.n; ++rb) {
-            const double of_row = in_v[static_cast<std::size_t>(ra * (b.n + 1) + rb)];
+            const double of_row = in_v.of[static_cast<std::size_t>(ra * (b.n + 1) + rb)];
             for (int ca = 0; ca <= a.m; ++ca)
                 for (int cb = 0; cb <= b.m; ++cb)
                     result.at(ra + rb, ca + cb) +=
                         times(a.at(ra, ca), b.at(rb, cb)) *
-                        (of_row * in_u[static_cast<std::size_t>(ca * (b.m + 1) + cb)]);
+                        (of_row * in_u.of[static_cast<std::size_t>(ca * (b.m + 1) + cb)]);
         }
     return result;
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// l3d against Open CASCADE's mesher and llvmpipe, on STEP files.
+#ifndef L3D_TESTS_BENCH_CAD_PEERS_H
+#define L3D_TESTS_BENCH_CAD_PEERS_H
+
+#include <span>
+#include <string>
+
+/// Prints a table for each number of threads, and compares the examples if there are no files.
+/// Errors: std::runtime_error without Open CASCADE, for a file that is no STEP file, and as
+///         compare() of peer_timing.h.
+void compare_cad(std::span<const std::string> files);
+
+#endif
