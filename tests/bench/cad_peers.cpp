@@ -281,7 +281,7 @@ void print_row(const cad_cell& of, const cad_efforts& f, int threads, double dif
     std::fflush(stdout);
 }
 
-void compare_file(const std::string& file) {
+void compare_file(const std::string& file, bool quick) {
     cad_shape shape(file);
     const l3d_patch_model model = model_of(read(file), file);
     double mesher_ms = 0;
@@ -296,7 +296,7 @@ void compare_file(const std::string& file) {
         of.cell.our_tolerance = wanted_px;
         plan(shape, of);
         const double differ = difference(of, model);
-        for (const int threads : {1, 2}) {
+        for (int threads = 1; threads <= (quick ? 1 : 2); ++threads) {
             const cad_efforts all = efforts_of(shape, file, of, threads);
             print_row(of, all, threads, differ);
             mesher_ms = std::max(mesher_ms, all.mesher.processor);
@@ -306,7 +306,7 @@ void compare_file(const std::string& file) {
 
 } // namespace
 
-void compare_cad(std::span<const std::string> asked) {
+void compare_cad(std::span<const std::string> asked, bool quick) {
     cad_shape::expect_open_cascade();
     // The plug-in lies where programs look for it, and this one lies in tests/bench.
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
@@ -320,6 +320,6 @@ void compare_cad(std::span<const std::string> asked) {
     }
     print_head();
     for (const std::string& file : files)
-        compare_file(file);
+        compare_file(file, quick);
     std::filesystem::remove_all(folder);
 }

@@ -6,9 +6,10 @@
 #include <span>
 #include <string>
 
-/// Prints a table for each number of threads, and compares the examples if there are no files.
+/// Prints a table for one thread and, unless it is to be quick, two. Without files, it compares the
+/// examples.
 /// Errors: std::runtime_error without Open CASCADE, for a file that is no STEP file, and as
 ///         compare() of peer_timing.h.
-void compare_cad(std::span<const std::string> files);
+void compare_cad(std::span<const std::string> files, bool quick);
 
 #endif

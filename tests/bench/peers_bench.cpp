@@ -225,12 +225,13 @@ void run(const options& wanted) {
 
 } // namespace
 
-/// Usage: peers_bench [--quick] [--hull] [--csv=path], or peers_bench --cad [file.step...]. The
-/// hull of a ship is drawn instead of the teapot. With --cad, Open CASCADE makes the peer's meshes.
+/// Usage: peers_bench [--quick] [--hull] [--csv=path], or peers_bench --cad [--quick]
+/// [file.step...]. The hull of a ship is drawn instead of the teapot. With --cad, Open CASCADE
+/// makes the peer's meshes.
 int main(int argc, char** argv) try {
     const options wanted(argc, argv);
     if (wanted.cad)
-        compare_cad(wanted.files);
+        compare_cad(wanted.files, wanted.quick);
     else
         run(wanted);
 } catch (const std::exception& error) {
