@@ -199,7 +199,35 @@ TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
     EXPECT_GT(worst, l3d_flat_enough / 2); // no more steps than needed
 }
 
-/// Plots of many values: each row has hundreds of edges side by side, which are cut into strips.
+/// Many outlines upon each other: rows have so many pieces that pixels are found one by one.
+TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
+    std::mt19937 random(29);
+    canvas c(width, height);
+    for (int n = 0; n < 60; ++n) {
+        std::vector<slow_area::shape> shapes(n % 4 == 0 ? 2 : 1);
+        for (slow_area::shape& shape : shapes) {
+            shape = random_shape(random);
+            for (int more = 0; more < 12; ++more)
+                for (const auto& outline : random_shape(random).outlines)
+                    shape.outlines.push_back(outline);
+        }
+        const l3d_path path = path_of(shapes[0]), clip = path_of(shapes.back());
+        c.draw.clear_buffer();
+        c.draw.draw_path(path, {.color = 0x00ffffff,
+                                .inside = shapes[0].inside,
+                                .clip = shapes.size() > 1 ? &clip : nullptr,
+                                .clip_inside = shapes.back().inside});
+        ASSERT_TRUE(c.guards_intact()) << n;
+        const slow_area::picture exact(shapes);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                ASSERT_NEAR(c.at(x, y) & 255, 255 * static_cast<double>(exact.share(x, y)),
+                            0.5 + 1e-6)
+                    << n << ": " << x << ' ' << y;
+    }
+}
+
+/// Plots of many values: each row has hundreds of edges side by side, which share pixels.
 TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
     std::mt19937 random(23);
     for (int n = 0; n < 2; ++n) {

@@ -270,6 +270,11 @@ void path_scan::add_run(std::int32_t row, std::span<const place> places, bool ov
         w.turns[layer] += static_cast<int>(std::lrint(risen[layer])); // whole but for rounding
     if (rules_.same_between(low, high) || (!overlap && add_meeting(places, left)))
         return;
+    bordered_ = true;
+    // Slabs of few pieces cost less than pixels one by one.
+    constexpr std::size_t many = 16;
+    if (places.size() > many)
+        return add_crowd(row, places, left);
     edges_.clear();
     for (const place& p : places) {
         const row_piece& piece = piece_of(p);
@@ -280,7 +285,38 @@ void path_scan::add_run(std::int32_t row, std::span<const place> places, bool ov
         });
     }
     areas_.add_cluster(edges_, left, rules_);
-    bordered_ = true;
+}
+
+/// Adds a run of many pieces, in the order of their outlines.
+void path_scan::add_crowd(std::int32_t row, std::span<const place> places, const windings& left) {
+    crowd_.assign(places.begin(), places.end());
+    std::ranges::sort(crowd_, {}, &place::chain);
+    cells_.begin(width_);
+    std::uint32_t next_chain = 0;
+    l3d_point_2d last{};
+    for (const place& p : crowd_) {
+        const row_piece& piece = piece_of(p);
+        way_.clear();
+        way_.push_back({piece.enters.x, piece.enters.y - row});
+        piece.visit([&](const l3d_point_2d&, const l3d_point_2d& to) {
+            way_.push_back({to.x, to.y - row});
+        });
+        const bool is_up = piece.direction > 0;
+        if (is_up)
+            std::ranges::reverse(way_);
+        // Chains of an outline follow each other, and meet where it turns.
+        const bool follows = p.chain == next_chain && way_[0].x == last.x && way_[0].y == last.y;
+        cell_begin begin = way_[0].y == (is_up ? 1 : 0) ? cell_begin::enters
+                           : follows                    ? cell_begin::continues
+                                                        : cell_begin::unclear;
+        for (std::size_t i = 1; i < way_.size(); ++i) {
+            cells_.add(way_[i - 1], way_[i], piece.layer, begin);
+            begin = cell_begin::continues;
+        }
+        next_chain = p.chain + 1;
+        last = way_.back();
+    }
+    cells_.add_to(areas_.sums(), left, rules_);
 }
 
 /// Adds pieces that lie side by side and only meet. Does nothing and returns false if they are

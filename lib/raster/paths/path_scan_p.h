@@ -8,6 +8,7 @@
 #include "raster/paths/path.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
+#include "raster/paths/row_cells_p.h"
 #include "raster/paths/convex_fill_p.h"
 #include "tool_2d/pixels.h"
 
@@ -83,6 +84,7 @@ private:
     void add_cluster(std::int32_t row, std::span<const place> places, windings& w);
     void add_through(const row_piece& piece, windings& w);
     void add_run(std::int32_t row, std::span<const place> places, bool overlap, windings& w);
+    void add_crowd(std::int32_t row, std::span<const place> places, const windings& left);
     bool add_meeting(std::span<const place> places, const windings& left);
     void add_border(const row_piece& piece, int sign);
     place place_of(const chain& c) {
@@ -112,6 +114,9 @@ private:
     std::vector<row_edge> edges_;
     bool bordered_ = false; ///< whether the cluster has a border
     row_areas areas_;
+    std::vector<place> crowd_;
+    std::vector<l3d_point_2d> way_; ///< the corners of a piece
+    row_cells cells_;
     std::array<side_block, 2> blocks_;
     kept_list<covered_span> spans_;
     kept_list<std::uint8_t> values_;

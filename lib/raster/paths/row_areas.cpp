@@ -21,27 +21,6 @@ double x_at(const row_edge& p, double y) {
     return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
 }
 
-/// The part of an edge between two columns. Strips on both sides of a column get the same end on
-/// it.
-row_edge cut(const row_edge& e, double from, double to) {
-    const auto y_at = [&e](double x) {
-        return std::clamp(e.y0 + (e.y1 - e.y0) * ((x - e.x0) / (e.x1 - e.x0)), e.y0, e.y1);
-    };
-    row_edge part = e;
-    const auto hold = [&](double x, bool is_beyond0, bool is_beyond1) {
-        if (is_beyond0 && !is_beyond1) {
-            part.x0 = x;
-            part.y0 = y_at(x);
-        } else if (is_beyond1 && !is_beyond0) {
-            part.x1 = x;
-            part.y1 = y_at(x);
-        }
-    };
-    hold(from, e.x0 < from, e.x1 < from);
-    hold(to, e.x0 > to, e.x1 > to);
-    return part;
-}
-
 /// Sorts a list that mostly has few elements.
 template <class T, class Less> void sort_few(std::vector<T>& of, const Less& less) {
     constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
@@ -65,71 +44,7 @@ void row_areas::set_width(std::int32_t width) {
 }
 
 void row_areas::add_cluster(std::span<const row_edge> edges, const windings& left,
-                            const fill_rules& rules) {
-    constexpr std::size_t many = 256; // for fewer, slabs of all edges cost less than strips
-    changes_.clear();
-    if (edges.size() > many)
-        add_in_strips(edges, left, rules);
-    else
-        add_strip(edges, left, rules);
-}
-
-/// Cuts edges into strips of a few columns, and adds these. Where n edges lie side by side in a
-/// row, slabs of all of them would take n^2 steps. A slab of a strip has only the edges of its own
-/// columns.
-void row_areas::add_in_strips(std::span<const row_edge> edges, const windings& left,
-                              const fill_rules& rules) {
-    constexpr double width = 2; // wide enough that few edges are cut
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const row_edge& e : edges) {
-        least = std::min({least, e.x0, e.x1});
-        most = std::max({most, e.x0, e.x1});
-    }
-    const double begin = std::floor(least);
-    const auto strip_of = [&](double x) { return static_cast<std::size_t>((x - begin) / width); };
-    strips_.resize(std::max(strips_.size(), strip_of(most) + 1));
-    for (const row_edge& e : edges) {
-        const std::size_t first = strip_of(std::min(e.x0, e.x1));
-        const std::size_t last = strip_of(std::max(e.x0, e.x1));
-        for (std::size_t i = first; i <= last; ++i)
-            if (const row_edge part = cut(e, begin + width * static_cast<double>(i),
-                                          begin + width * static_cast<double>(i + 1));
-                part.y0 < part.y1)
-                strips_[i].push_back(part);
-    }
-    for (std::size_t i = 0; i <= strip_of(most); ++i) {
-        add_strip(strips_[i], left, rules);
-        add_changes(strips_[i]);
-        strips_[i].clear();
-    }
-}
-
-/// Notes the heights at which a strip's edges make the windings on its right differ from those on
-/// its left. Where two edges meet, or one leads on into the next strip, nothing changes: so few
-/// changes are kept.
-void row_areas::add_changes(std::span<const row_edge> edges) {
-    for (const row_edge& e : edges) {
-        change begins{e.y0, {}}, ends{e.y1, {}};
-        begins.by.turns[e.layer] = e.direction;
-        ends.by.turns[e.layer] = -e.direction;
-        changes_.push_back(begins);
-        changes_.push_back(ends);
-    }
-    std::ranges::sort(changes_, {}, &change::y);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < changes_.size();) {
-        change sum = changes_[i];
-        for (++i; i < changes_.size() && changes_[i].y == sum.y; ++i)
-            for (std::size_t layer = 0; layer < sum.by.turns.size(); ++layer)
-                sum.by.turns[layer] += changes_[i].by.turns[layer];
-        if (sum.by.turns != windings().turns)
-            changes_[kept++] = sum;
-    }
-    changes_.resize(kept);
-}
-
-void row_areas::add_strip(std::span<const row_edge> edges, const windings& left,
-                          const fill_rules& rules) {
+                            const fill_rules& rules, std::span<const winding_change> changes) {
     ends_.clear();
     sorted_.clear();
     for (const row_edge& p : edges) {
@@ -139,7 +54,7 @@ void row_areas::add_strip(std::span<const row_edge> edges, const windings& left,
         ends_.push_back(p.y1);
         sorted_.push_back(&p);
     }
-    for (const change& c : changes_)
+    for (const winding_change& c : changes)
         ends_.push_back(c.y);
     sort_few(ends_, std::less<>());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
@@ -158,9 +73,8 @@ void row_areas::add_strip(std::span<const row_edge> edges, const windings& left,
             chords_.push_back({sorted_[next]->x0, 0, sorted_[next]});
         for (chord& c : chords_)
             c.x1 = x_at(*c.edge, bottom);
-        for (; next_change < changes_.size() && changes_[next_change].y <= top; ++next_change)
-            for (std::size_t layer = 0; layer < w.turns.size(); ++layer)
-                w.turns[layer] += changes_[next_change].by.turns[layer];
+        for (; next_change < changes.size() && changes[next_change].y <= top; ++next_change)
+            w.cross(changes[next_change]);
         if (!chords_.empty())
             add_slab(top, bottom, w, rules);
     }

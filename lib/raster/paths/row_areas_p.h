@@ -65,25 +65,32 @@ private:
     }
 };
 
+/// A change of the windings along the left side of some edges, at a height and below.
+struct winding_change {
+    double y;
+    std::int8_t direction;
+    std::uint8_t layer;
+};
+
 /// Finds the exact covered areas of the pixels of one row, as running sums from left to right.
 ///
 /// A border between inside and outside adds to the columns that it reaches the area on its right.
 /// So the running sum over columns is the covered area of each pixel, also behind the last border.
 /// Cost:    add_border: linear in the columns that are reached. add_cluster: n log n for n edges,
-///          times the number of their ends and crossings; if there are many, only of those in two
-///          columns.
+///          times the number of their ends and crossings.
 class row_areas {
 public:
     /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as callers leave them.
     void set_width(std::int32_t width);
 
-    /// Adds the edges of a cluster. `left` are the windings on the left of all of them.
+    /// Adds the edges of a cluster. `left` are the windings on the left of all of them at the top.
+    /// `changes`, from top to bottom, are those of the windings on the left down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
     /// two cuts edges have an order from left to right. Edges count only if one side is inside and
     /// the other outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left,
-                     const fill_rules& rules);
+                     const fill_rules& rules, std::span<const winding_change> changes = {});
 
     /// Adds a single border, whatever else is added. The height is negative if the inside is on the
     /// left.
@@ -103,16 +110,6 @@ private:
         }
     };
 
-    /// A change of the windings on the left of the strip, at a height and below.
-    struct change {
-        double y;
-        windings by;
-    };
-
-    void add_in_strips(std::span<const row_edge> edges, const windings& left,
-                       const fill_rules& rules);
-    void add_strip(std::span<const row_edge> edges, const windings& left, const fill_rules& rules);
-    void add_changes(std::span<const row_edge> edges);
     void add_slab(double top, double bottom, const windings& left, const fill_rules& rules);
     void find_crossings(std::span<const chord> chords, double top, double bottom);
     windings add_crossing(std::span<const chord> chords, double top, double bottom,
@@ -142,8 +139,6 @@ private:
     std::vector<double> least_after_; ///< for each chord, the least lower end among it and those
                                       ///< after it
     std::vector<const row_edge*> sorted_;
-    std::vector<std::vector<row_edge>> strips_;
-    std::vector<change> changes_; ///< from top to bottom
 };
 
 inline void row_areas::add_border(double x0, double x1, double height) {
