@@ -81,10 +81,14 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
 }
 
 void row_areas::add_slab(double top, double bottom, const windings& left, const fill_rules& rules) {
+    windings low = left, high = left; // least and most anywhere in the slab
+    for (const chord& c : chords_)
+        (c.edge->direction < 0 ? low : high).cross(*c.edge);
+    if (rules.same_between(low, high))
+        return;
     // Chords that begin at one place are in the order of their lower ends. From one slab to the
     // next, few chords change places.
-    if (!std::is_sorted(chords_.begin(), chords_.end()))
-        std::sort(chords_.begin(), chords_.end());
+    sort_few(chords_, std::less<>());
     if (std::ranges::is_sorted(chords_, {}, &chord::x1)) {
         add_ordered(chords_, top, bottom, left, rules);
         return;
