@@ -51,8 +51,8 @@ void pixel_area::end_visit() {
 /// Whether the winding is certainly at least 1, or at most -1, wherever in the pixel. `corner` is
 /// that of its top left corner.
 ///
-/// The pixel has 8 x 8 fields. Each has a lower bound of its windings: an edge that makes the
-/// winding fall counts from the first field on that it may reach, and one that makes it rise counts
+/// The pixel has 8 x 8 fields, and each has a lower bound of its windings. An edge that makes the
+/// winding fall counts from the first field on that it may reach. One that makes it rise counts
 /// behind those that it may reach. A row's bounds are the bytes of a word.
 bool pixel_area::is_wound_about(int corner) const {
     constexpr int fields = 8, zero = 127; // a byte above it has its highest bit set
@@ -77,7 +77,8 @@ bool pixel_area::is_wound_about(int corner) const {
     }
     for (const row_edge& p : parts_) {
         const double slope = (p.x1 - p.x0) / (p.y1 - p.y0);
-        constexpr double scale = 1 << 16, margin = 4;
+        // The margin covers the rounding of x and of up to eight steps, each below 1.
+        constexpr double scale = 1 << 16, margin = 16;
         const bool falls = sign * p.direction < 0;
         const double y0 = p.y0 * fields, y1 = p.y1 * fields;
         const int begin = falls ? floor(y0) : ceil(y0);
@@ -89,11 +90,13 @@ bool pixel_area::is_wound_about(int corner) const {
         std::int64_t x = falls ? fixed_low : fixed_high, step = 0;
         if (std::abs(slope) < 64) {
             const double row = begin + (falls == (slope < 0) ? 1 : 0);
-            x = static_cast<std::int64_t>((p.x0 * fields + (row - y0) * slope) * scale + (falls ? -margin : margin));
+            x = static_cast<std::int64_t>((p.x0 * fields + (row - y0) * slope) * scale +
+                                          (falls ? -margin : margin));
             step = static_cast<std::int64_t>(slope * scale);
         }
         for (int k = begin; k < end; ++k, x += step) {
-            const std::int64_t at = std::clamp<std::int64_t>(std::clamp(x, fixed_low, fixed_high), 0, fields << 16);
+            const std::int64_t at =
+                std::clamp<std::int64_t>(std::clamp(x, fixed_low, fixed_high), 0, fields << 16);
             const std::int64_t field = (falls ? at : at + 0xffff) >> 16;
             const std::uint64_t behind = field < fields ? ones << (field << 3) : 0;
             least[static_cast<std::size_t>(k)] += falls ? -behind : behind;

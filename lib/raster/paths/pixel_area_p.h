@@ -55,8 +55,8 @@ private:
     bool is_wound_about(int corner) const;
 
     double column_ = 0;
-    std::array<double, 2> own_{}; ///< what the pixel's edges add to the sums
-    double visit_ = 0;            ///< what those of the present visit add
+    std::array<double, 2> own_{}; ///< the part of the sums that the edges of the pixel add
+    double visit_ = 0;            ///< the part that edges of the present visit add
     double shares_ = 0; ///< the sum of the shares of the pixel that lie on the visits' higher sides
     int visits_ = 0;
     bool is_unclear_ = false; ///< whether visits may not lead from side to side once

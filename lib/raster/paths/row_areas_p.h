@@ -89,8 +89,8 @@ public:
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
     /// two cuts edges have an order from left to right. Edges count only if one side is inside and
     /// the other outside.
-    void add_cluster(std::span<const row_edge> edges, const windings& left,
-                     const fill_rules& rules, std::span<const winding_change> changes = {});
+    void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
+                     std::span<const winding_change> changes = {});
 
     /// Adds a single border, whatever else is added. The height is negative if the inside is on the
     /// left.

@@ -46,7 +46,9 @@ void row_cells::add(const l3d_point_2d& from, const l3d_point_2d& to, std::uint8
     else if (begin == cell_begin::enters)
         stay_ = {};
     const bool is_up = to.y < from.y, is_level = to.y == from.y;
-    const auto ways = static_cast<std::uint8_t>((is_up ? up : is_level ? 0 : down) |
+    const auto ways = static_cast<std::uint8_t>((is_up      ? up
+                                                 : is_level ? 0
+                                                            : down) |
                                                 (from.x < to.x   ? right
                                                  : to.x < from.x ? left
                                                                  : 0));
@@ -64,8 +66,8 @@ void row_cells::add(const l3d_point_2d& from, const l3d_point_2d& to, std::uint8
         l3d_point_2d next = most;
         if (pixel < last) {
             next.x = pixel + 1;
-            next.y = std::clamp(least.y + (next.x - least.x) * per_column,
-                                std::min(at.y, most.y), std::max(at.y, most.y));
+            next.y = std::clamp(least.y + (next.x - least.x) * per_column, std::min(at.y, most.y),
+                                std::max(at.y, most.y));
         }
         const double height = direction * std::abs(next.y - at.y);
         const double beyond = height * ((at.x + next.x) / 2 - pixel);

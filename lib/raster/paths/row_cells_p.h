@@ -49,7 +49,7 @@ private:
     void add_cell(edge_cell cell, cell_begin begin, std::uint8_t ways);
     void link_shared();
 
-    std::array<std::vector<double>, 2> sums_; ///< of signed areas; 0 between rows
+    std::array<std::vector<double>, 2> sums_; ///< signed areas; 0 between rows
     std::vector<std::uint8_t> visits_;        ///< for each column 0, 1, or 2 for more
     std::vector<std::uint32_t> heads_, links_;
     kept_list<edge_cell> list_;
