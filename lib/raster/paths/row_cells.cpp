@@ -30,7 +30,7 @@ inline void row_cells::add_cell(edge_cell cell, cell_begin begin, std::uint8_t w
         begin = cell_begin::enters;
     if (begin != cell_begin::continues) {
         visits = visits == 0 ? 1 : 2;
-    } else if (stay_.edges >= 2 && (stay_.ways | ways) == (up | down | left | right)) {
+    } else if (stay_.edges >= 2 && (stay_.ways | ways) == (up | down | to_left | to_right)) {
         visits = 2;
         begin = cell_begin::unclear;
     }
@@ -49,8 +49,8 @@ void row_cells::add(const l3d_point_2d& from, const l3d_point_2d& to, std::uint8
     const auto ways = static_cast<std::uint8_t>((is_up      ? up
                                                  : is_level ? 0
                                                             : down) |
-                                                (from.x < to.x   ? right
-                                                 : to.x < from.x ? left
+                                                (from.x < to.x   ? to_right
+                                                 : to.x < from.x ? to_left
                                                                  : 0));
     const auto direction = static_cast<std::int8_t>(is_up ? 1 : is_level ? 0 : -1);
     // From left to right, an edge has this on its lower side, beyond what it has above.

@@ -36,7 +36,7 @@ public:
     void add_to(double* sums, const windings& left, const fill_rules& rules);
 
 private:
-    enum way : std::uint8_t { up = 1, down = 2, left = 4, right = 8 };
+    enum way : std::uint8_t { up = 1, down = 2, to_left = 4, to_right = 8 };
     static constexpr std::uint32_t nowhere = ~0U;
 
     /// The pixel that the present outline has reached, the number of its edges there, and their
