@@ -234,7 +234,7 @@ TEST(font_outline, has_a_sign_for_what_the_font_has_not_and_nothing_for_a_blank)
     const double w = font->outline(missing, {}, "\xf4\x8f\xbf\xbd", 20); // U+10FFFD, private
     EXPECT_GT(w, 4);
     EXPECT_FALSE(missing.empty());
-    EXPECT_EQ(font->outline(other, {}, "\xf3\xb0\x80\x80", 20), w); // U+F0000, private, too
+    EXPECT_EQ(font->outline(other, {}, "\xf4\x8f\xbf\xbc", 20), w); // U+10FFFC, private, too
     EXPECT_EQ(pieces(other).lines, pieces(missing).lines);
     l3d_path broken, replaced;
     font->outline(broken, {}, "a\xff", 20);

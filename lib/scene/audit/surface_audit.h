@@ -43,7 +43,7 @@ public:
     using triangle = std::array<vector, 3>;
 
     /// The width of bounds that programs ask for, by the diagonal of the model's box.
-    static constexpr double usual_tolerance = 1e-5;
+    static constexpr double usual_tolerance = 1e-4;
 
     /// Prepares a model. `tolerance` is the width that bounds should have.
     /// Expects: a model with patches; a tolerance > 0.
@@ -62,13 +62,13 @@ public:
     /// The bounds are valid however long it takes. They are wider than the tolerance if the
     /// model's finest level is coarser, or if most_cuts are not enough.
     /// Expects: at least one triangle; finite coordinates of magnitude at most 1e12.
-    /// Cost:    some 10 us for each triangle and each of the surface's cells, and as much for each
-    ///          cut where the distance is nearly as large as at the worst place.
+    /// Cost:    some 10 us for each triangle and each of the surface's cells, and up to a
+    ///          millisecond for each cut where the distance is nearly the largest.
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
     /// The most cuts of triangles, each way.
-    static constexpr std::size_t most_cuts = std::size_t{1} << 19;
+    static constexpr std::size_t most_cuts = std::size_t{1} << 13;
 
 private:
     struct contents;
