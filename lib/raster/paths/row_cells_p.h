@@ -39,8 +39,8 @@ private:
     enum way : std::uint8_t { up = 1, down = 2, to_left = 4, to_right = 8 };
     static constexpr std::uint32_t nowhere = ~0U;
 
-    /// The pixel that the present outline has reached, the number of its edges there, and their
-    /// ways.
+    /// The pixel that the present outline has reached, the number of its edges there, and the
+    /// directions in which they run, as bits of `way`.
     struct stay {
         std::uint32_t pixel = nowhere, edges = 0;
         std::uint8_t ways = 0;

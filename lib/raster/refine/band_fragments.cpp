@@ -40,7 +40,7 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
-        // `reached` are the rows whose centres the quads may cover. They reach one more row on
+        // The quads may cover centres of the rows `reached`, and parts of one more row on
         // either side.
         const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),

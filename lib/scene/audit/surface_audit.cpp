@@ -168,8 +168,8 @@ private:
         std::ranges::push_heap(open_, is_nearer);
     }
 
-    /// Whether every place of a part, cut some times, is near enough to one of some parts. `most`
-    /// becomes the largest bound, if it was less.
+    /// Whether every place of `part` is within enough() of a part in `near`; halves `part` up to
+    /// `cuts` times to find out. `most` grows to the largest bound that was found.
     bool is_settled(const audit_part& part, std::span<const std::uint32_t> near, int cuts,
                     double& most) {
         if (near.empty())

@@ -80,7 +80,7 @@ public:
             }
         }
         result_.size = size;
-        // Both ends of contours that become one place are moved by half of what is between.
+        // Two ends of contours that become one place each move by half of their distance.
         const double joints = edges_.empty() ? 0 : joint_share * settings.tolerance / 2;
         result_.bound = chord_ + trims + edges_off + joints + view_.error();
     }

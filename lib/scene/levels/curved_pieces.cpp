@@ -25,9 +25,9 @@ struct ranged_part {
     }
 };
 
-/// Calls visit(part) with the cells of a part, but for those that is_hidden(part) leaves out. Parts
-/// are cut along u as often as u's line is, and then along v. So cells of two pieces beside each
-/// other halve their common boundary in the same order.
+/// Calls visit(part) with the cells of a part, but for those that is_hidden(part) leaves out. All
+/// cuts along u come before those along v. So cells on both sides of a common boundary halve it in
+/// the same order.
 template <class Cut, class Hidden, class Visit>
 void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hidden,
                    const Visit& visit) {
