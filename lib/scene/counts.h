@@ -157,7 +157,7 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
 struct L3D_PUBLIC l3d_culling_switches {
     /// Draws patches outside the picture.
     bool outside = false;
-    /// Draws patches, and triangles of slits, that cover no pixel's centre.
+    /// Draws patches that cover no pixel's centre.
     bool centreless = false;
     /// Draws patches that are hidden by earlier ones.
     bool hidden = false;

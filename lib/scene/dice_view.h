@@ -160,9 +160,6 @@ struct l3d_dice_view {
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }
 
-    /// Whether a triangle without a pixel's centre may be left out: pixels show nothing else.
-    bool shows_centres_alone() const { return !shading.antialias && !keep.centreless; }
-
     /// The factor by which budgets of errors are divided where outlines may be.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;

@@ -40,7 +40,7 @@ public:
     const char* name() const override { return name_; }
 
     l3d_dice_counts dice(const library_case& c, const piece_sink& sink) override {
-        begin(c, true);
+        begin(c);
         const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
         for (auto batch = culling_.next(nothing_is_hidden); !batch.empty();
              batch = culling_.next(nothing_is_hidden)) {
@@ -56,7 +56,7 @@ public:
                             static_cast<std::size_t>(c.size.height));
         const l3d_pixels target{result.words.data(), c.size.width, c.size.height, c.size.width};
         double seconds = -processor_seconds();
-        begin(c, false);
+        begin(c);
         depth_.resize(c.size);
         rasterizer_.begin(target, &depth_, rest_of_shading_);
         const auto hidden = [this](const l3d_subpixel_box& box, float inv_w) {
@@ -78,8 +78,7 @@ public:
     }
 
 private:
-    /// With `all_slits`, triangles that no pixel's centre shows are there to be judged, too.
-    void begin(const library_case& c, bool all_slits) {
+    void begin(const library_case& c) {
         scene_.clear();
         scene_.add(c.model);
         const l3d_image_transform to_image(c.camera, c.size, scene_);
@@ -89,7 +88,6 @@ private:
         rest_of_shading_ = l3d_lit_while_diced(view, shading, true);
         depth_scale_ = view.depth_scale;
         culling_.begin(scene_, to_image.matrix(), view);
-        view.keep.centreless = all_slits;
         dicer_.begin(view);
     }
 

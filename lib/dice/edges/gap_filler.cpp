@@ -94,7 +94,7 @@ void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bo
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
     if (!is_kept && all_drawable &&
-        covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex, view.shows_centres_alone()))
+        covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex, !view.shading.antialias))
         return;
     for (const bool along_u : {true, false}) {
         const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
@@ -324,7 +324,7 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                     const l3d_dice_view& view, double t0, double t1) {
-    closing_side row(piece, side, edge, view.shows_centres_alone(), t0, t1);
+    closing_side row(piece, side, edge, !view.shading.antialias, t0, t1);
     const l3d_block_starts& mine = side < 2 ? piece.part.block_columns : piece.part.block_rows;
     const auto start = [](const l3d_block_starts& starts, int block) {
         return static_cast<std::size_t>(starts.first[static_cast<std::size_t>(block)]);
