@@ -3,12 +3,9 @@
 #include "nasty.h"
 #include "odd_view.h"
 #include "dice/edges/gap_filler.h"
-#include "raster/pixel_centres.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -140,7 +137,7 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
         // Whole patches, and halves of a patch that was cut along this edge.
         const double high = random.between(0, 1) < 0.5 ? 1 : 0.5;
         l3d_diced_piece quick = piece_along(edge, strips, side, 0, high, view, random);
-        l3d_close_side(quick, side, line, view);
+        l3d_close_side(quick, side, line);
         l3d_diced_piece slow;
         slow.keep_parameters = true;
         l3d_fill_gap(boundary_of(quick, side), line, view, slow);
@@ -187,7 +184,7 @@ TEST(slit, along_a_stretch_is_that_of_any_row) {
             grid.inv_w[index] = v.inv_w;
         }
         const l3d_diced_piece before = quick;
-        l3d_close_side(quick, side, line, view, t0, t1);
+        l3d_close_side(quick, side, line, t0, t1);
         for (const int at : {0, last}) {
             const std::size_t index = along_u ? grid.index(across, at) : grid.index(at, across);
             EXPECT_EQ(grid.x[index], before.part.grid.x[index]);
@@ -218,7 +215,7 @@ TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
                              line.strips().first[static_cast<std::size_t>(s)]);
         const auto side = static_cast<std::size_t>(seed % 4);
         l3d_diced_piece piece = piece_along(edge, strips, side, 0, 1, view, random);
-        l3d_close_side(piece, side, line, view);
+        l3d_close_side(piece, side, line);
         EXPECT_EQ(piece.part.triangles.count, 0u);
         const auto row = boundary_of(piece, side);
         ASSERT_EQ(row.size(), line.size());
@@ -242,61 +239,6 @@ std::int64_t doubled_area(const std::vector<l3d_micro_vertex>& polygon) {
     return sum;
 }
 
-/// Whether a triangle holds a pixel's centre, looked for in all of its box, or has so large a box
-/// that none is looked for.
-bool may_show(const l3d_micro_triangles& triangles, std::size_t i) {
-    const std::vector<l3d_micro_vertex> corners{triangles.vertex(i, 0), triangles.vertex(i, 1),
-                                                triangles.vertex(i, 2)};
-    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
-    const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    const auto is_large = [](std::int32_t low, std::int32_t high) {
-        const auto centres = l3d_centres_in(low, high);
-        return centres.last - centres.first >= 8;
-    };
-    if (is_large(left, right) || is_large(top, bottom))
-        return true;
-    const auto first = [](std::int32_t at) { return at / l3d_subpixel_one - 1; };
-    for (std::int32_t y = first(top); y <= first(bottom) + 2; ++y)
-        for (std::int32_t x = first(left); x <= first(right) + 2; ++x) {
-            const l3d_micro_vertex centre{x * l3d_subpixel_one + l3d_subpixel_one / 2,
-                                          y * l3d_subpixel_one + l3d_subpixel_one / 2,
-                                          0,
-                                          {}};
-            const std::int64_t a = doubled_area({corners[0], corners[1], centre}),
-                               b = doubled_area({corners[1], corners[2], centre}),
-                               c = doubled_area({corners[2], corners[0], centre});
-            if (std::min({a, b, c}) >= 0 || std::max({a, b, c}) <= 0)
-                return true;
-        }
-    return false;
-}
-
-TEST(slit, has_only_triangles_that_hold_a_centre_where_edges_are_hard) {
-    std::size_t all = 0, kept = 0;
-    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::array<l3d_diced_piece, 2> pieces;
-        for (const bool is_smooth : {false, true}) {
-            random_numbers random(seed);
-            auto [edge, view, line] = seen_edge(random, 0.3, 3);
-            view.shading.antialias = is_smooth;
-            l3d_diced_piece& piece = pieces[is_smooth ? 1 : 0];
-            piece = piece_along(edge, {2, 3, 5, 4}, seed % 4, 0, 1, view, random);
-            l3d_close_side(piece, seed % 4, line, view);
-        }
-        const l3d_micro_triangles &hard = pieces[0].part.triangles,
-                                  &smooth = pieces[1].part.triangles;
-        std::size_t expected = 0;
-        for (std::size_t i = 0; i < smooth.count; ++i)
-            expected += may_show(smooth, i);
-        EXPECT_EQ(hard.count, expected);
-        kept += hard.count;
-        all += smooth.count;
-    }
-    EXPECT_GT(kept, 200u);
-    EXPECT_LT(kept, all * 3 / 4);
-}
-
 /// Only what covers no pixel is missing: all of a large slit is there.
 TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -310,7 +252,7 @@ TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
             x += 300 * l3d_subpixel_one;
         for (std::int32_t& y : grid.y)
             y += 700 * l3d_subpixel_one;
-        l3d_close_side(piece, seed % 4, line, view);
+        l3d_close_side(piece, seed % 4, line);
         std::vector<l3d_micro_vertex> outline;
         for (const l3d_boundary_point& point : boundary_of(piece, seed % 4))
             outline.push_back(point.vertex.dice.vertex);

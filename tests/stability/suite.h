@@ -31,9 +31,8 @@ struct extent {
 
 inline constexpr std::size_t arithmetic_count = 4;
 
-/// The largest median of bound / measured of ordinary patches that is allowed. Nets of one block
-/// (l3d_is_one_block) have medians up to 5: one bound of second derivatives stands for all quads.
-inline constexpr double most_median_looseness = 5.5;
+/// The largest median of bound / measured of ordinary patches that is allowed.
+inline constexpr double most_median_looseness = 4;
 
 /// A case that was among the worst, to find it again.
 struct worst_case {

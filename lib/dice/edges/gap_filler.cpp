@@ -30,52 +30,17 @@ std::int64_t turn(const Point& p, const Point& q, std::int32_t x, std::int32_t y
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
-/// Whether a triangle of some rows and columns of pixels holds no centre, its sides included.
-template <class Point>
-bool holds_no_centre(const Point& p, const Point& q, const Point& r,
-                     const l3d_pixel_centres<std::int32_t>& columns,
-                     const l3d_pixel_centres<std::int32_t>& rows) {
-    // Twice the areas beside a centre, none of which is negative inside, and their changes from
-    // centre to centre.
-    struct side {
-        std::int64_t at, right, down;
-    };
-    const std::int32_t x = centre_of(columns.first), y = centre_of(rows.first);
-    const std::int64_t sign = turn(p, q, r.x, r.y) < 0 ? -1 : 1;
-    const auto beside = [&](const Point& a, const Point& b) {
-        return side{sign * turn(a, b, x, y), sign * -l3d_subpixel_one * (std::int64_t{b.y} - a.y),
-                    sign * l3d_subpixel_one * (std::int64_t{b.x} - a.x)};
-    };
-    side a = beside(p, q), b = beside(q, r), c = beside(r, p);
-    for (std::int32_t row = rows.first; row <= rows.last; ++row) {
-        std::int64_t of_a = a.at, of_b = b.at, of_c = c.at;
-        for (std::int32_t column = columns.first; column <= columns.last; ++column) {
-            if ((of_a | of_b | of_c) >= 0)
-                return false;
-            of_a += a.right;
-            of_b += b.right;
-            of_c += c.right;
-        }
-        a.at += a.down;
-        b.at += b.down;
-        c.at += c.down;
-    }
-    return true;
-}
-
-/// Whether a triangle covers nothing: its corners lie on one line, or its box holds no pixel's
-/// centre. Where pixels are what their centres show, it may hold centres that the triangle does
-/// not. Nearly all triangles of slits are so.
-template <class Point>
-bool covers_nothing(const Point& p, const Point& q, const Point& r, bool by_centres) {
-    const auto columns = centres_between(p.x, q.x, r.x), rows = centres_between(p.y, q.y, r.y);
-    if (columns.none() || rows.none() || turn(p, q, r.x, r.y) == 0)
+/// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
+/// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
+template <class Point> bool covers_nothing(const Point& p, const Point& q, const Point& r) {
+    const auto along_x = centres_between(p.x, q.x, r.x), along_y = centres_between(p.y, q.y, r.y);
+    if (along_x.none() || along_y.none())
         return true;
-    // A look at a centre takes 6 instructions, and a triangle that is drawn takes some 500.
-    constexpr std::int32_t most = 8;
-    const bool is_one = columns.only_one() && rows.only_one();
-    const bool is_small = columns.last - columns.first < most && rows.last - rows.first < most;
-    return (is_one || (by_centres && is_small)) && holds_no_centre(p, q, r, columns, rows);
+    if (!along_x.only_one() || !along_y.only_one())
+        return turn(p, q, r.x, r.y) == 0;
+    const std::int32_t x = centre_of(along_x.first), y = centre_of(along_y.first);
+    const std::int64_t a = turn(p, q, x, y), b = turn(q, r, x, y), c = turn(r, p, x, y);
+    return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
 }
 
 /// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
@@ -93,8 +58,7 @@ void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, do
 void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bool is_kept,
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
-    if (!is_kept && all_drawable &&
-        covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex, !view.shading.antialias))
+    if (!is_kept && all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
         return;
     for (const bool along_u : {true, false}) {
         const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
@@ -121,10 +85,10 @@ void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
 class closing_side {
 public:
-    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
-                 bool by_centres, double t0, double t1)
-        : piece_(piece), grid_(piece.part.grid), edge_(edge), by_centres_(by_centres),
-          along_u_(side < 2), parameters_(along_u_ ? piece.u : piece.v),
+    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge, double t0,
+                 double t1)
+        : piece_(piece), grid_(piece.part.grid), edge_(edge), along_u_(side < 2),
+          parameters_(along_u_ ? piece.u : piece.v),
           across_(along_u_ ? (side == 1 ? piece.v.back() : piece.v.front())
                            : (side == 3 ? piece.u.back() : piece.u.front())),
           first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
@@ -144,51 +108,44 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        // Points change places and are not copied: a copy would wait for what was just written.
-        row_point points[] = {vertex(i), point(j), {}};
-        row_point *of_row = points, *of_edge = points + 1, *next = points + 2;
+        row_point of_row = vertex(i), of_edge = point(j, i);
         while (i < i_end || j < j_end) {
             const bool along_row =
                 i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            *next = along_row ? vertex(i + 1) : point(j + 1);
-            if (!covers_nothing(*of_edge, *of_row, *next, by_centres_))
-                add(*of_edge, *of_row, *next, i);
+            const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
+            if (!covers_nothing(of_edge, of_row, next))
+                add(of_edge, of_row, next, i);
             ++(along_row ? i : j);
-            std::swap(along_row ? of_row : of_edge, next);
+            (along_row ? of_row : of_edge) = next;
         }
     }
 
 private:
-    /// A vertex of the row or a point of the edge. It gets the row's level at its parameter when a
-    /// triangle wants it, which most do not.
+    /// A vertex of the row or a point of the edge, with the row's level at its parameter.
     struct row_point {
         std::int32_t x, y;
         float inv_w, level;
         double along;
-        bool has_level;
 
         l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
     };
 
     row_point vertex(std::size_t i) const {
         const std::size_t at = first_ + i * step_;
-        return {grid_.x[at],         grid_.y[at],    grid_.inv_w[at],
-                grid_.normal[0][at], parameters_[i], true};
+        return {grid_.x[at], grid_.y[at], grid_.inv_w[at], grid_.normal[0][at], parameters_[i]};
     }
 
-    /// Point j of the edge.
-    row_point point(std::size_t j) const {
-        return {edge_.x()[j],    edge_.y()[j],      edge_.inv_w()[j], 0,
-                parameter_of(j), !piece_.has_levels};
+    /// Point j of the edge, near the row's vertex i.
+    row_point point(std::size_t j, std::size_t i) const {
+        const double along = parameter_of(j);
+        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j],
+                piece_.has_levels ? level_at(along, i) : 0, along};
     }
 
     /// Adds a triangle whose corners get the row's light at their parameters, near its vertex
     /// `near`.
-    void add(row_point& a, row_point& b, row_point& c, std::size_t near) {
+    void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         const float seen = side_beside(near);
-        for (row_point* corner : {&a, &b, &c})
-            if (!std::exchange(corner->has_level, true))
-                corner->level = level_at(corner->along, near);
         if (piece_.has_levels) {
             const auto bend = [&](const row_point& from, const row_point& to) {
                 return seen *
@@ -268,7 +225,7 @@ private:
     l3d_diced_piece& piece_;
     l3d_micro_grid& grid_;
     const l3d_edge_polyline& edge_;
-    bool by_centres_, along_u_;
+    bool along_u_;
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_, side_;
@@ -323,8 +280,8 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 }
 
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
-                    const l3d_dice_view& view, double t0, double t1) {
-    closing_side row(piece, side, edge, !view.shading.antialias, t0, t1);
+                    double t0, double t1) {
+    closing_side row(piece, side, edge, t0, t1);
     const l3d_block_starts& mine = side < 2 ? piece.part.block_columns : piece.part.block_rows;
     const auto start = [](const l3d_block_starts& starts, int block) {
         return static_cast<std::size_t>(starts.first[static_cast<std::size_t>(block)]);
