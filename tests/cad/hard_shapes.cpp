@@ -35,10 +35,7 @@
 #include <Geom2d_Line.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
-#include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
-#include <STEPCAFControl_Writer.hxx>
-#include <STEPControl_Controller.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
@@ -305,12 +302,5 @@ void write_rows_of_bolts(const std::string& path, int n) {
     for (int i = 0; i < 10; ++i)
         name(shapes->AddComponent(plate, row, at(0, 12 * i)), "row " + std::to_string(i + 1));
     shapes->UpdateAssemblies();
-    STEPControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.schema", "AP214IS");
-    Interface_Static::SetCVal("write.step.unit", "MM");
-    STEPCAFControl_Writer writer;
-    writer.SetColorMode(true);
-    writer.SetNameMode(true);
-    writer.Transfer(document, STEPControl_AsIs);
-    writer.Write(path.c_str());
+    write_document(document, path);
 }

@@ -310,6 +310,17 @@ void write_iges(const TopoDS_Shape& shape, const std::string& path, bool of_soli
     writer.Write(path.c_str());
 }
 
+void write_document(const Handle(TDocStd_Document) & document, const std::string& path) {
+    STEPControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.schema", "AP214IS");
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    STEPCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetNameMode(true);
+    writer.Transfer(document, STEPControl_AsIs);
+    writer.Write(path.c_str());
+}
+
 void write_assembly(const std::string& path) {
     const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
     const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
@@ -335,12 +346,5 @@ void write_assembly(const std::string& path) {
     TDataStd_Name::Set(shapes->AddComponent(cart, wheel, TopLoc_Location(right)), "right");
     TDataStd_Name::Set(shapes->AddComponent(cart, beam, TopLoc_Location()), "middle");
     shapes->UpdateAssemblies();
-    STEPControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.schema", "AP214IS");
-    Interface_Static::SetCVal("write.step.unit", "MM");
-    STEPCAFControl_Writer writer;
-    writer.SetColorMode(true);
-    writer.SetNameMode(true);
-    writer.Transfer(document, STEPControl_AsIs);
-    writer.Write(path.c_str());
+    write_document(document, path);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <TDocStd_Document.hxx>
 #include <TopoDS_Shape.hxx>
 
 /// A shape for a file.
@@ -32,6 +33,9 @@ void write_step(const TopoDS_Shape& shape, const std::string& path,
 
 /// Writes an IGES file: of a solid's faces, or of solids.
 void write_iges(const TopoDS_Shape& shape, const std::string& path, bool of_solids);
+
+/// Writes a document of shapes, with names and colours, as STEP.
+void write_document(const Handle(TDocStd_Document) & document, const std::string& path);
 
 /// Writes an assembly: two red wheels and a beam, whose first face is blue and half transparent.
 /// The wheels are at x = -30 and x = 30, the second one turned by 90 degrees about z.

@@ -199,6 +199,16 @@ TEST(flatten, keeps_curves_within_the_distance_of_their_chords) {
     EXPECT_GT(worst, l3d_flat_enough / 2); // no more steps than needed
 }
 
+/// Each pixel's share of the shapes, within the rounding of its level.
+void expect_exact_areas(canvas& c, const std::vector<slow_area::shape>& shapes) {
+    ASSERT_TRUE(c.guards_intact());
+    const slow_area::picture exact(shapes);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            ASSERT_NEAR(c.at(x, y) & 255, 255 * static_cast<double>(exact.share(x, y)), 0.5 + 1e-6)
+                << x << ' ' << y;
+}
+
 /// Many outlines upon each other: rows have so many pieces that pixels are found one by one.
 TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
     std::mt19937 random(29);
@@ -217,13 +227,8 @@ TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
                                 .inside = shapes[0].inside,
                                 .clip = shapes.size() > 1 ? &clip : nullptr,
                                 .clip_inside = shapes.back().inside});
-        ASSERT_TRUE(c.guards_intact()) << n;
-        const slow_area::picture exact(shapes);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                ASSERT_NEAR(c.at(x, y) & 255, 255 * static_cast<double>(exact.share(x, y)),
-                            0.5 + 1e-6)
-                    << n << ": " << x << ' ' << y;
+        SCOPED_TRACE(n);
+        ASSERT_NO_FATAL_FAILURE(expect_exact_areas(c, shapes));
     }
 }
 
@@ -249,13 +254,8 @@ TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
         c.draw.draw_path(path, {.inside = shapes[0].inside,
                                 .clip = shapes.size() > 1 ? &clip : nullptr,
                                 .clip_inside = shapes.back().inside});
-        ASSERT_TRUE(c.guards_intact()) << n;
-        const slow_area::picture exact(shapes);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                ASSERT_NEAR(c.at(x, y) & 255, 255 * static_cast<double>(exact.share(x, y)),
-                            0.5 + 1e-6)
-                    << n << ": " << x << ' ' << y;
+        SCOPED_TRACE(n);
+        ASSERT_NO_FATAL_FAILURE(expect_exact_areas(c, shapes));
     }
 }
 
