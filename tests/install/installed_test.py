@@ -187,6 +187,33 @@ def is_told_who_needs_it(real):
     expect_equal(linked, ["-L%s/lib" % MOVED, "-l" + REALS[real]])
 
 
+def packed_as(path):
+    """Where a package has an installed file: /usr, and libraries in the folder of their architecture."""
+    name = path.relative_to(MOVED).as_posix()
+    is_of_architecture = name.startswith("lib/") and not re.match("lib/l3d/(?!libl3d_)", name)
+    return pathlib.PurePosixPath("usr/lib/x-linux-gnu/" + name[4:] if is_of_architecture else "usr/" + name)
+
+
+def packages_share_out_all_files():
+    """Each installed file is in one package, and each line that fills a package finds something. The module for
+    Python is installed by another command, and a plug-in is there if its library is. README names all packages."""
+    debian = ROOT / "packaging" / "debian"
+    files = [packed_as(path) for path in MOVED.rglob("*") if not path.is_dir() and path.parent != MOVED / "tools"]
+    lines = [(lists.stem, line.split()[0]) for lists in [*debian.glob("*.install"), debian / "not-installed"]
+             for line in lists.read_text().splitlines() if "/python3/" not in line]
+    takers = {file: [] for file in files}
+    for package, line in lines:
+        found = [file for file in files if any(place.match(line) for place in (file, *file.parents))]
+        if not found:
+            expect("/libl3d_" in line, package, "finds no", line)
+        for file in found:
+            takers[file].append(package)
+    expect_equal({str(file): by for file, by in takers.items() if len(set(by)) != 1}, {})
+    named = re.findall("^Package: (.*)", (debian / "control").read_text(), re.M)
+    told = (ROOT / "packaging" / "README.md").read_text()
+    expect_equal([package for package in named if "`%s`" % package not in told], [])
+
+
 def documents_are_there():
     documents = MOVED / "share" / "doc" / "l3d"
     for name in ("README.md", "CHANGELOG.md", "LICENSE", "docs/TUTORIAL.md", "docs/REFERENCE.md"):
@@ -466,7 +493,7 @@ def main():
         checks.run("install.%s.exports" % name, library_exports_ours_only, name)
         checks.run("install.%s.exports_the_list" % name, library_exports_the_listed_names, name)
     for check in (documents_are_there, the_loader_is_told, headers_are_the_listed_ones, needs_cxx20, nothing_names_the_source_tree, overview_fits,
-                  programs_find_their_files, programs_share_the_library, shells_complete_options):
+                  packages_share_out_all_files, programs_find_their_files, programs_share_the_library, shells_complete_options):
         checks.run("install." + check.__name__, check)
     for real in REALS:
         checks.run("install.cmake." + real, is_found_by_cmake, real)
