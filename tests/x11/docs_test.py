@@ -6,6 +6,7 @@ the matter of tests/install.)"""
 
 import collections
 import csv
+import functools
 import os
 import pathlib
 import re
@@ -57,6 +58,7 @@ def run(command, folder):
     return None
 
 
+@functools.cache
 def is_made(command):
     """Whether make knows what it is told to do. Only the first command of README.md is done, where
     all that it builds is there: doing everything again is not a test's business."""
@@ -118,6 +120,7 @@ def left_out(text):
     return [line for line in rows if line not in text] if rows else ["the table is empty"]
 
 
+@functools.cache
 def tests_there():
     """What tests are called: their names, and suite.name of those in C++."""
     names = set()
@@ -171,7 +174,7 @@ def named_tests(text):
     """Tests that a document names, and that are not there; and rows under "Shown by" that name nothing,
     unless they say why not. `suite.*` stands for all of a suite."""
     known = tests_there()
-    known |= {name.split(".")[0] + ".*" for name in known if "." in name}
+    known = known | {name.split(".")[0] + ".*" for name in known if "." in name}
     wrong, shows = [], False
     for line in text.splitlines():
         shows = line.startswith("|") and (shows or line.endswith("| Shown by |"))

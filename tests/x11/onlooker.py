@@ -142,15 +142,18 @@ class Onlooker:
 
     def picture(self, window, width, height):
         """Rows of colours 0xRRGGBB of a window that stores them so; or None."""
-        rows = self.pixels(window, width, height)
-        return rows and [[pixel & 0xFFFFFF for pixel in row] for row in rows]
+        return self.pixels(window, width, height, has_top=False)
 
-    def pixels(self, window, width, height):
-        """Rows of pixel values; None if the window is not (or no longer) that large."""
+    def pixels(self, window, width, height, has_top=True):
+        """Rows of pixel values, those of four bytes without their top one unless `has_top`; None if the window is
+        not (or no longer) that large."""
         found = self.image(window, width, height)
         if not found:
             return None
         pitch, size, data = found
+        if size == 4 and not has_top:
+            data = bytearray(data)
+            data[3::4] = bytes(len(data) // 4)
         layout = "<%d%s" % (width, {1: "B", 2: "H", 4: "I"}[size])
         return [list(struct.unpack_from(layout, data, at)) for at in range(0, len(data), pitch)]
 
