@@ -56,16 +56,17 @@ class Row:
         title = "".join(letter if letter.isalnum() else "_" for letter in self.title)
         return DIFFERENT / (title + what)
 
-    def expect_stored(self, out, what, memory=None):
-        """That the output has the stored hash; else it is left, and how it differs from `memory`."""
+    def expect_stored(self, out, what, memory=lambda: b""):
+        """That the output has the stored hash; else it is left, and how it differs from what `memory` makes."""
         found = hash_of(out)
         if found == self.hash:
             return
         left = [self.file_of(".txt" if self.is_console else ".ppm")]
         left[0].write_bytes(out)
-        if memory and hash_of(memory) == self.hash:
+        wanted = memory()
+        if hash_of(wanted) == self.hash:
             left.append(self.file_of("_difference.ppm"))
-            left[1].write_bytes(self.difference(out, memory))
+            left[1].write_bytes(self.difference(out, wanted))
         expect_equal(found, self.hash, "%s; see %s:" % (what, " and ".join(map(str, left))))
 
     def difference(self, out, memory):
@@ -112,7 +113,7 @@ def shows_the_stored_pictures(row, server):
     """On every kind of window, too; frames that are counted go by fixed steps of time."""
     for backend in ("ximage", "xshm"):
         out = row.output(environment(server.display), "--backend", backend, "--fps", "0")
-        row.expect_stored(out, "the hash of %d frames by %s" % (FRAMES, backend), row.output())
+        row.expect_stored(out, "the hash of %d frames by %s" % (FRAMES, backend), row.output)
 
 
 def is_the_five_steps(name):
@@ -235,18 +236,18 @@ def main():
         morph3d_comes_back_to_its_first_form,
     ):
         checks.run("programs." + check.__name__, check)
-    for row in rows:
-        if row.real not in ("any", real_of(row.name)):
-            continue
-        checks.run("programs.%s.pictures" % row.title, makes_the_stored_pictures, row)
-        if row.name not in seen and not row.is_console:
-            for check in (obeys_keys, obeys_the_close_button, fills_a_resized_window):
-                checks.run("programs.%s.%s" % (row.name, check.__name__), check, row)
-        if not row.is_console:
-            with x_server() as server:
+    with x_server() as server:
+        for row in rows:
+            if row.real not in ("any", real_of(row.name)):
+                continue
+            checks.run("programs.%s.pictures" % row.title, makes_the_stored_pictures, row)
+            if row.name not in seen and not row.is_console:
+                for check in (obeys_keys, obeys_the_close_button, fills_a_resized_window):
+                    checks.run("programs.%s.%s" % (row.name, check.__name__), check, row)
+            if not row.is_console:
                 check = "programs.%s.shows_the_stored_pictures" % row.title
                 checks.run(check, shows_the_stored_pictures, row, server)
-        seen.add(row.name)
+            seen.add(row.name)
     checks.finish()
 
 
