@@ -30,7 +30,9 @@ struct exact_place {
     double x = 0, y = 0;
     bool is_hidden = false;
 };
-using exact_line = std::vector<exact_place>;
+struct exact_line : std::vector<exact_place> {
+    l3d_line_kind kind = l3d_line_kind::contour;
+};
 
 /// A camera, with what closed forms ask of it.
 struct sight {
@@ -68,22 +70,30 @@ std::vector<exact_line> straight_lines(const sight& from, double low_radius, dou
     };
     const double slope = (low_radius - high_radius) / 2;
     const auto out = [&](double t) { return vector{std::cos(t), slope, std::sin(t)}; };
+    // The normal is the same along the side, so a contour is straight: n (eye - p) = 0 at its foot.
+    const bool flat = from.camera.is_parallel();
+    const vector e = flat ? from.to_eye({}) : from.camera.eye;
+    const std::vector<double> at_contours =
+        angles(e[0], e[2], flat ? -slope * e[1] : low_radius - slope * (e[1] + 1));
     std::vector<exact_line> result;
     for (const double y : {-1.0, 1.0}) {
         if ((y < 0 ? low_radius : high_radius) == 0)
             continue;
-        result.emplace_back();
-        for (int i = 0; i <= steps; ++i) {
-            const double t = 2 * pi * i / steps;
+        std::vector<double> turns;
+        for (int i = 0; i <= steps; ++i)
+            turns.push_back(2 * pi * i / steps);
+        // Where a rim changes, it has a place on either side.
+        for (const double t : at_contours)
+            for (const double beside : {-1e-7, 1e-7})
+                turns.push_back(t + beside - 2 * pi * std::floor(t / (2 * pi)));
+        std::ranges::sort(turns);
+        result.emplace_back().kind = l3d_line_kind::crease;
+        for (const double t : turns) {
             const vector p = at(y, t), eye = from.to_eye(p);
             result.back().push_back(from.seen(p, y * eye[1] < 0 && l3d_dot(out(t), eye) < 0));
         }
     }
-    // The normal is the same along the side, so a contour is straight: n (eye - p) = 0 at its foot.
-    const bool flat = from.camera.is_parallel();
-    const vector e = flat ? from.to_eye({}) : from.camera.eye;
-    for (const double t :
-         angles(e[0], e[2], flat ? -slope * e[1] : low_radius - slope * (e[1] + 1))) {
+    for (const double t : at_contours) {
         exact_line& line = result.emplace_back();
         for (int i = 0; i <= steps / 8; ++i)
             line.push_back(from.seen(at(-1 + 16.0 * i / steps, t), false));
@@ -164,27 +174,21 @@ struct judged {
     int changes = 0;
 };
 
-/// The distance of a place from all lines but one.
-double distance_to(const std::vector<exact_line>& lines, const exact_line* but, double x,
-                   double y) {
+double distance_to(const std::vector<exact_line>& lines, double x, double y) {
     double result = std::numeric_limits<double>::infinity();
     for (const exact_line& line : lines)
-        if (&line != but)
-            result = std::min(result, distance_to(line, x, y));
+        result = std::min(result, distance_to(line, x, y));
     return result;
 }
 
-/// A line that is within the bound of the line that hides it may be seen or hidden, if lines are
-/// apart: if no two are the same places.
-void judge(const std::vector<exact_line>& exact, bool are_apart, const l3d_line_drawing& drawing,
-           judged& sum) {
+void judge(const std::vector<exact_line>& exact, const l3d_line_drawing& drawing, judged& sum) {
     sum.bound = std::max(sum.bound, drawing.bound);
     for (const l3d_drawn_line& line : drawing.lines) {
         for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
             const l3d_drawn_place &a = line.points[i], &b = line.points[i + 1];
             for (const double t : {0.0, 0.5})
-                sum.off = std::max(sum.off, distance_to(exact, nullptr, a.x + (b.x - a.x) * t,
-                                                        a.y + (b.y - a.y) * t));
+                sum.off = std::max(
+                    sum.off, distance_to(exact, a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t));
         }
     }
     for (const exact_line& line : exact) {
@@ -196,12 +200,13 @@ void judge(const std::vector<exact_line>& exact, bool are_apart, const l3d_line_
         for (std::size_t i = 0; i < line.size(); i += 3) {
             std::array<double, 2> off{1e9, 1e9};
             for (const l3d_drawn_line& drawn : drawing.lines) {
+                if (drawn.kind != line.kind)
+                    continue;
                 double& to = off[drawn.is_seen ? 0 : 1];
                 to = std::min(to, distance_to(drawn.points, line[i].x, line[i].y));
             }
             sum.missing = std::max(sum.missing, std::min(off[0], off[1]));
-            if (off[line[i].is_hidden ? 1 : 0] <= drawing.bound ||
-                (are_apart && distance_to(exact, &line, line[i].x, line[i].y) <= drawing.bound))
+            if (off[line[i].is_hidden ? 1 : 0] <= drawing.bound)
                 continue;
             double late = 1e9;
             for (const exact_place& change : changes)
@@ -211,7 +216,7 @@ void judge(const std::vector<exact_line>& exact, bool are_apart, const l3d_line_
     }
 }
 
-void expect_all_in_place(const std::string& name, bool are_apart,
+void expect_all_in_place(const std::string& name,
                          const std::function<std::vector<exact_line>(const sight&)>& exact) {
     const l3d_patch_scene scene(l3d_patch_model::from_surfaces(*l3d_exact_shape(name)));
     std::mt19937 random(54);
@@ -228,25 +233,25 @@ void expect_all_in_place(const std::string& name, bool are_apart,
         if (i % 2 == 1)
             camera.projection = l3d_projection::parallel;
         camera = l3d_framed(camera, size, l3d_reach_of(scene));
-        judge(exact({camera}), are_apart, l3d_draw_lines(scene, camera, size), all);
+        judge(exact({camera}), l3d_draw_lines(scene, camera, size), all);
     }
     EXPECT_LE(all.off, all.bound);
     EXPECT_LE(all.missing, all.bound);
-    EXPECT_LE(all.late, 1.5); // two of the shortest stretches, which take after others
+    EXPECT_LE(all.late, 0.75); // the shortest stretch, as others take after their neighbours
     EXPECT_GT(all.changes, 50);
     testing::Test::RecordProperty("late_px", std::to_string(all.late));
 }
 
 TEST(line_views, cylinder_has_all_its_lines) {
-    expect_all_in_place("cylinder", true, [](const sight& s) { return straight_lines(s, 1, 1); });
+    expect_all_in_place("cylinder", [](const sight& s) { return straight_lines(s, 1, 1); });
 }
 
 TEST(line_views, cone_has_all_its_lines) {
-    expect_all_in_place("cone", true, [](const sight& s) { return straight_lines(s, 1, 0); });
+    expect_all_in_place("cone", [](const sight& s) { return straight_lines(s, 1, 0); });
 }
 
 TEST(line_views, torus_has_all_its_lines) {
-    expect_all_in_place("torus", false, torus_lines);
+    expect_all_in_place("torus", torus_lines);
 }
 
 } // namespace

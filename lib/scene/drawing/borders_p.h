@@ -7,6 +7,7 @@
 #include "scene/line_drawing.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct drawn_chain {
     /// The pieces that meet along the whole line; none for contours inside of pieces.
     std::vector<std::size_t> sides{};
     std::vector<std::size_t> cusps{}; ///< vertices at which the picture of a contour turns back
+    /// The edge of the model that the line is; then each vertex has its parameter as u.
+    std::optional<std::size_t> edge{};
 };
 
 /// The lines along the sides of pieces, and along their trims, but for those along edges of a

@@ -57,14 +57,15 @@ image_edge::image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& in
         off = edge.off * longer * view.scale_at(least_z);
 }
 
-std::vector<bernstein_net> image_edge::between(double from, double to) const {
-    std::vector<bernstein_net> result;
+std::vector<image_edge::span> image_edge::between(double from, double to) const {
+    std::vector<span> result;
     for (const span& one : spans) {
         const double range = one.to - one.from;
         const double first = std::max((from - one.from) / range, 0.0);
         const double last = std::min((to - one.from) / range, 1.0);
         if (first < last)
-            result.push_back(one.net.part(first, last, 0, 1));
+            result.push_back({std::lerp(one.from, one.to, first), std::lerp(one.from, one.to, last),
+                              one.net.part(first, last, 0, 1)});
     }
     return result;
 }
@@ -230,13 +231,12 @@ void edge_joints::add(std::size_t edge, double from, double to, l3d_line_kind ki
                       const std::vector<std::size_t>& sides,
                       std::vector<drawn_chain>& result) const {
     curve_chords chords(sides.front(), view_, tolerance_);
-    double first = 0; // parameters tell the parts apart
-    for (const bernstein_net& part : edges_[edge].between(from, to)) {
-        chords.add(part, [&](double t) { return std::array{first + t, 0.0}; });
-        ++first;
-    }
+    for (const image_edge::span& part : edges_[edge].between(from, to))
+        chords.add(part.net, [&](double t) {
+            return std::array{std::lerp(part.from, part.to, t), 0.0};
+        });
     for (surface_line& line : chords.take())
-        result.push_back({kind, std::move(line), sides});
+        result.push_back({kind, std::move(line), sides, {}, edge});
 }
 
 std::vector<drawn_chain> edge_joints::chains(bool with_joints) const {

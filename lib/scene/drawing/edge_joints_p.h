@@ -25,8 +25,8 @@ struct image_edge {
     image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& instance,
                const drawing_view& view);
 
-    /// The parts of the edge between two parameters, each a net as in spans.
-    std::vector<bernstein_net> between(double from, double to) const;
+    /// The parts of the edge between two parameters.
+    std::vector<span> between(double from, double to) const;
     image_place at(double t) const;
 };
 

@@ -112,6 +112,10 @@ private:
     void find_chains();
     void join_contours(std::vector<drawn_chain> contours);
     void find_cusps(drawn_chain& chain) const;
+    image_place on_curve(const drawn_chain& chain, const surface_vertex& a, const surface_vertex& b,
+                         double share) const;
+    double share_of_curve(const drawn_chain& chain, const surface_vertex& a,
+                          const surface_vertex& b, double of_chord) const;
     void add_stretches(const drawn_chain& chain, std::vector<double>& cuts, line_of_sight& sight);
     bool is_seen(const drawn_chain& chain, const std::vector<double>& lengths, double at,
                  line_of_sight& sight) const;
@@ -214,6 +218,35 @@ void drawer::find_cusps(drawn_chain& chain) const {
     }
 }
 
+image_place drawer::on_curve(const drawn_chain& chain, const surface_vertex& a,
+                             const surface_vertex& b, double share) const {
+    const double u = std::lerp(a.u, b.u, share), v = std::lerp(a.v, b.v, share);
+    return chain.edge ? edges_[*chain.edge].at(u) : pieces_[a.piece].at(u, v);
+}
+
+/// The share of parameters between two vertices at which the curve passes a share of their chord.
+/// Perspective and weights make these two differ.
+double drawer::share_of_curve(const drawn_chain& chain, const surface_vertex& a,
+                              const surface_vertex& b, double of_chord) const {
+    const double dx = b.at.x - a.at.x, dy = b.at.y - a.at.y, square = dx * dx + dy * dy;
+    if (a.piece != b.piece || !(square > 0))
+        return of_chord;
+    double low = 0, high = 1, at_low = -of_chord, at_high = 1 - of_chord, share = of_chord;
+    constexpr double near = 1.0 / 256; // pixels
+    constexpr int most_steps = 20;
+    for (int i = 0; i < most_steps; ++i) {
+        const image_place p = on_curve(chain, a, b, share);
+        const double late = ((p.x - a.at.x) * dx + (p.y - a.at.y) * dy) / square - of_chord;
+        if (late * late * square <= near * near)
+            break;
+        (late > 0 ? high : low) = share;
+        (late > 0 ? at_high : at_low) = late;
+        // By turns the false position and the middle, which ends what the first one does not.
+        share = i % 2 == 0 ? low + (high - low) * at_low / (at_low - at_high) : (low + high) / 2;
+    }
+    return share;
+}
+
 bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& lengths, double at,
                      line_of_sight& sight) const {
     const auto above = std::ranges::upper_bound(lengths, at);
@@ -222,14 +255,14 @@ bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& length
     const surface_vertex &a = chain.points[next - 1], &b = chain.points[next];
     const double length = lengths[next] - lengths[next - 1];
     const double t = length > 0 ? (at - lengths[next - 1]) / length : 0;
-    surface_vertex here = a;
-    here.at = {a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y),
-               a.at.z + t * (b.at.z - a.at.z)};
-    if (!chain.sides.empty() || chain.kind != l3d_line_kind::contour)
-        return !sight.is_hidden(here.at, chain.sides);
+    // A chord beside what hides its curve may be seen, so the curve itself is asked for.
+    const double share = share_of_curve(chain, a, b, t);
+    if (!chain.sides.empty())
+        return !sight.is_hidden(on_curve(chain, a, b, share), chain.sides);
     // A ray beside the contour, where its own fold is not.
-    here.u = a.u + t * (b.u - a.u);
-    here.v = a.v + t * (b.v - a.v);
+    surface_vertex here = a;
+    here.u = std::lerp(a.u, b.u, share);
+    here.v = std::lerp(a.v, b.v, share);
     const auto exact =
         a.piece == b.piece ? on_contour(pieces_[a.piece], here) : std::optional<surface_vertex>();
     const bool is_near = exact && distance_from(exact->at, a.at, b.at) <= settings_.tolerance;
