@@ -62,25 +62,120 @@ struct point {
     }
 };
 
+std::vector<place> places_of(const l3d_model_file& model) {
+    std::vector<place> result;
+    for (const auto& v : model.mesh.vertices)
+        result.push_back({v[0], v[1], v[2]});
+    return result;
+}
+
+std::unique_ptr<far::TopologyRefiner> refiner_of(const mesh_topology& mesh,
+                                                 OpenSubdiv::Sdc::Options options) {
+    far::TopologyDescriptor d;
+    d.numVertices = mesh.vertices;
+    d.numFaces = static_cast<int>(mesh.face_sizes.size());
+    d.numVertsPerFace = mesh.face_sizes.data();
+    d.vertIndicesPerFace = mesh.corners.data();
+    d.numCreases = static_cast<int>(mesh.crease_sharpness.size());
+    d.creaseVertexIndexPairs = mesh.crease_vertices.data();
+    d.creaseWeights = mesh.crease_sharpness.data();
+    d.numCorners = static_cast<int>(mesh.point_sharpness.size());
+    d.cornerVertexIndices = mesh.point_vertices.data();
+    d.cornerWeights = mesh.point_sharpness.data();
+    using factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
+    return std::unique_ptr<far::TopologyRefiner>(
+        factory::Create(d, factory::Options(OpenSubdiv::Sdc::SCHEME_CATMARK, options)));
+}
+
+/// The vertices of all levels.
+std::vector<point> points_of(const far::TopologyRefiner& refiner,
+                             const std::vector<place>& places) {
+    std::vector<point> result(static_cast<std::size_t>(refiner.GetNumVerticesTotal()));
+    for (std::size_t i = 0; i < places.size(); ++i)
+        result[i].at = places[i];
+    const far::PrimvarRefinerReal<double> by(refiner);
+    point* from = result.data();
+    for (int level = 1; level < refiner.GetNumLevels(); ++level) {
+        point* const to = from + refiner.GetLevel(level - 1).GetNumVertices();
+        by.Interpolate(level, from, to);
+        from = to;
+    }
+    return result;
+}
+
+/// A model's cage with all of its faces subdivided four times. Its limit surface is the model's.
+struct fine_cage {
+    static constexpr int levels = 4;
+
+    OpenSubdiv::Sdc::Options options;
+    std::unique_ptr<far::TopologyRefiner> refiner;
+    mesh_topology mesh;
+    std::vector<place> places;
+
+    explicit fine_cage(const l3d_model_file& model);
+
+    /// Replaces a place of a quad of the model by the same of a face of this cage.
+    void descend(int& quad, double& u, double& v) const;
+};
+
+fine_cage::fine_cage(const l3d_model_file& model)
+    : options(options_of(model)), refiner(refiner_of(topology_of(model), options)) {
+    far::TopologyRefiner::UniformOptions how(levels);
+    how.fullTopologyInLastLevel = true;
+    refiner->RefineUniform(how);
+    const far::TopologyLevel& last = refiner->GetLevel(levels);
+    mesh.vertices = last.GetNumVertices();
+    for (int face = 0; face < last.GetNumFaces(); ++face) {
+        const auto corners = last.GetFaceVertices(face);
+        mesh.face_sizes.push_back(corners.size());
+        mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
+    }
+    for (int edge = 0; edge < last.GetNumEdges(); ++edge)
+        if (last.GetEdgeSharpness(edge) > 0 && !last.IsEdgeBoundary(edge)) {
+            const auto ends = last.GetEdgeVertices(edge);
+            mesh.crease_vertices.insert(mesh.crease_vertices.end(), ends.begin(), ends.end());
+            mesh.crease_sharpness.push_back(last.GetEdgeSharpness(edge));
+        }
+    for (int vertex = 0; vertex < mesh.vertices; ++vertex)
+        if (last.GetVertexSharpness(vertex) > 0) {
+            mesh.point_vertices.push_back(vertex);
+            mesh.point_sharpness.push_back(last.GetVertexSharpness(vertex));
+        }
+    const std::vector<point> all = points_of(*refiner, places_of(model));
+    for (auto p = all.end() - mesh.vertices; p != all.end(); ++p)
+        places.push_back(p->at);
+}
+
+void fine_cage::descend(int& quad, double& u, double& v) const {
+    // A face of n corners is n quads, its faces at level 1, unless n is four.
+    int level = 0, face = 0;
+    for (;; ++face) {
+        const int corners = refiner->GetLevel(0).GetFaceVertices(face).size();
+        const int quads = corners == 4 ? 1 : corners;
+        if (quad < quads) {
+            if (corners != 4)
+                face = refiner->GetLevel(level++).GetFaceChildFaces(face)[quad];
+            break;
+        }
+        quad -= quads;
+    }
+    // The four parts of a quad have its directions, and lie in the order of its corners.
+    for (; level < levels; ++level) {
+        const bool high_u = u >= 0.5, high_v = v >= 0.5;
+        const int part = high_v ? (high_u ? 2 : 3) : high_u ? 1 : 0;
+        face = refiner->GetLevel(level).GetFaceChildFaces(face)[part];
+        u = 2 * u - (high_u ? 1 : 0);
+        v = 2 * v - (high_v ? 1 : 0);
+    }
+    quad = face;
+}
+
 /// The limit surface by a table of patches after ten subdivisions, with none of the plug-in's code.
 class far_surface {
 public:
-    explicit far_surface(const l3d_model_file& model) {
-        const mesh_topology mesh = topology_of(model);
-        far::TopologyDescriptor d;
-        d.numVertices = mesh.vertices;
-        d.numFaces = static_cast<int>(mesh.face_sizes.size());
-        d.numVertsPerFace = mesh.face_sizes.data();
-        d.vertIndicesPerFace = mesh.corners.data();
-        d.numCreases = static_cast<int>(mesh.crease_sharpness.size());
-        d.creaseVertexIndexPairs = mesh.crease_vertices.data();
-        d.creaseWeights = mesh.crease_sharpness.data();
-        d.numCorners = static_cast<int>(mesh.point_sharpness.size());
-        d.cornerVertexIndices = mesh.point_vertices.data();
-        d.cornerWeights = mesh.point_sharpness.data();
-        using factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
-        refiner_.reset(factory::Create(
-            d, factory::Options(OpenSubdiv::Sdc::SCHEME_CATMARK, options_of(model))));
+    far_surface(const mesh_topology& mesh, const std::vector<place>& places,
+                OpenSubdiv::Sdc::Options options)
+        : refiner_(refiner_of(mesh, options)) {
         far::PatchTableFactory::Options how(10);
         how.useInfSharpPatch = true;
         how.generateLegacySharpCornerPatches = false;
@@ -88,17 +183,7 @@ public:
         refiner_->RefineAdaptive(how.GetRefineAdaptiveOptions());
         patches_.reset(far::PatchTableFactory::Create(*refiner_, how));
         map_ = std::make_unique<far::PatchMap>(*patches_);
-        points_.resize(static_cast<std::size_t>(refiner_->GetNumVerticesTotal()));
-        for (std::size_t i = 0; i < model.mesh.vertices.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                points_[i].at[k] = model.mesh.vertices[i][static_cast<int>(k)];
-        const far::PrimvarRefinerReal<double> by(*refiner_);
-        point* from = points_.data();
-        for (int level = 1; level < refiner_->GetNumLevels(); ++level) {
-            point* const to = from + refiner_->GetLevel(level - 1).GetNumVertices();
-            by.Interpolate(level, from, to);
-            from = to;
-        }
+        points_ = points_of(*refiner_, places);
     }
 
     /// The surface at (u, v) of a quad, if it is one of the exact patches there.
@@ -135,17 +220,25 @@ double value_of(const l3d_limit::net& p, double u, double v) {
 }
 
 limit_patches patches_of(const l3d_model_file& model, double wanted) {
-    std::vector<place> places;
-    for (const auto& v : model.mesh.vertices)
-        places.push_back({v[0], v[1], v[2]});
-    return {topology_of(model), places, options_of(model), wanted, 1 << 17};
+    return {topology_of(model), places_of(model), options_of(model), wanted, 1 << 17};
+}
+
+/// The distance of a place of a patch from another place.
+double distance_at(const limit_patches& of, std::size_t patch, double s, double t,
+                   const place& from) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double off = value_of(of.patches[patch][k], s, t) - from[k];
+        sum += off * off;
+    }
+    return std::sqrt(sum);
 }
 
 /// The largest distance at random places: half of them anywhere, half in patches that are not
 /// exact.
 double farthest(const l3d_model_file& model, const limit_patches& of, int places,
                 std::mt19937& random) {
-    const far_surface limit(model);
+    const far_surface limit(topology_of(model), places_of(model), options_of(model));
     std::vector<std::size_t> caps;
     for (std::size_t i = 0; i < of.leaves.size(); ++i)
         if (!of.leaves[i].is_regular)
@@ -162,12 +255,7 @@ double farthest(const l3d_model_file& model, const limit_patches& of, int places
         place exact{};
         if (!limit.evaluate(leaf.quad, leaf.u + leaf.size * s, leaf.v + leaf.size * t, exact))
             continue;
-        double sum = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double off = value_of(of.patches[which][k], s, t) - exact[k];
-            sum += off * off;
-        }
-        most = std::max(most, std::sqrt(sum));
+        most = std::max(most, distance_at(of, which, s, t, exact));
     }
     return most;
 }
@@ -191,6 +279,46 @@ TEST(limit_patches, are_within_their_bound_of_the_limit_surface_at_100000_places
         }
 }
 
+/// The largest distance at random places of caps of the deepest level.
+double farthest_in_deepest_caps(const l3d_model_file& model, const limit_patches& of, int places,
+                                std::mt19937& random, int& judged) {
+    const fine_cage fine(model);
+    const far_surface limit(fine.mesh, fine.places, fine.options);
+    std::vector<std::size_t> caps;
+    for (std::size_t i = 0; i < of.leaves.size(); ++i)
+        if (!of.leaves[i].is_regular && of.leaves[i].level == 10)
+            caps.push_back(i);
+    std::uniform_real_distribution<double> part(0, 1);
+    double most = 0;
+    for (int i = 0; i < places && !caps.empty(); ++i) {
+        const std::size_t which = caps[random() % caps.size()];
+        const auto& leaf = of.leaves[which];
+        const double s = part(random), t = part(random);
+        int quad = leaf.quad;
+        double u = leaf.u + leaf.size * s, v = leaf.v + leaf.size * t;
+        fine.descend(quad, u, v);
+        place exact{};
+        if (!limit.evaluate(quad, u, v, exact))
+            continue;
+        ++judged;
+        most = std::max(most, distance_at(of, which, s, t, exact));
+    }
+    return most;
+}
+
+TEST(limit_patches, of_the_deepest_level_are_within_their_bound_of_the_limit_surface) {
+    std::mt19937 random(5403);
+    int judged = 0;
+    for (const named_cage& cage : all_cages()) {
+        const limit_patches made = patches_of(cage.model, 1e-12);
+        if (made.levels < 10)
+            continue;
+        const double most = farthest_in_deepest_caps(cage.model, made, 4000, random, judged);
+        EXPECT_LE(most, made.error) << cage.name;
+    }
+    EXPECT_GT(judged, 40000);
+}
+
 TEST(limit_patches, are_all_exact_where_all_is_regular) {
     const limit_patches made = patches_of(torus_of_quads(), 0.1);
     EXPECT_EQ(made.caps, 0U);
@@ -199,11 +327,8 @@ TEST(limit_patches, are_all_exact_where_all_is_regular) {
 }
 
 TEST(limit_patches, that_may_not_become_more_say_the_error_that_is_left) {
-    std::vector<place> places;
     const l3d_model_file model = cube();
-    for (const auto& v : model.mesh.vertices)
-        places.push_back({v[0], v[1], v[2]});
-    const limit_patches few(topology_of(model), places, options_of(model), 1e-6, 100);
+    const limit_patches few(topology_of(model), places_of(model), options_of(model), 1e-6, 100);
     EXPECT_LE(few.patches.size(), 100U);
     EXPECT_GT(few.error, 1e-3);
     std::mt19937 random(5402);
