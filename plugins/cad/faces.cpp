@@ -12,6 +12,7 @@
 #include <BRepTools.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GeomAPI.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom2d_Curve.hxx>
@@ -35,6 +36,11 @@ constexpr double trim_share = 1e-9;
 /// Loops may gape by a 2^-20 of their extent (l3d_trims_complaint). Wider gaps get a line, and so
 /// do those that are nearly as wide.
 constexpr double gap_share = 0x1p-22;
+/// Curves of sound files leave their surface by rounding, or by a period. Beyond so many ranges of
+/// the face, doubles tell their places no better than trim_share.
+constexpr double most_ranges_beyond = 0x1p12;
+/// A thread of so many turns takes some 10^4 pieces.
+constexpr double most_turns = 0x1p12;
 
 using place_2d = std::array<double, 2>;
 
@@ -138,6 +144,14 @@ struct hull {
     double extent() const { return std::max(box.u1 - box.u0, box.v1 - box.v0); }
 };
 
+/// The diagonal of the box of control points.
+double size_of(const std::vector<point>& points) {
+    Bnd_Box box;
+    for (const point& p : points)
+        box.Add(gp_Pnt(p[0], p[1], p[2]));
+    return std::sqrt(box.SquareExtent());
+}
+
 /// Brings one range of a face's parameters, which hulls of its curves give, into that of the
 /// surface. Turns about an axis may go on for more than one period, as those of a thread do.
 void fit(double& low, double& high, const std::array<double, 2>& optimal, double period,
@@ -148,6 +162,8 @@ void fit(double& low, double& high, const std::array<double, 2>& optimal, double
         return;
     }
     constexpr double rounding = 1e-9; // the kernel's own precision of angles
+    if (high - low > period * most_turns)
+        throw Standard_Failure("it turns more than 4096 times about its axis");
     if (!is_turn && high - low > period * (1 + rounding)) {
         low = std::max(low, optimal[0]);
         high = std::min({high, optimal[1], low + period});
@@ -337,7 +353,16 @@ void face_writer::write_surface(const TopoDS_Face& located) {
             throw Standard_Failure("it has no end");
     if (!(box.u0 < box.u1 && box.v0 < box.v1))
         throw Standard_Failure("it is empty");
+    const double wide = most_ranges_beyond * (box.u1 - box.u0);
+    const double high = most_ranges_beyond * (box.v1 - box.v0);
+    if (!wires.empty() && !(box.u0 - bounds.box.u0 <= wide && bounds.box.u1 - box.u1 <= wide &&
+                            box.v0 - bounds.box.v0 <= high && bounds.box.v1 - box.v1 <= high))
+        throw Standard_Failure("its trims are far outside of its surface");
     rational_surface surface = rational_of(shape, box);
+    for (const auto& wire : wires)
+        for (const edge_use& use : wire)
+            if (!(BRep_Tool::Tolerance(use.edge) <= size_of(surface.points)))
+                throw Standard_Failure("an edge's tolerance is more than the size of the face");
 
     std::vector<loop> loops;
     for (const auto& wire : wires) {

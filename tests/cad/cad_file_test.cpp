@@ -5,10 +5,13 @@
 #include "geom/files/model_file.h"
 #include "geom/files/reading_progress_p.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -280,6 +283,25 @@ TEST(cad_file, that_is_bad_gives_one_line) {
               "");
     EXPECT_NE(complaint("ISO-10303-21;\n" + std::string(1000, '\1') + "END-ISO-10303-21;"), "");
     EXPECT_EQ(complaint(""), "part:1: the text is empty");
+}
+
+TEST(cad_file, whose_edge_is_farther_off_than_a_face_is_large_loses_that_face) {
+    const cad_folder folder;
+    const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({4, 0, -20}, {0, 0, 1}), 4, 40);
+    write_step(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(10).Shape(), drill).Shape(),
+               folder.file("a.step"));
+    std::string text = cad_records::text_of(folder.file("a.step"));
+    // A control point in the middle of the first spline goes a kilometre away.
+    std::size_t at = text.find("B_SPLINE_CURVE_WITH_KNOTS");
+    for (int i = 0; i < 12; ++i)
+        at = text.find('#', at + 1);
+    const std::string point = text.substr(at, text.find_first_not_of("0123456789", at + 1) - at);
+    const std::size_t first = text.find("('',(", text.find("\n" + point + " =")) + 5;
+    text.replace(first, text.find("))", first) - first, "1.E6,1.E6,1.E6");
+    std::string why;
+    EXPECT_FALSE(l3d_read_model(text, "part", why));
+    EXPECT_EQ(why, "part: it holds no surfaces; face 1 is left out: an edge's tolerance is more "
+                   "than the size of the face");
 }
 
 /// Bytes changed, taken out or doubled; also whole numbers of entities, which connect the file.

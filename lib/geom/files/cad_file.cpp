@@ -82,6 +82,8 @@ public:
     }
 
     bool is_complete() const { return is_complete_; }
+    /// The first note of what is not as the file says; empty if there is none.
+    const std::string& first_note() const { return first_; }
 
     l3d_model_file finish() {
         if (left_out_ > 0)
@@ -98,6 +100,8 @@ private:
     }
 
     void note_first(const std::string& text) {
+        if (first_.empty())
+            first_ = text;
         if (model_.notes.size() < most_notes)
             note(text);
         else
@@ -225,6 +229,7 @@ private:
     }
 
     std::string name_;
+    std::string first_;
     l3d_model_file model_;
     std::uint32_t material_ = l3d_material_of_place;
     std::size_t faces_ = 0, left_out_ = 0;
@@ -281,6 +286,7 @@ std::optional<l3d_model_file> l3d_detail::read_cad(std::string_view text, std::s
         return fail("the plug-in's surfaces are cut off");
     l3d_model_file model = made.finish();
     if (model.patches.empty())
-        return fail("it holds no surfaces");
+        return fail("it holds no surfaces" +
+                    (made.first_note().empty() ? "" : "; " + made.first_note()));
     return model;
 }
