@@ -3,8 +3,12 @@
 #include "docs.h"
 #include "types.h"
 
+#include <l3d/error.h>
+#include <l3d/plugin_loader.h>
 #include <l3d/polygon_view.h>
 #include <l3d/texture.h>
+
+#include <fstream>
 
 namespace python {
 
@@ -54,6 +58,25 @@ reference make_scene(arguments& a) {
     scene result;
     if (a.find("model"))
         result.instances.add(patches_of(a, "model"));
+    return made(std::move(result));
+}
+
+reference load(arguments& a) {
+    a.are("Scene.load", "file |");
+    const std::string file = path_of(a.need("file"), a.what("file"));
+    std::optional<l3d_any_scene> found;
+    try {
+        const unlocked while_reading;
+        found = l3d_load_any_scene(l3d_data_file(file));
+    } catch (const l3d_error& error) {
+        throw file_failure{file, error.what(), !std::ifstream(l3d_data_file(file)).good()};
+    }
+    scene result;
+    if (auto* instances = std::get_if<l3d_patch_scene>(&*found))
+        result.instances = std::move(*instances);
+    else
+        throw file_failure{
+            file, file + ": a scene holds models of patches, and this file has polygons", false};
     return made(std::move(result));
 }
 
@@ -137,6 +160,7 @@ reference scene_text(const scene& self) {
 
 PyTypeObject* add_scene_type(PyObject* module) {
     static PyMethodDef methods[] = {
+        function<load>("load", doc("Scene.load"), METH_STATIC),
         method<scene, add>("add", doc("Scene.add")),
         method<scene, place>("place", doc("Scene.place")),
         method<scene, paint>("paint", doc("Scene.paint")),

@@ -214,6 +214,9 @@ class Model:
 class Scene:
     """Models of patches, each placed any number of times."""
     def __init__(self, model: Optional[Model] = None) -> None: ...
+    @staticmethod
+    def load(file: _Path) -> Scene:
+        """Reads a file of patches, such as a STEP assembly, whose places share the shapes that they repeat."""
     def add(self, model: Model, placement: Optional[_Numbers] = None, *, at: _Numbers = (0, 0, 0),
             turn: _Numbers = (0, 0, 0), scale: float = 1, material: Optional[Material] = None,
             opacity: float = 1) -> int:

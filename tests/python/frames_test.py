@@ -54,6 +54,12 @@ def check_frames_follow_scene_camera_and_settings():
                           curves=[(l3d.Curve.circle(3), "#00ff00", 4)])) == seen[-1])
 
 
+def check_scenes_of_files_are_their_models():
+    scene = l3d.Scene.load("teapot.bpt")
+    expect(len(scene) == 1, scene)
+    expect(bytes(l3d.draw(scene, (64, 48))) == bytes(l3d.draw(l3d.Model.load("teapot.bpt"), (64, 48))))
+
+
 def check_pictures_never_change():
     view = l3d.View(teapot, (160, 120))
     pictures, texts = [], []

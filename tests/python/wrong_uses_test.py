@@ -108,6 +108,8 @@ l3d.Light()                                             TypeError  either
 l3d.Light(direction=(0, 0, 0))                          Error      direction
 l3d.Light(direction=(0, 0, 1), position=(0, 0, 0))      TypeError  either
 l3d.Light(position=(0, 0, 0), color=(1, -1, 1))         Error      light away
+l3d.Scene.load(nothing)                                 FileError  nothing
+l3d.Scene.load("data/head.obj")                         Error      polygons
 scene.add(box)                                          Error      polygons
 scene.add(teapot, [[1]])                                Error      4 x 4
 scene.add(teapot, [[0] * 4] * 4)                        Error      placement
