@@ -98,6 +98,11 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
     next_slot_ = patches_before_ = 0;
     for (instance_edges& one : edges_)
         one.is_made = false;
+    for (instance_trims& one : trims_)
+        for (std::unique_ptr<patch_trims>& patch : one.patches)
+            if (patch && patch->frame != frame_)
+                patch.reset();
+    ++frame_;
     counts_.near_z = view_.near;
     budget_left_ = view_.budget();
 }
@@ -119,6 +124,7 @@ l3d_frame_dicer<T>::dice(const l3d_patch_scene& scene, const l3d_scene_culling& 
     wanted_.resize(batch.size());
     std::iota(wanted_.begin(), wanted_.end(), std::size_t{0});
     make_polylines(of);
+    prepare_trims(of);
     dice_slots(of, share);
     dice_short_ones(of, allowance, share);
     parts_.clear();
@@ -186,6 +192,23 @@ template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
     }
 }
 
+/// Makes room for what trims leave, and forgets what belongs to other models, or other levels.
+template <class T> void l3d_frame_dicer<T>::prepare_trims(const task& of) {
+    for (const l3d_placed_patch& p : of.batch) {
+        const l3d_patch_model& model = of.scene.instances()[p.instance].model();
+        if (!model.has_trims())
+            continue;
+        if (trims_.size() <= p.instance)
+            trims_.resize(p.instance + 1);
+        instance_trims& one = trims_[p.instance];
+        if (one.model && one.model->identity() == model.identity())
+            continue;
+        one.model = model;
+        one.patches.clear();
+        one.patches.resize(model.patches().size());
+    }
+}
+
 /// Dices the slots that are wanted.
 template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int64_t share) {
     by_height_.clear();
@@ -229,7 +252,8 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     const bool inspects = l3d_sees_patches(view_.shading.mode);
     const l3d_patch_model& model = of.scene.instances()[of.batch[i].instance].model();
     const l3d_trim_region* const region = model.trim(of.batch[i].patch);
-    slot(i).keep_parameters(keep_parameters_ || inspects || view_.shading.paints || region);
+    const bool keeps_parameters = keep_parameters_ || inspects || view_.shading.paints;
+    slot(i).keep_parameters(keeps_parameters || region);
     space.counts = {};
     space.view.trim = region;
     space.view.tolerance = region ? trimmed_tolerance(view_) : view_.tolerance;
@@ -245,7 +269,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     }
     dice_placed(i, of, budget, space);
     if (region)
-        trim(*region, slot(i), space);
+        trim(*region, of.batch[i], slot(i), keeps_parameters, space);
     const std::uint32_t material =
         inspects ? static_cast<std::uint32_t>(patches_before_ + i)
                  : of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
@@ -395,12 +419,27 @@ unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
     return l3d_facing_cones::all & ~(facing.away_from(*eye, 1) | facing.away_from(*eye, -1));
 }
 
+template <class T> l3d_grid_trims& l3d_frame_dicer<T>::kept_trims(const l3d_placed_patch& of) {
+    std::unique_ptr<patch_trims>& kept = trims_[of.instance].patches[of.patch];
+    if (!kept)
+        kept = std::make_unique<patch_trims>();
+    kept->frame = frame_;
+    return kept->grid;
+}
+
+/// A patch is one grid, unless it is cut.
 template <class T>
-void l3d_frame_dicer<T>::trim(const l3d_trim_region& region, l3d_piece_pool& out,
-                              worker_space& space) const {
+void l3d_frame_dicer<T>::trim(const l3d_trim_region& region, const l3d_placed_patch& of,
+                              l3d_piece_pool& out, bool keeps_parameters, worker_space& space) {
     l3d_trim_error error;
-    for (l3d_diced_piece& piece : out.used())
-        error.add(space.trims.cut(region, space.view, piece));
+    const std::span<l3d_diced_piece> pieces = out.used();
+    for (l3d_diced_piece& piece : pieces) {
+        if (pieces.size() > 1)
+            space.trims_of_piece = {};
+        error.add(space.trims.cut(region, space.view, piece,
+                                  pieces.size() > 1 ? space.trims_of_piece : kept_trims(of),
+                                  keeps_parameters));
+    }
     space.counts.bound_px += error.places_px;
     space.counts.depth_bound_px += error.places_px;
     space.counts.normal_off += error.normals;

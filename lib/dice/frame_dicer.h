@@ -17,7 +17,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -94,6 +96,7 @@ private:
         l3d_bend_bounds bends;                      ///< bends of the patch that is diced
         std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
         l3d_trim_cells trims;
+        l3d_grid_trims trims_of_piece; ///< of one of several pieces of a patch
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);
@@ -116,6 +119,8 @@ private:
     };
 
     void make_polylines(const task& of);
+    void prepare_trims(const task& of);
+    l3d_grid_trims& kept_trims(const l3d_placed_patch& of);
     void dice_slots(const task& of, std::int64_t share);
     void dice_short_ones(const task& of, std::int64_t allowance, std::int64_t share);
     void dice_slot(std::size_t i, const task& of, std::int64_t share, worker_space& space);
@@ -125,7 +130,8 @@ private:
                       std::size_t patch) const;
     unsigned folds_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
-    void trim(const l3d_trim_region& region, l3d_piece_pool& out, worker_space& space) const;
+    void trim(const l3d_trim_region& region, const l3d_placed_patch& of, l3d_piece_pool& out,
+              bool keeps_parameters, worker_space& space);
     void build_edges(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                      std::size_t patch, const l3d_image_patch& net, worker_space& space) const;
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
@@ -138,6 +144,18 @@ private:
         double off_px = 0; ///< the most that any is off its faces
     };
 
+    /// What trims leave of the grid of a patch.
+    struct patch_trims {
+        l3d_grid_trims grid;
+        std::uint64_t frame = 0; ///< the last one that needed it
+    };
+    /// The same of an instance's patches. They live while frames need them: most grids have the
+    /// same lines as in the frame before.
+    struct instance_trims {
+        std::optional<l3d_patch_model> model;
+        std::vector<std::unique_ptr<patch_trims>> patches;
+    };
+
     l3d_workers& workers_;
     l3d_dice_way way_;
     bool keep_parameters_;
@@ -145,6 +163,8 @@ private:
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
     std::vector<instance_edges> edges_; ///< by the scene's instances
+    std::vector<instance_trims> trims_; ///< by the scene's instances
+    std::uint64_t frame_ = 0;
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_cells: regions are halved along the grid's lines until they are those of single quads.
+// l3d_trim_cells: what trims leave of a grid, as vertices and triangles in the picture.
 #include "dice/trim_cells.h"
 
 #include "dice/edges/shared_polylines.h"
 #include "dice/facing_fix.h"
 #include "dice/grid_light.h"
-#include "dice/snap.h"
-#include "dice/trim_surfaces_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +16,6 @@
 namespace {
 
 using l3d_detail::corners;
-using l3d_detail::quad_surface;
-using l3d_detail::slit_surface;
 using parameters = l3d_patch_parameters;
 
 template <std::size_t Corners>
@@ -55,76 +51,47 @@ void l3d_trim_error::add(const l3d_trim_error& other) {
 }
 
 l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice_view& view,
-                                   l3d_diced_piece& piece) {
+                                   l3d_diced_piece& piece, l3d_grid_trims& kept,
+                                   bool keeps_parameters) {
     view_ = &view;
     piece_ = &piece;
     error_ = {};
-    for (stretches& side : kept_)
-        side.clear();
     slits_.clear();
     std::swap(slits_, piece.part.triangles);
     for (std::size_t k = 0; k < slits_uv_.size(); ++k) {
         slits_uv_[k].clear();
         std::swap(slits_uv_[k], piece.triangle_uv[k]);
     }
-    const bool notes = view.shading.antialias;
+    piece.keep_parameters = keeps_parameters;
     border_.clear();
     trims_.clear();
     std::swap(border_, piece.part.border);
     std::swap(border_along_, piece.border_along);
     if (piece.part.grid.rows > 1) {
-        if (notes)
-            is_whole_.assign(piece.part.grid.x.size(), false);
-        const l3d_trim_box box{{piece.u.front(), piece.v.front()},
-                               {piece.u.back(), piece.v.back()}};
-        const auto take = [this](const l3d_trim_block& of, const l3d_trim_region* here) {
-            if (here == nullptr)
-                leave_out(of);
-            else if (here->is_all_of({{piece_->u[of.column], piece_->v[of.row]},
-                                      {piece_->u[of.end_column], piece_->v[of.end_row]}}))
-                keep_all(*here, of);
-            else
-                cut_quad(*here, of.row, of.column);
-        };
-        l3d_for_trimmed_blocks(region.within(box), piece.u, piece.v,
-                               {0, piece.v.size() - 1, 0, piece.u.size() - 1}, take);
-        std::ranges::sort(piece.part.grid.cut);
-        for (stretches& side : kept_)
-            l3d_join_stretches(side);
-        if (notes) {
-            note_whole_quads();
-            cut_border();
-            piece.part.border.insert(piece.part.border.end(), trims_.begin(), trims_.end());
-        }
+        if (!kept.is_for(piece.u, piece.v))
+            kept.make(region, piece.u, piece.v, workshop_);
+        cut_grid(kept);
     }
-    cut_slits(region);
+    cut_slits(region, kept);
+    piece.keep_parameters = true; // those of slits, when it is diced again
     return error_;
 }
 
-void l3d_trim_cells::leave_out(const l3d_trim_block& of) {
+void l3d_trim_cells::cut_grid(const l3d_grid_trims& by) {
     l3d_micro_grid& grid = piece_->part.grid;
-    for (std::size_t row = of.row; row < of.end_row; ++row)
-        for (std::size_t column = of.column; column < of.end_column; ++column)
-            grid.cut.push_back(static_cast<std::uint32_t>(
-                grid.index(static_cast<int>(row), static_cast<int>(column))));
-}
-
-void l3d_trim_cells::keep_all(const l3d_trim_region& region, const l3d_trim_block& of) {
-    strip_whole(region, of);
-    const std::vector<double>&u = piece_->u, &v = piece_->v;
-    if (view_->shading.antialias)
-        for (std::size_t row = of.row; row < of.end_row; ++row)
-            for (std::size_t column = of.column; column < of.end_column; ++column)
-                is_whole_[piece_->part.grid.index(static_cast<int>(row),
-                                                  static_cast<int>(column))] = true;
-    if (of.row == 0)
-        kept_[0].push_back({u[of.column], u[of.end_column]});
-    if (of.end_row + 1 == v.size())
-        kept_[1].push_back({u[of.column], u[of.end_column]});
-    if (of.column == 0)
-        kept_[2].push_back({v[of.row], v[of.end_row]});
-    if (of.end_column + 1 == u.size())
-        kept_[3].push_back({v[of.row], v[of.end_row]});
+    for (const auto& [row, column] : by.cut())
+        grid.cut.push_back(static_cast<std::uint32_t>(
+            grid.index(static_cast<int>(row), static_cast<int>(column))));
+    for (const l3d_grid_trims::part& part : by.parts())
+        if (part.is_whole)
+            strip_whole(by, part);
+        else
+            cut_quad(by, part);
+    if (!view_->shading.antialias)
+        return;
+    note_whole_quads(by);
+    cut_border(by);
+    piece_->part.border.insert(piece_->part.border.end(), trims_.begin(), trims_.end());
 }
 
 /// Whether the quad is in a block that need not be drawn.
@@ -149,45 +116,35 @@ void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
     const std::int64_t area = double_area(a.vertex, b.vertex, c.vertex);
     if (area == 0)
         return;
-    std::array<typename Surface::point, 3> p{a, b, c};
+    std::array<l3d_dice_vertex, 3> p{
+        {{a.vertex, a.uv.u, a.uv.v}, {b.vertex, b.uv.u, b.uv.v}, {c.vertex, c.uv.u, c.uv.v}}};
     if (view_->makes_levels()) {
-        std::array<double, 3> level;
-        for (std::size_t i = 0; i < 3; ++i)
-            level[i] = of.level(p[i].shares);
-        const auto bend = [&](std::size_t i, std::size_t j) {
-            return static_cast<float>(of.level(middle(p[i].shares, p[j].shares)) -
-                                      (level[i] + level[j]) / 2);
+        const auto bend = [&](const auto& from, const auto& to) {
+            return static_cast<float>(of.level(middle(from.shares, to.shares)) -
+                                      (from.level + to.level) / 2);
         };
+        const float ab = bend(a, b), ac = bend(a, c), bc = bend(b, c);
+        const std::array<std::array<float, 3>, 3> light{{{static_cast<float>(a.level), ab, ac},
+                                                         {static_cast<float>(b.level), 0, bc},
+                                                         {static_cast<float>(c.level), 0, 0}}};
         for (std::size_t i = 0; i < 3; ++i)
-            p[i].vertex.normal[0] = static_cast<float>(level[i]);
-        p[0].vertex.normal[1] = bend(0, 1);
-        p[0].vertex.normal[2] = bend(0, 2);
-        p[1].vertex.normal[1] = p[2].vertex.normal[1] = p[2].vertex.normal[2] = 0;
-        p[1].vertex.normal[2] = bend(1, 2);
-    } else {
-        for (auto& corner : p)
-            of.set_normal(corner.shares, corner.vertex);
+            std::ranges::copy(light[i], p[i].vertex.normal);
     }
     if constexpr (std::is_same_v<Surface, quad_surface>)
         if (piece_->part.grid.shows_both && area > 0)
-            for (auto& corner : p)
+            for (l3d_dice_vertex& corner : p)
                 for (float& number : corner.vertex.normal)
                     number = -number;
-    piece_->add_triangle({p[0].vertex, p[0].uv.u, p[0].uv.v}, {p[1].vertex, p[1].uv.u, p[1].uv.v},
-                         {p[2].vertex, p[2].uv.u, p[2].uv.v});
+    piece_->add_triangle(p[0], p[1], p[2]);
 }
 
 /// A point of a strip's border, with the light of one side and without bends.
-template <class Surface>
-l3d_dice_vertex l3d_trim_cells::lit(const Surface& of, const typename Surface::point& at,
-                                    float side) const {
+template <class Point> l3d_dice_vertex l3d_trim_cells::lit(const Point& at, float side) const {
     l3d_dice_vertex result{at.vertex, at.uv.u, at.uv.v};
     float(&normal)[3] = result.vertex.normal;
     if (view_->makes_levels()) {
-        normal[0] = static_cast<float>(of.level(at.shares));
+        normal[0] = static_cast<float>(at.level);
         normal[1] = normal[2] = 0;
-    } else {
-        of.set_normal(at.shares, result.vertex);
     }
     for (float& number : normal)
         number *= side;
@@ -224,22 +181,16 @@ const l3d_diced_piece::crossing* l3d_trim_cells::crossing_at(bool along_u, doubl
 }
 
 /// Adds strips along the sides of whole quads that follow edges.
-void l3d_trim_cells::strip_whole(const l3d_trim_region& region, const l3d_trim_block& of) {
+void l3d_trim_cells::strip_whole(const l3d_grid_trims& by, const l3d_grid_trims::part& part) {
     if (view_->edges == nullptr)
         return;
     const l3d_micro_grid& grid = piece_->part.grid;
-    const auto visit = [&](const l3d_trim_use& use, const l3d_trim_place& from,
-                           const l3d_trim_place& to) {
-        const auto place_of = [](const std::vector<double>& all, double at) {
-            return static_cast<int>(std::ranges::lower_bound(all, at) - all.begin());
-        };
-        const int row = place_of(piece_->v, from[1]), column = place_of(piece_->u, from[0]);
-        const int end_row = place_of(piece_->v, to[1]), end_column = place_of(piece_->u, to[0]);
-        const auto last = [](std::size_t end) { return static_cast<int>(end) - 1; };
-        const float turn = l3d_side_of_quad(grid, std::min(row, last(of.end_row)),
-                                            std::min(column, last(of.end_column)), 0);
-        const auto vertex = [&](int r, int c, const l3d_trim_place& at) {
-            l3d_dice_vertex result{grid.vertex(r, c), at[0], at[1]};
+    for (const l3d_grid_trims::grid_side& side : by.grid_sides(part.grid_sides)) {
+        const float turn = l3d_side_of_quad(grid, static_cast<int>(side.quad_row),
+                                            static_cast<int>(side.quad_column), 0);
+        const auto vertex = [&](std::uint32_t row, std::uint32_t column, const l3d_trim_place& at) {
+            l3d_dice_vertex result{grid.vertex(static_cast<int>(row), static_cast<int>(column)),
+                                   at[0], at[1]};
             float(&normal)[3] = result.vertex.normal;
             if (view_->makes_levels())
                 normal[1] = normal[2] = 0;
@@ -247,77 +198,64 @@ void l3d_trim_cells::strip_whole(const l3d_trim_region& region, const l3d_trim_b
                 number *= turn;
             return result;
         };
-        note_crossing(from, use.edge, use.from);
-        note_crossing(to, use.edge, use.to);
-        add_strip(use, vertex(row, column, from), vertex(end_row, end_column, to));
-    };
-    l3d_for_followed_sides(region, piece_->u, piece_->v, of, visit);
+        note_crossing(side.from, side.use.edge, side.use.from);
+        note_crossing(side.to, side.use.edge, side.use.to);
+        add_strip(side.use, vertex(side.row, side.column, side.from),
+                  vertex(side.end_row, side.end_column, side.to));
+    }
 }
 
-void l3d_trim_cells::cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column) {
-    const std::vector<double>&u = piece_->u, &v = piece_->v;
-    leave_out({row, row + 1, column, column + 1});
-    const l3d_trim_box box{{u[column], v[row]}, {u[column + 1], v[row + 1]}};
-    triangles_.cut(region, box);
-    const std::array at_border{row == 0, row + 2 == v.size(), column == 0, column + 2 == u.size()};
-    for (std::size_t side = 0; side < kept_.size(); ++side)
-        if (at_border[side])
-            kept_[side].insert(kept_[side].end(), triangles_.sides()[side].begin(),
-                               triangles_.sides()[side].end());
-    for (const auto& [from, to, triangle, use] : triangles_.followed()) {
-        note_crossing(from, use.edge, use.from);
-        note_crossing(to, use.edge, use.to);
+void l3d_trim_cells::cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::part& part) {
+    const auto corners = by.corners(part.corners);
+    for (const l3d_grid_trims::corner_side& side : by.sides(part.followed)) {
+        note_crossing(corners[side.from].at, side.use.edge, side.use.from);
+        note_crossing(corners[side.to].at, side.use.edge, side.use.to);
     }
-    if (is_unseen(row, column))
+    if (is_unseen(part.of.row, part.of.column))
         return;
     const l3d_micro_grid& grid = piece_->part.grid;
-    const std::size_t p00 = grid.index(static_cast<int>(row), static_cast<int>(column));
-    const quad_surface of(l3d_detail::corners_of(grid, p00), *view_, box);
+    const int row = static_cast<int>(part.of.row), column = static_cast<int>(part.of.column);
+    const quad_surface of(l3d_detail::corners_of(grid, grid.index(row, column)), *view_);
     error_.add(of.error(view_->makes_levels()));
+    points_.clear();
+    for (const l3d_grid_trims::corner& corner : corners)
+        points_.push_back(of.point_at(corner, view_->makes_levels()));
+    const auto side_between = [&](const l3d_grid_trims::corner_side& side, int at_row,
+                                  int at_column, bool always) {
+        return side_of(points_[side.from].vertex, points_[side.to].vertex, at_row, at_column,
+                       always);
+    };
     const bool notes = view_->shading.antialias;
-    auto border = triangles_.border().begin();
-    for (std::size_t i = 0; i < triangles_.triangles().size(); ++i) {
-        const auto& [a, b, c] = triangles_.triangles()[i];
-        add(of, of.point_at(a), of.point_at(b), of.point_at(c));
+    const auto triangles = by.triangles(part.triangles);
+    const auto borders = by.sides(part.border);
+    auto border = borders.begin();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto& [a, b, c] = triangles[i];
+        add(of, points_[a], points_[b], points_[c]);
         // One without area has given its place to the one before.
         const std::size_t last = piece_->part.triangles.count - 1;
-        for (; notes && border != triangles_.border().end() && border->triangle == i; ++border)
+        for (; notes && border != borders.end() && border->triangle == i; ++border)
             if (piece_->part.triangles.count > 0 && !has_strip(border->use))
-                trims_.push_back(side_of(of.point_at(border->from).vertex,
-                                         of.point_at(border->to).vertex, -1, static_cast<int>(last),
-                                         true));
+                trims_.push_back(side_between(*border, -1, static_cast<int>(last), true));
     }
-    if (!triangles_.followed().empty() && view_->edges != nullptr) {
-        const float turn =
-            l3d_side_of_quad(grid, static_cast<int>(row), static_cast<int>(column), 0);
-        for (const auto& [from, to, triangle, use] : triangles_.followed())
-            add_strip(use, lit(of, of.point_at(from), turn), lit(of, of.point_at(to), turn));
+    if (!part.followed.is_empty() && view_->edges != nullptr) {
+        const float turn = l3d_side_of_quad(grid, row, column, 0);
+        for (const l3d_grid_trims::corner_side& side : by.sides(part.followed))
+            add_strip(side.use, lit(points_[side.from], turn), lit(points_[side.to], turn));
     }
-    if (!notes)
-        return;
-    const auto note_side = [&](const l3d_trim_place& from, const l3d_trim_place& to) {
-        piece_->part.border.push_back(side_of(of.point_at(from).vertex, of.point_at(to).vertex,
-                                              static_cast<int>(row), static_cast<int>(column),
-                                              false));
-    };
-    for (std::size_t side = 0; side < at_border.size(); ++side)
-        for (const auto& [from, to] : triangles_.sides()[side]) {
-            if (at_border[side])
-                continue;
-            if (side == 0)
-                note_side({from, box.least[1]}, {to, box.least[1]});
-            else if (side == 1)
-                note_side({to, box.most[1]}, {from, box.most[1]});
-            else if (side == 2)
-                note_side({box.least[0], to}, {box.least[0], from});
-            else
-                note_side({box.most[0], from}, {box.most[0], to});
-        }
+    if (notes)
+        for (const l3d_grid_trims::corner_side& side : by.sides(part.inner))
+            piece_->part.border.push_back(side_between(side, row, column, false));
 }
 
 /// Notes the sides at which a whole quad meets another one; they go on there, or end.
-void l3d_trim_cells::note_whole_quads() {
+void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
     const l3d_micro_grid& grid = piece_->part.grid;
+    is_whole_.assign(grid.x.size(), false);
+    for (const l3d_grid_trims::part& part : by.parts())
+        for (std::size_t row = part.of.row; part.is_whole && row < part.of.end_row; ++row)
+            for (std::size_t column = part.of.column; column < part.of.end_column; ++column)
+                is_whole_[grid.index(static_cast<int>(row), static_cast<int>(column))] = true;
     const auto is_whole = [&](int row, int column) { return is_whole_[grid.index(row, column)]; };
     for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column) {
@@ -342,7 +280,7 @@ void l3d_trim_cells::note_whole_quads() {
 }
 
 /// Keeps of the piece's border what lies beside the region.
-void l3d_trim_cells::cut_border() {
+void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
     constexpr std::size_t sides[] = {0, 3, 1, 2}; // v = 0, u = 1, v = 1, u = 0: those of quads
     for (std::size_t i = 0; i < border_.size(); ++i) {
         const l3d_border_edge& edge = border_[i];
@@ -361,7 +299,7 @@ void l3d_trim_cells::cut_border() {
             const double part = (along - low) / (high - low);
             return of.place({1 - part, part});
         };
-        for (const auto& [from, to] : kept_[sides[edge.side]]) {
+        for (const auto& [from, to] : by.kept()[sides[edge.side]]) {
             if (to <= low || from >= high)
                 continue;
             l3d_micro_vertex a = at(std::max(low, from)), b = at(std::min(high, to));
@@ -379,7 +317,7 @@ void l3d_trim_cells::cut_border() {
 }
 
 /// Slits lie along lines of equal u or v. Other triangles are those of clipped quads.
-void l3d_trim_cells::cut_slits(const l3d_trim_region& region) {
+void l3d_trim_cells::cut_slits(const l3d_trim_region& region, const l3d_grid_trims& by) {
     const bool has_grid = piece_->part.grid.rows > 1;
     stretches of_line; // those of the line that is known
     std::array<double, 2> line{-1, -1};
@@ -396,7 +334,7 @@ void l3d_trim_cells::cut_slits(const l3d_trim_region& region) {
         const double across = along_u ? a.v : a.u;
         if (has_grid) {
             const bool is_low = across == (along_u ? piece_->v : piece_->u).front();
-            cut_slit(i, along_u, kept_[(along_u ? 0 : 2) + (is_low ? 0 : 1)]);
+            cut_slit(i, along_u, by.kept()[(along_u ? 0 : 2) + (is_low ? 0 : 1)]);
             continue;
         }
         if (line != std::array{along_u ? 1.0 : 0.0, across}) {
@@ -436,9 +374,9 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         const double part = (at - along(from)) / (along(to) - along(from));
         result.shares[from] = 1 - part;
         result.shares[to] = part;
-        result.vertex = of.place(result.shares);
         result.uv = slits_uv_[from][triangle];
         (along_u ? result.uv.u : result.uv.v) = at;
+        of.put(result, view_->makes_levels());
         return result;
     };
     const auto by_way = [&](double at) {
@@ -450,7 +388,7 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
     const auto strip_end = [&](double at, const slit_surface::point& a,
                                const slit_surface::point& b) {
         if (const auto* const crossing = crossing_at(along_u, across, at))
-            add_strip({crossing->edge, crossing->t, crossing->t}, lit(of, a, 1), lit(of, b, 1));
+            add_strip({crossing->edge, crossing->t, crossing->t}, lit(a, 1), lit(b, 1));
     };
     for (; first != kept.end() && (*first)[0] <= along(high); ++first) {
         const auto [from, to] = *first;
@@ -467,8 +405,8 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         if (begin < along(middle) && along(middle) < end) {
             slit_surface::point corner;
             corner.shares[middle] = 1;
-            corner.vertex = of.place(corner.shares);
             corner.uv = slits_uv_[middle][triangle];
+            of.put(corner, view_->makes_levels());
             add(of, straight, last, corner);
             last = corner;
         }

@@ -4,27 +4,13 @@
 #define L3D_DICE_TRIM_CELLS_H
 
 #include "dice/diced_piece.h"
-#include "dice/snap.h"
-#include "geom/trims/trim_triangles.h"
+#include "dice/trim_surfaces_p.h"
+#include "geom/trims/grid_trims.h"
 #include "scene/dice_view.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
-
-/// The most that trimming adds to the errors of a piece.
-struct l3d_trim_error {
-    double places_px = 0; ///< error of places, and of depth along the normal
-    double normals = 0;   ///< error of interpolated normals, where vertices have such
-    double levels = 0;    ///< error of levels, where vertices have these
-
-    void add(const l3d_trim_error& other);
-};
-
-/// How far the corners that trims make are off the means that they stand for, in pixels.
-inline double l3d_trimmed_snap(const l3d_dice_view& view) {
-    return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
-}
 
 /// Leaves out what lies outside of a region: of a piece's quads, and of the triangles of its slits.
 ///
@@ -37,40 +23,42 @@ inline double l3d_trimmed_snap(const l3d_dice_view& view) {
 class l3d_trim_cells {
 public:
     /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
+    /// Shape:   `kept` is what the region leaves of the last grid; it is made anew for another one.
+    /// Expects: what `kept` has was made for this region.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
-                       l3d_diced_piece& piece);
+                       l3d_diced_piece& piece, l3d_grid_trims& kept, bool keeps_parameters);
 
 private:
     using stretch = std::array<double, 2>;
     using stretches = std::vector<stretch>;
-    void leave_out(const l3d_trim_block& of);
-    void keep_all(const l3d_trim_region& region, const l3d_trim_block& of);
+    using quad_surface = l3d_detail::quad_surface;
+    using slit_surface = l3d_detail::slit_surface;
+    void cut_grid(const l3d_grid_trims& by);
     bool has_strip(const l3d_trim_use& use) const;
-    void cut_quad(const l3d_trim_region& region, std::size_t row, std::size_t column);
+    void cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::part& part);
     template <class Surface>
     void add(const Surface& of, const typename Surface::point& a, const typename Surface::point& b,
              const typename Surface::point& c);
-    void cut_slits(const l3d_trim_region& region);
+    void cut_slits(const l3d_trim_region& region, const l3d_grid_trims& by);
     void keep_slit(std::size_t triangle);
     void cut_slit(std::size_t triangle, bool along_u, const stretches& kept);
     const l3d_diced_piece::crossing* crossing_at(bool along_u, double across, double along) const;
-    template <class Surface>
-    l3d_dice_vertex lit(const Surface& of, const typename Surface::point& at, float side) const;
+    template <class Point> l3d_dice_vertex lit(const Point& at, float side) const;
     void add_strip(const l3d_trim_use& use, const l3d_dice_vertex& from, const l3d_dice_vertex& to);
     void note_crossing(const l3d_trim_place& at, std::uint32_t edge, double t);
-    void strip_whole(const l3d_trim_region& region, const l3d_trim_block& of);
+    void strip_whole(const l3d_grid_trims& by, const l3d_grid_trims::part& part);
     bool is_unseen(std::size_t row, std::size_t column) const;
-    void note_whole_quads();
-    void cut_border();
+    void note_whole_quads(const l3d_grid_trims& by);
+    void cut_border(const l3d_grid_trims& by);
 
     const l3d_dice_view* view_ = nullptr;
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
-    l3d_trim_triangles triangles_;
-    std::array<stretches, 4> kept_;       ///< the piece's sides, in the order of l3d_piece_side
-    std::vector<bool> is_whole_;          ///< quads, by the index of their first corners
-    std::vector<l3d_border_edge> border_; ///< as it was
-    std::vector<l3d_border_edge> trims_;  ///< sides of triangles
+    l3d_grid_trims::workshop workshop_;
+    std::vector<quad_surface::point> points_; ///< the corners in a quad that is cut
+    std::vector<bool> is_whole_;              ///< quads, by the index of their first corners
+    std::vector<l3d_border_edge> border_;     ///< as it was
+    std::vector<l3d_border_edge> trims_;      ///< sides of triangles
     std::vector<stretch> border_along_;
     l3d_micro_triangles slits_;
     std::array<std::vector<l3d_patch_parameters>, 3> slits_uv_;

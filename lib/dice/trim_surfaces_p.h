@@ -3,9 +3,12 @@
 #ifndef L3D_DICE_TRIM_SURFACES_P_H
 #define L3D_DICE_TRIM_SURFACES_P_H
 
+#include "dice/grid_light.h"
 #include "dice/snap.h"
-#include "dice/trim_cells.h"
+#include "geom/trims/grid_trims.h"
 #include "raster/surfaces/quad_cut_p.h"
+#include "raster/textures/painted_part_p.h"
+#include "scene/dice_view.h"
 
 #include <algorithm>
 #include <array>
@@ -13,13 +16,28 @@
 #include <cstddef>
 #include <limits>
 
+/// The most that trimming adds to the errors of a piece.
+struct l3d_trim_error {
+    double places_px = 0; ///< error of places, and of depth along the normal
+    double normals = 0;   ///< error of interpolated normals, where vertices have such
+    double levels = 0;    ///< error of levels, where vertices have these
+
+    void add(const l3d_trim_error& other);
+};
+
+/// How far the corners that trims make are off the means that they stand for, in pixels.
+inline double l3d_trimmed_snap(const l3d_dice_view& view) {
+    return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
+}
+
 namespace l3d_detail {
 
 /// A point of a surface between `Corners` vertices, and the share that it has of each.
-template <std::size_t Corners> struct blended {
+template <std::size_t Corners> struct blended_point {
     std::array<double, Corners> shares{};
     l3d_micro_vertex vertex;
     l3d_patch_parameters uv;
+    double level = 0; ///< where vertices have levels; else `vertex` has its normal
 };
 
 /// Vertices that are interpolated before projection.
@@ -59,30 +77,39 @@ template <std::size_t Corners> struct corners {
     }
 };
 
+template <class Surface>
+void put_by(const Surface& of, typename Surface::point& at, bool has_levels) {
+    at.vertex = of.place(at.shares);
+    if (has_levels)
+        at.level = of.level(at.shares);
+    else
+        of.set_normal(at.shares, at.vertex);
+}
+
 /// A quad of a grid. Shares are those of p00, p10, p11 and p01.
 struct quad_surface : corners<4> {
-    using point = blended<4>;
+    using point = blended_point<4>;
 
-    l3d_trim_box box;
+    quad_bends bends;
 
-    quad_surface(const std::array<l3d_micro_vertex, 4>& of, const l3d_dice_view& in,
-                 const l3d_trim_box& between)
-        : corners<4>(of, in), box(between) {}
+    quad_surface(const std::array<l3d_micro_vertex, 4>& of, const l3d_dice_view& in)
+        : corners<4>(of, in), bends(of) {}
 
-    point point_at(const l3d_trim_place& p) const {
-        const double s = (p[0] - box.least[0]) / (box.most[0] - box.least[0]);
-        const double t = (p[1] - box.least[1]) / (box.most[1] - box.least[1]);
+    point point_at(const l3d_grid_trims::corner& p, bool has_levels) const {
+        const auto [s, t] = p.part;
         point result{.shares = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t},
                      .vertex = {},
-                     .uv = {p[0], p[1]}};
-        result.vertex = place(result.shares);
+                     .uv = {p.at[0], p.at[1]}};
+        put(result, has_levels);
         return result;
     }
+
+    /// Finds a point's vertex and light by its shares.
+    void put(point& one, bool has_levels) const { put_by(*this, one, has_levels); }
 
     /// Levels are those of levels_shader.
     double level(const std::array<double, 4>& p) const {
         const double s = p[1] + p[2], t = p[2] + p[3];
-        const quad_bends bends(at);
         double result = 0;
         for (std::size_t i = 0; i < 4; ++i)
             result += p[i] * double{at[i].normal[0]};
@@ -96,7 +123,6 @@ struct quad_surface : corners<4> {
     l3d_trim_error error(bool has_levels) const {
         l3d_trim_error result{.places_px = l3d_trimmed_snap(*view)};
         if (has_levels) {
-            const quad_bends bends(at);
             result.levels = 3.2 * (std::abs(double{bends.ab} - double{bends.dc}) +
                                    std::abs(double{bends.ad} - double{bends.bc}));
             return result;
@@ -126,9 +152,12 @@ struct quad_surface : corners<4> {
 
 /// A triangle of a slit.
 struct slit_surface : corners<3> {
-    using point = blended<3>;
+    using point = blended_point<3>;
 
     using corners<3>::corners;
+
+    /// Finds a point's vertex and light by its shares.
+    void put(point& one, bool has_levels) const { put_by(*this, one, has_levels); }
 
     double level(const std::array<double, 3>& p) const {
         double result =

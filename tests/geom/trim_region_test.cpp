@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trimmed regions: triangles against the odd rule at random places, and loops against their curves.
-#include "geom/trims/trim_triangles.h"
+#include "geom/trims/grid_trims.h"
 
 #include <gtest/gtest.h>
 
@@ -129,6 +129,72 @@ TEST(trim_triangles, of_parts_fit_together) {
                 })) << round;
         }
     }
+}
+
+/// A slanted strip between curved borders: no corners but those of its polygon.
+TEST(trim_triangles, have_no_corners_but_those_of_simple_polygons) {
+    l3d_trim_region region;
+    l3d_trim_polygon& polygon = region.polygons.emplace_back();
+    constexpr int sides = 12;
+    for (int i = 0; i <= sides; ++i) {
+        const double v = double(i) / sides;
+        polygon.push_back({{0.2 + 0.3 * v + 0.1 * std::sin(5 * v), v}});
+    }
+    for (int i = sides; i >= 0; --i) {
+        const double v = (i + 0.3 * std::sin(3 * i)) / sides;
+        polygon.push_back({{0.5 + 0.3 * v, std::clamp(v, 0.0, 1.0)}});
+    }
+    l3d_trim_triangles all;
+    all.cut(region, {});
+    EXPECT_EQ(all.triangles().size(), polygon.size() - 2);
+}
+
+/// Each quad of a grid has what the region has there, and its corners are where they say.
+TEST(grid_trims, leave_of_quads_what_the_region_has) {
+    std::mt19937 random(56);
+    std::uniform_real_distribution<double> any(0, 1);
+    const std::vector<double> u{0, 0.125, 0.3, 0.5, 1}, v{0, 0.5, 0.61, 1};
+    l3d_grid_trims grid;
+    l3d_grid_trims::workshop in;
+    int judged = 0;
+    for (int round = 0; round < 200; ++round) {
+        const l3d_trim_region region = random_region(random, round % 2 == 0);
+        grid.make(region, u, v, in);
+        EXPECT_TRUE(grid.is_for(u, v));
+        EXPECT_FALSE(grid.is_for(u, u));
+        real area = 0;
+        for (const l3d_grid_trims::part& part : grid.parts()) {
+            const auto corners = grid.corners(part.corners);
+            const l3d_trim_place least{u[part.of.column], v[part.of.row]},
+                most{u[part.of.end_column], v[part.of.end_row]};
+            for (const auto& [at, share] : corners)
+                for (std::size_t k = 0; k < 2; ++k)
+                    EXPECT_NEAR(least[k] + share[k] * (most[k] - least[k]), at[k], 1e-15);
+            if (part.is_whole)
+                area += (real{most[0]} - least[0]) * (real{most[1]} - least[1]);
+            for (const auto& [a, b, c] : grid.triangles(part.triangles))
+                area += turn(corners[a].at, corners[b].at, corners[c].at) / 2;
+        }
+        l3d_trim_triangles all;
+        all.cut(region.within({}), {});
+        real wanted = 0;
+        for (const auto& [a, b, c] : all.triangles())
+            wanted += turn(a, b, c) / 2;
+        EXPECT_NEAR(double(area), double(wanted), 1e-12) << round;
+        for (int i = 0; i < 20; ++i) {
+            const l3d_trim_place p{any(random), any(random)};
+            const auto index = [](const std::vector<double>& all_of, double at) {
+                return static_cast<std::uint32_t>(std::ranges::upper_bound(all_of, at) -
+                                                  all_of.begin() - 1);
+            };
+            const std::uint32_t row = index(v, p[1]), column = index(u, p[0]);
+            const bool is_cut = std::ranges::binary_search(grid.cut(), std::array{row, column});
+            if (!is_inside(region, p) && !is_cut)
+                ADD_FAILURE() << round << ": a whole quad has a place outside";
+            ++judged;
+        }
+    }
+    EXPECT_EQ(judged, 4000);
 }
 
 /// A quarter of a circle and the way back, exact.

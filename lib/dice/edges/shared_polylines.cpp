@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace {
 
@@ -19,15 +18,16 @@ struct image_curve {
     std::array<control_point, l3d_bpt_largest_degree + 1> points;
     std::size_t count = 0;
 
-    std::pair<image_curve, image_curve> halves() const {
-        std::pair result(*this, *this);
-        image_curve& high = result.second;
+    /// Only points that count are written: most edges have two or three of the sixteen.
+    void halve(image_curve& low, image_curve& high) const {
+        low.count = high.count = count;
+        std::copy_n(points.begin(), count, high.points.begin());
+        low.points[0] = points[0];
         for (std::size_t left = count - 1; left > 0; --left) {
             for (std::size_t i = 0; i < left; ++i)
                 high.points[i] = (high.points[i] + high.points[i + 1]) * 0.5;
-            result.first.points[count - left] = high.points[0];
+            low.points[count - left] = high.points[0];
         }
-        return result;
     }
 };
 
@@ -49,13 +49,16 @@ public:
         by_place_ = std::sqrt(by_place_);
     }
 
-    void add(const image_curve& of, double from, double to, int halvings) {
+    /// Halves of what is seen wholly are seen wholly, too.
+    void add(const image_curve& of, double from, double to, int halvings, bool is_seen) {
         constexpr int most_halvings = 24;
-        if (halvings < most_halvings && may_be_seen(of) && !is_flat(of)) {
-            const auto [low, high] = of.halves();
+        is_seen = is_seen || all_is_seen(of);
+        if (halvings < most_halvings && (is_seen || may_be_seen(of)) && !is_flat(of, is_seen)) {
+            image_curve low, high;
+            of.halve(low, high);
             const double middle = (from + to) / 2;
-            add(low, from, middle, halvings + 1);
-            add(high, middle, to, halvings + 1);
+            add(low, from, middle, halvings + 1, is_seen);
+            add(high, middle, to, halvings + 1, is_seen);
             return;
         }
         const control_point& end = of.points[of.count - 1];
@@ -74,6 +77,16 @@ public:
     }
 
 private:
+    bool all_is_seen(const image_curve& of) const {
+        return std::all_of(of.points.begin(),
+                           of.points.begin() + static_cast<std::ptrdiff_t>(of.count),
+                           [&](const control_point& p) {
+                               return p[2] > view_.near * p[3] && p[2] < view_.far * p[3] &&
+                                      p[0] >= box_.left * p[2] && p[0] <= box_.right * p[2] &&
+                                      p[1] >= box_.top * p[2] && p[1] <= box_.bottom * p[2];
+                           });
+    }
+
     bool may_be_seen(const image_curve& of) const {
         const auto all = [&](const auto& is_out) {
             return std::all_of(of.points.begin(),
@@ -88,9 +101,9 @@ private:
                !all([&](const point& p) { return p[1] > box_.bottom * p[2]; });
     }
 
-    bool is_flat(const image_curve& of) const {
+    bool is_flat(const image_curve& of, bool is_seen) const {
         const control_point &a = of.points[0], &b = of.points[of.count - 1];
-        for (std::size_t i = 0; i < of.count; ++i)
+        for (std::size_t i = 0; !is_seen && i < of.count; ++i)
             if (of.points[i][2] <= view_.near * of.points[i][3])
                 return false;
         const double ax = a[0] / a[2], ay = a[1] / a[2];
@@ -101,7 +114,8 @@ private:
             const double x = of.points[i][0] / of.points[i][2] - ax;
             const double y = of.points[i][1] / of.points[i][2] - ay;
             const double part = square > 0 ? std::clamp((x * dx + y * dy) / square, 0.0, 1.0) : 0;
-            if (std::hypot(x - part * dx, y - part * dy) > wanted_)
+            const double off_x = x - part * dx, off_y = y - part * dy;
+            if (off_x * off_x + off_y * off_y > wanted_ * wanted_)
                 return false;
             // 1 / w is linear along chords. A change of w by by_w_ is as long as by_place_ / w
             // pixels.
@@ -142,7 +156,7 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
         image_curve curve{};
         for (const l3d_vector<double, 4>& p : span.points)
             curve.points[curve.count++] = placed(p[0], p[1], p[2], p[3]);
-        flat.add(curve, span.from, span.to, 0);
+        flat.add(curve, span.from, span.to, 0, false);
     }
     points.back() = l3d_canonical_vertex(end(1), view);
 }

@@ -18,6 +18,7 @@ struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
     l3d_trim_use left{}, right{};
+    std::size_t left_side = 0, right_side = 0; ///< of polygons: equal where a side goes on
 };
 
 /// Cuts a region into trapezoids that meet without a T: where a corner of one lies on the low or
@@ -36,7 +37,8 @@ public:
                 visit(l3d_trapezoid{one.low_v, v_, std::span(pool_).subspan(one.low, one.low_count),
                                     std::span(marks_).subspan(one.high, one.high_count),
                                     sides_[one.left].use_between(one.low_v, v_),
-                                    sides_[one.right].use_between(one.low_v, v_)});
+                                    sides_[one.right].use_between(one.low_v, v_), one.left,
+                                    one.right});
     }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_triangles: trapezoids become triangles, and their sides are matched.
+// l3d_trim_triangles: trapezoids one above another become triangles, and their sides are matched.
 #include "geom/trims/trim_triangles.h"
 
 #include <algorithm>
@@ -14,10 +14,159 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     level_sides_.clear();
     for (std::vector<stretch>& side : sides_)
         side.clear();
-    trapezoids_.of(region, [this](const l3d_trapezoid& one) { take(one); });
+    layers_.clear();
+    trapezoids_.of(region, [this](const l3d_trapezoid& one) {
+        if (one.low.size() + one.high.size() < 3)
+            return; // nothing but a line
+        if (one.low.size() > 2 || one.high.size() > 2)
+            return take(one);
+        layers_.push_back(
+            {.low = {{{one.low.front(), one.low_v}, {one.low.back(), one.low_v}}},
+             .high = {{{one.high.front(), one.high_v}, {one.high.back(), one.high_v}}},
+             .use = {one.left, one.right},
+             .side = {one.left_side, one.right_side}});
+    });
+    stack_layers();
     close_sides();
     find_level_border();
     find_followed();
+}
+
+/// Layers that share all of a level side are one polygon, which every level line meets once. Where
+/// a side goes on from one layer to the next, it has no corner between them.
+void l3d_trim_triangles::stack_layers() {
+    const auto low_key = [this](std::size_t i) {
+        const auto& [left, right] = layers_[i].low;
+        return std::array{left[1], left[0], right[0]};
+    };
+    begins_.clear();
+    for (std::size_t i = 0; i < layers_.size(); ++i)
+        if (layers_[i].is_wide_below())
+            begins_.push_back(i);
+    std::ranges::sort(begins_, {}, low_key);
+    for (layer& one : layers_) {
+        if (!one.is_wide_above())
+            continue;
+        const auto& [left, right] = one.high;
+        const std::array key{left[1], left[0], right[0]};
+        const auto above = std::ranges::lower_bound(begins_, key, {}, low_key);
+        if (above == begins_.end() || low_key(*above) != key || layers_[*above].goes_on)
+            continue;
+        one.next = *above;
+        layers_[*above].goes_on = true;
+    }
+    for (std::size_t i = 0; i < layers_.size(); ++i)
+        if (!layers_[i].goes_on)
+            take_layers(i);
+}
+
+void l3d_trim_triangles::take_layers(std::size_t first) {
+    for (std::size_t k = 0; k < 2; ++k) {
+        auto& [corners, uses] = chains_[k];
+        corners = {layers_[first].low[k]};
+        uses.clear();
+        bool begins = true; // a side
+        for (std::size_t i = first; i != none; i = layers_[i].next) {
+            const layer& one = layers_[i];
+            if (begins)
+                uses.push_back(one.use[k]);
+            else
+                uses.back().to = one.use[k].to;
+            begins = one.next == none || layers_[one.next].side[k] != one.side[k];
+            if (begins)
+                corners.push_back(one.high[k]);
+        }
+    }
+    join_corners();
+}
+
+/// Triangulates a polygon between two chains. Source: Garey, Johnson, Preparata and Tarjan,
+/// Triangulating a simple polygon, 1978.
+void l3d_trim_triangles::join_corners() {
+    const auto &left = chains_[0].corners, &right = chains_[1].corners;
+    // All corners upwards; a common one is on both chains.
+    corners_.clear();
+    std::size_t i = 0, j = 0;
+    while (i < left.size() || j < right.size()) {
+        const bool is_left = j == right.size() || (i < left.size() && left[i][1] <= right[j][1]);
+        const bool is_both = i < left.size() && j < right.size() && left[i] == right[j];
+        corners_.push_back({is_left ? left[i] : right[j],
+                            {is_left ? i : none, is_both   ? j
+                                                 : is_left ? none
+                                                           : j}});
+        i += is_left ? 1 : 0;
+        j += is_left && !is_both ? 0 : 1;
+    }
+    waiting_.assign(corners_.begin(), corners_.begin() + 2);
+    for (std::size_t k = 2; k < corners_.size(); ++k) {
+        const chain_corner& next = corners_[k];
+        const chain_corner last = waiting_.back();
+        const std::size_t chain_of_next = next.place[0] != none ? 0 : 1;
+        const bool is_common = next.place[0] != none && next.place[1] != none;
+        if (is_common || last.place[chain_of_next] == none) {
+            for (std::size_t n = 0; n + 1 < waiting_.size(); ++n)
+                add_corners(waiting_[n], waiting_[n + 1], next);
+            waiting_ = {last, next};
+            continue;
+        }
+        chain_corner before = last;
+        waiting_.pop_back();
+        while (!waiting_.empty()) {
+            const chain_corner& one = waiting_.back();
+            const double turn = (next.at[0] - one.at[0]) * (before.at[1] - one.at[1]) -
+                                (next.at[1] - one.at[1]) * (before.at[0] - one.at[0]);
+            if (!(chain_of_next == 0 ? turn > 0 : turn < 0))
+                break;
+            add_corners(one, before, next);
+            before = one;
+            waiting_.pop_back();
+        }
+        waiting_.insert(waiting_.end(), {before, next});
+    }
+}
+
+void l3d_trim_triangles::add_corners(const chain_corner& a, const chain_corner& b,
+                                     const chain_corner& c) {
+    const double turn =
+        (b.at[0] - a.at[0]) * (c.at[1] - a.at[1]) - (b.at[1] - a.at[1]) * (c.at[0] - a.at[0]);
+    triangles_.push_back({a.at, turn < 0 ? c.at : b.at, turn < 0 ? b.at : c.at});
+    note_side(a, b);
+    note_side(b, c);
+    note_side(a, c);
+}
+
+/// Notes a side of the last triangle that is one of the polygon.
+void l3d_trim_triangles::note_side(const chain_corner& a, const chain_corner& b) {
+    const std::size_t triangle = triangles_.size() - 1;
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (a.place[k] == none || b.place[k] == none)
+            continue;
+        const bool rises = a.place[k] < b.place[k];
+        const l3d_trim_place &low = rises ? a.at : b.at, &high = rises ? b.at : a.at;
+        const std::size_t at = std::min(a.place[k], b.place[k]);
+        if (std::max(a.place[k], b.place[k]) != at + 1)
+            continue;
+        const l3d_trim_use& use = chains_[k].uses[at];
+        if (low[0] == high[0] && low[0] == (k == 1 ? box_.most[0] : box_.least[0]))
+            sides_[2 + k].push_back({low[1], high[1]});
+        else if (k == 1)
+            border_.push_back({low, high, triangle, use});
+        else
+            border_.push_back({high, low, triangle, {use.edge, use.to, use.from}});
+        return;
+    }
+    if (a.at[1] != b.at[1])
+        return;
+    const l3d_trim_place &left = a.place[0] != none ? a.at : b.at,
+                         &right = a.place[0] != none ? b.at : a.at;
+    const bool is_low = left == chains_[0].corners.front() && right == chains_[1].corners.front();
+    const bool is_high = left == chains_[0].corners.back() && right == chains_[1].corners.back();
+    if (!is_low && !is_high)
+        return;
+    if (left[1] == box_.least[1] || left[1] == box_.most[1])
+        sides_[is_high ? 1 : 0].push_back({left[0], right[0]});
+    else
+        level_sides_.push_back({left[1], left[0], right[0], is_high, triangle});
 }
 
 void l3d_trim_triangles::take(const l3d_trapezoid& one) {
@@ -38,8 +187,6 @@ void l3d_trim_triangles::take(const l3d_trapezoid& one) {
             border_.push_back(
                 {to, from, triangles_.size(), {one.left.edge, one.left.to, one.left.from}});
     };
-    if (one.low.size() + one.high.size() < 3)
-        return; // nothing but a line
     take_slanted(one.low.front(), one.high.front(), false);
     std::size_t i = 0, j = 0;
     while (i + 1 < one.low.size() || j + 1 < one.high.size()) {

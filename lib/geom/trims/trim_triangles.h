@@ -50,6 +50,36 @@ private:
         std::size_t triangle;
     };
 
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// A trapezoid with at most two corners below and two above, which are equal where it is one.
+    struct layer {
+        std::array<l3d_trim_place, 2> low, high; ///< left and right
+        std::array<l3d_trim_use, 2> use;         ///< of its left and of its right side, upwards
+        std::array<std::size_t, 2> side;         ///< as l3d_trapezoid has them
+        std::size_t next = none;                 ///< the layer that goes on above all of it
+        bool goes_on = false;                    ///< whether it is another one's next
+
+        bool is_wide_below() const { return low[0] != low[1]; }
+        bool is_wide_above() const { return high[0] != high[1]; }
+    };
+    /// A corner of layers one above another. Its places in their left and right border are none if
+    /// it is on the other one alone.
+    struct chain_corner {
+        l3d_trim_place at;
+        std::array<std::size_t, 2> place;
+    };
+    /// The corners of a border of layers, upwards, and what its sides follow.
+    struct chain {
+        std::vector<l3d_trim_place> corners;
+        std::vector<l3d_trim_use> uses;
+    };
+
+    void stack_layers();
+    void take_layers(std::size_t first);
+    void join_corners();
+    void add_corners(const chain_corner& a, const chain_corner& b, const chain_corner& c);
+    void note_side(const chain_corner& a, const chain_corner& b);
     l3d_trim_use level_use(double v, double from, double to) const;
     void take(const l3d_trapezoid& one);
     void close_sides();
@@ -63,6 +93,11 @@ private:
     std::array<std::vector<stretch>, 4> sides_;
     std::vector<border_side> border_, followed_;
     std::vector<level_side> level_sides_;
+    std::vector<layer> layers_;
+    std::vector<std::size_t>
+        begins_;                  ///< layers that are wide below, from left to right and upwards
+    std::array<chain, 2> chains_; ///< left and right borders of layers that are triangulated
+    std::vector<chain_corner> corners_, waiting_;
 };
 
 /// Quads of a grid: from a row and a column on, up to others.

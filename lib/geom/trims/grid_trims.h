@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// l3d_grid_trims: what a trimmed region leaves of the quads of a grid.
+#ifndef L3D_GEOM_GRID_TRIMS_H
+#define L3D_GEOM_GRID_TRIMS_H
+
+#include "geom/trims/trim_triangles.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// The quads of a grid that lie outside of a region, those inside, and the triangles of those that
+/// its border passes through. It is a function of the region and the grid's lines alone, so frames
+/// that dice a patch alike can share it.
+///
+/// Shape: parts come in the order in which halving meets them; their corners, triangles and sides
+///        are stretches of the arrays here.
+/// Lives: kept for its memory.
+class l3d_grid_trims {
+public:
+    using stretch = std::array<double, 2>;
+
+    /// A stretch of an array.
+    struct range {
+        std::uint32_t begin = 0, end = 0;
+
+        bool is_empty() const { return begin == end; }
+    };
+    /// A place, and its part of its quad along u and v, from 0 to 1.
+    struct corner {
+        l3d_trim_place at{};
+        std::array<double, 2> part{};
+    };
+    /// A side between two corners of its quad, and the triangle beside it.
+    struct corner_side {
+        std::uint32_t from, to, triangle;
+        l3d_trim_use use;
+    };
+    /// A quad's side on the border of quads that lie inside, where the region follows an edge.
+    struct grid_side {
+        std::uint32_t row, column, end_row, end_column; ///< of its ends
+        std::uint32_t quad_row, quad_column;            ///< of the quad beside it
+        l3d_trim_place from, to;
+        l3d_trim_use use;
+    };
+    /// Quads that lie inside, or one that is cut.
+    struct part {
+        l3d_trim_block of;
+        bool is_whole = false;
+        range grid_sides{};           ///< if it is whole
+        range corners{}, triangles{}; ///< of a quad that is cut
+        range border{};               ///< as l3d_trim_triangles has it
+        range followed{};             ///< as l3d_trim_triangles has it
+        range inner{};                ///< sides at which it meets other quads
+    };
+
+    /// The memory that making one needs.
+    struct workshop {
+        l3d_trim_triangles quad;                          ///< the one that is cut
+        std::vector<l3d_trim_place> places;               ///< its corners, in order
+        std::vector<std::array<l3d_trim_place, 2>> inner; ///< its sides within the grid
+    };
+    /// Cuts a grid with these lines.
+    void make(const l3d_trim_region& region, std::span<const double> u, std::span<const double> v,
+              workshop& in);
+    /// Whether it was made for these lines.
+    bool is_for(std::span<const double> u, std::span<const double> v) const;
+
+    std::span<const part> parts() const { return parts_; }
+    std::span<const corner> corners(range of) const { return some(corners_, of); }
+    /// Triangles by the indices of their corners among those of their quad.
+    std::span<const std::array<std::uint32_t, 3>> triangles(range of) const {
+        return some(triangles_, of);
+    }
+    std::span<const corner_side> sides(range of) const { return some(sides_, of); }
+    std::span<const grid_side> grid_sides(range of) const { return some(grid_sides_, of); }
+
+    /// The quads that lie outside or are cut, row by row. Shape: row, column.
+    std::span<const std::array<std::uint32_t, 2>> cut() const { return cut_; }
+    /// Where the region reaches the sides of the grid, as l3d_trim_triangles::sides() has them.
+    const std::array<std::vector<stretch>, 4>& kept() const { return kept_; }
+
+private:
+    template <class T> static std::span<const T> some(const std::vector<T>& all, range of) {
+        return std::span(all).subspan(of.begin, of.end - of.begin);
+    }
+    void leave_out(const l3d_trim_block& of);
+    void keep_all(const l3d_trim_region& region, const l3d_trim_block& of);
+    void cut_quad(const l3d_trim_region& region, const l3d_trim_block& of, workshop& in);
+
+    std::vector<double> u_, v_;
+    std::vector<part> parts_;
+    std::vector<corner> corners_;
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::vector<corner_side> sides_;
+    std::vector<grid_side> grid_sides_;
+    std::vector<std::array<std::uint32_t, 2>> cut_;
+    std::array<std::vector<stretch>, 4> kept_; ///< sides in the order of l3d_trim_triangles
+};
+
+#endif
