@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "pipeline/pipeline_afd.h"
 #include "scene/dice_view.h"
+#include "scene/sides/shared_edges.h"
 #include "tool_2d/screen_memory.h"
 
 #include <gtest/gtest.h>
@@ -123,6 +124,42 @@ TEST(shared_edges, that_are_off_their_faces_are_told) {
     EXPECT_EQ(note(), "");
     of = flange(3);
     EXPECT_EQ(note(), "");
+}
+
+TEST(shared_edges, that_are_loose_move_no_tight_ones) {
+    const auto line = [](const vector& from, const vector& to, double tolerance) {
+        return l3d_model_edge{l3d_nurbs_curve::polyline({from, to}), tolerance};
+    };
+    const vector corner{0.0, 0.0, 0.0}, beside{-8e-4, 0.0, 0.0}, tight{1e-8, 0.0, 0.0};
+    const auto edges = l3d_shared_edges(
+        std::array{line({0.0, 0.0, 1.0}, beside, 1e-3), line(corner, {1.0, 0.0, 0.0}, 1e-7),
+                   line({0.0, 1.0, 0.0}, tight, 1e-7), line(beside, {0.0, -1.0, 0.0}, 1e-5)},
+        {});
+    EXPECT_EQ(edges[1].ends[0], corner);
+    EXPECT_EQ(edges[2].ends[1], corner);
+    EXPECT_EQ(edges[0].ends[1], corner);
+    EXPECT_NEAR(edges[0].off, 8e-4, 1e-12);
+    EXPECT_EQ(edges[3].ends[0], beside);
+}
+
+/// A pipeline keeps what trims leave of grids, and draws as one that has kept nothing.
+TEST(shared_edges, are_drawn_alike_after_other_views) {
+    const solid of = flange(8);
+    const l3d_patch_model model = l3d_patch_model::from_surfaces(of.faces, of.edges);
+    for (const l3d_afd_settings& settings : {hard_edged(), l3d_afd_settings()}) {
+        std::mt19937 random(543);
+        l3d_pipeline_afd kept(l3d_memory_canvas({160, 120}), model, l3d_camera(), settings);
+        for (int i = 0; i < 12; ++i) {
+            if (i % 3 == 0) // other frames are from nearly the same place
+                kept.camera() = view_of(of, std::pow(10, -0.5 + 0.2 * i), i % 2 == 1, random);
+            else
+                kept.camera().orbit(1e-3, 0);
+            kept.draw_event();
+            l3d_pipeline_afd fresh(l3d_memory_canvas({160, 120}), model, kept.camera(), settings);
+            fresh.draw_event();
+            EXPECT_EQ(kept.report().hash, fresh.report().hash) << i;
+        }
+    }
 }
 
 /// Lines along edges: each pixel of the exact rim that is in front is black.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace {
 
@@ -67,7 +68,8 @@ std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const 
     return result;
 }
 
-/// Gives ends that are nearer than their edges' tolerances, or than the faces are off, one place.
+/// Gives ends that are nearer than their edges' tolerances, or than the faces are off, one place:
+/// that of the end whose edge is the most exact. So a loose edge moves none that is tighter.
 void join_ends(std::vector<l3d_shared_edge>& edges) {
     struct end {
         vector at;
@@ -82,15 +84,26 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
                            std::max(edges[i].tolerance, edges[i].off) +
                                rounding * l3d_length(edges[i].ends[side]),
                            i, side});
-    std::ranges::sort(all, {}, [](const end& e) { return e.at[0]; });
-    double widest = 0;
-    for (const end& e : all)
-        widest = std::max(widest, e.near);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t k = i + 1; k < all.size() && all[k].at[0] - all[i].at[0] <= 2 * widest;
-             ++k)
-            if (l3d_length(all[k].at - all[i].at) <= all[i].near + all[k].near)
-                edges[all[k].edge].ends[all[k].side] = edges[all[i].edge].ends[all[i].side];
+    const auto x = [](const end& e) { return e.at[0]; };
+    std::ranges::stable_sort(all, {}, x);
+    // From the most exact one on; among equals, by x.
+    std::vector<std::size_t> order(all.size()), place_in_order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i].near; });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        place_in_order[order[i]] = i;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const end& one = all[order[i]];
+        std::size_t first = i; // in the order, of those that are near enough
+        // Those before are no less exact.
+        for (auto other = std::ranges::lower_bound(all, one.at[0] - 2 * one.near, {}, x);
+             other != all.end() && other->at[0] - one.at[0] <= 2 * one.near; ++other)
+            if (l3d_length(other->at - one.at) <= other->near + one.near)
+                first =
+                    std::min(first, place_in_order[static_cast<std::size_t>(other - all.begin())]);
+        const end& joined = all[order[first]];
+        edges[one.edge].ends[one.side] = edges[joined.edge].ends[joined.side];
+    }
 }
 
 /// How far a piece is off the edges that its trims follow, at places along each.
