@@ -155,7 +155,9 @@ l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     } else {
         found_.forget_if_many();
         const l3d_curved_pieces::cuts by = pieces.cuts_for(wanted, {}, found_);
-        const contents* const like = seen_.empty() ? nullptr : seen_.front().second.get();
+        const contents* like = seen_.empty() ? nullptr : seen_.front().second.get();
+        if (like == nullptr && !levels_.empty()) // most cells of large models are those of level 0
+            like = levels_.begin()->second.get();
         const auto made = std::make_shared<contents>(pieces.cut(by, wanted, found_), like);
         made->orientation = 0;
         for (int k = 0; k < 3; ++k) {
