@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -98,6 +99,78 @@ TEST(obj_trims, that_cannot_be_are_refused_by_line) {
     EXPECT_EQ(complaint(surface + square + begin + "trim\nend\n"), "name:19: trim 1 has no curve");
     EXPECT_EQ(complaint(surface + square + "trim 0 4 1\n"), "name:14: trim outside of a surface");
     EXPECT_EQ(complaint("vp 0 x\n"), "name:1: 'x', a parameter, is not a number");
+}
+
+/// Two squares at a right angle, trimmed to a rectangle that begins where they meet.
+const std::string hinge =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\n"
+    "vp 0.25 0\nvp 0.75 0\nvp 0.75 0.75\nvp 0.25 0.75\n"
+    "cstype bspline\ndeg 1\ncurv2 1 2 3 4 1\nparm u 0 0 1 2 3 4 4\nend\n"
+    "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\ntrim 0 4 1\nend\n"
+    "surf 0 1 0 1 1 2 5 6\nparm u 0 1\nparm v 0 1\ntrim 0 4 1\nend\n";
+
+TEST(obj_connections, are_edges_that_trims_follow) {
+    std::string why;
+    for (const bool is_turned : {false, true}) {
+        const auto model =
+            read(hinge + (is_turned ? "con 1 0 1 1 2 1 0 1\n" : "con 1 0 1 1 -1 0 1 -1\n"), why);
+        ASSERT_TRUE(model) << why;
+        EXPECT_TRUE(model->notes.empty());
+        ASSERT_EQ(model->edges.size(), 1U);
+        const l3d_model_edge& edge = model->edges[0];
+        EXPECT_NEAR(edge.curve.evaluate(0)[0], 0.25, 1e-15);
+        EXPECT_NEAR(edge.curve.evaluate(0.5)[0], 0.5, 1e-15);
+        EXPECT_NEAR(edge.curve.evaluate(1)[0], 0.75, 1e-15);
+        EXPECT_EQ(edge.curve.evaluate(0.3)[1], 0);
+        EXPECT_LE(edge.tolerance, 1e-15);
+        ASSERT_EQ(model->patches.size(), 2U);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const l3d_trim_loop& loop = model->patches[i].trims.at(0);
+            ASSERT_EQ(loop.size(), 4U);
+            EXPECT_EQ(loop[0].edge, 0U);
+            EXPECT_EQ(loop[0].from, is_turned && i == 1 ? 1 : 0);
+            EXPECT_EQ(loop[0].to, is_turned && i == 1 ? 0 : 1);
+            for (std::size_t k = 1; k < 4; ++k)
+                EXPECT_EQ(loop[k], l3d_trim_curve{loop[k].points});
+        }
+    }
+    EXPECT_EQ(read(hinge, why)->patches.at(0).trims.at(0)[0].edge, l3d_no_edge);
+}
+
+/// The trims of a quarter of a cylinder are arcs in space.
+TEST(obj_connections, have_edges_as_exact_as_they_say) {
+    std::string text = hinge;
+    text.replace(text.find("cstype bezier"), text.find("surf") - text.find("cstype bezier"),
+                 "v 1 0 0\nv 1 1 0 0.70710678118654752\nv 0 1 0\nv 1 0 1\n"
+                 "v 1 1 1 0.70710678118654752\nv 0 1 1\ncstype rat bezier\ndeg 2 1\n"
+                 "surf 0 1 0 1 7 8 9 10 11 12\nparm u 0 1\nparm v 0 1\ntrim 0 4 1\nend\n"
+                 "deg 1 1\n");
+    std::string why;
+    const auto model = read(text + "con 1 0 1 1 2 0 1 1\n", why);
+    ASSERT_TRUE(model) << why;
+    ASSERT_EQ(model->edges.size(), 1U);
+    EXPECT_LT(model->edges[0].tolerance, 1e-8);
+    for (int i = 0; i <= 50; ++i) {
+        const auto p = model->edges[0].curve.evaluate(i / 50.0);
+        EXPECT_NEAR(std::hypot(p[0], p[1]), 1, model->edges[0].tolerance + 1e-15);
+        EXPECT_NEAR(p[2], 0, 1e-15);
+    }
+}
+
+TEST(obj_connections, are_refused_by_line) {
+    EXPECT_EQ(complaint(hinge + "con 1 0 1 1 3 0 1 1\n"),
+              "name:23: '3', an index, names none of the 2 before it");
+    EXPECT_EQ(complaint(hinge + "con 1 0 1 2 2 0 1 1\n"),
+              "name:23: '2', an index, names none of the 1 before it");
+    EXPECT_EQ(complaint(hinge + "con 1 0 1 1 2 0\n"),
+              "name:23: the line ends where the range of a curve should be");
+    EXPECT_EQ(complaint(hinge + "con 1 1 1 1 2 0 1 1\n"),
+              "name:23: the range of a curve of con is empty");
+    EXPECT_EQ(complaint(hinge + "con 1 0 0.5 1 2 0 1 1\n"),
+              "name:23: con begins or ends between the knots of curve 1 of surface 1");
+    EXPECT_EQ(complaint(hinge + "con 1 0 1 1 2 5 6 1\n"),
+              "name:23: con names a range of curve 1 of surface 2 that no trim has, or that "
+              "another con has");
 }
 
 } // namespace

@@ -26,7 +26,7 @@ public:
     obj_reader(text_cursor& text, l3d_model_file& model,
                std::vector<l3d_nurbs_surface>* surfaces = nullptr)
         : text_(text), model_(model), materials_(model.mesh),
-          surfaces_(text, model.patches, model.curves, surfaces) {}
+          surfaces_(text, model.patches, model.curves, model.edges, surfaces) {}
 
     bool read() {
         text_.join_lines_at_backslash();

@@ -26,7 +26,7 @@ bool obj_index(text_cursor& text, std::string_view digits, std::size_t count,
 
 bool obj_surfaces::knows(std::string_view word) {
     constexpr std::string_view known[] = {"cstype", "deg", "surf",  "curv", "parm", "end",
-                                          "l",      "vp",  "curv2", "trim", "hole"};
+                                          "l",      "vp",  "curv2", "trim", "hole", "con"};
     return std::ranges::find(known, word) != std::end(known);
 }
 
@@ -48,6 +48,8 @@ bool obj_surfaces::read_statement(std::string_view word, const std::vector<vecto
         return read_trim_curve();
     if (word == "trim" || word == "hole")
         return read_trim(word == "hole");
+    if (word == "con")
+        return read_connection();
     if (open_ != opened::nothing)
         return word == "parm" ? read_parameters() : end(vertices, weights);
     // The word belongs to a curve that is skipped.
@@ -57,6 +59,7 @@ bool obj_surfaces::read_statement(std::string_view word, const std::vector<vecto
 }
 
 bool obj_surfaces::finish() {
+    forget_unconnected();
     return open_ == opened::nothing ||
            text_.fail(std::string("the text ends in a ") +
                       (open_ == opened::surface ? "surface" : "curve") + ", before its end");
@@ -187,6 +190,7 @@ bool obj_surfaces::read_trim(bool is_hole) {
     if (open_ != opened::surface)
         return text_.fail(word + " outside of a surface");
     std::vector<l3d_nurbs_curve> curves;
+    std::vector<l3d_edge_use> uses; // the curve in place of an edge, until con names that
     std::size_t points = 0;
     while (text_.next_in_line()) {
         l3d_bspline_direction range;
@@ -212,8 +216,9 @@ bool obj_surfaces::read_trim(bool is_hole) {
         if (!takes(sizeof(std::array<double, 3>) * points))
             return false;
         curves.emplace_back(along, curve->points(), curve->weights());
+        uses.push_back({unconnected | index, range.from, range.to});
     }
-    trims_.push_back(l3d_trim_loop_of(curves));
+    trims_.push_back(l3d_trim_loop_of(curves, uses));
     std::string why;
     has_outer_trim_ = has_outer_trim_ || !is_hole;
     // Whether the surface is closed is known at its end.
@@ -438,8 +443,19 @@ bool obj_surfaces::end_surface(const std::vector<vector>& vertices,
     }
     if (!put_trims(patches))
         return false;
+    ended_surface& ended = surfaces_.emplace_back();
+    ended.first_patch = patches_.size();
+    ended.end_patch = patches_.size() + patches.size();
+    if (!trims_.empty()) {
+        if (!takes(sizeof(std::array<double, 4>) * places.size()))
+            return false;
+        ended.whole.emplace(u_, v_, places, weights_here);
+    }
     patches_.insert(patches_.end(), std::make_move_iterator(patches.begin()),
                     std::make_move_iterator(patches.end()));
+    for (l3d_trim_loop& loop : trims_)
+        for (l3d_trim_curve& curve : loop)
+            curve = {.points = std::move(curve.points)};
     if (whole_ != nullptr)
         whole_->push_back(
             l3d_nurbs_surface(u_, v_, std::move(places), std::move(weights_here)).trimmed(trims_));

@@ -5,6 +5,7 @@
 
 #include "geom/nurbs_surface.h"
 #include "geom/polygon_mesh.h"
+#include "geom/files/model_file.h"
 #include "geom/files/text_cursor_p.h"
 
 #include <array>
@@ -21,8 +22,9 @@ namespace l3d_detail {
 /// so far. Fails if the number names nothing among the `count` things so far.
 bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, std::uint32_t& index);
 
-/// Reads the statements of free-form surfaces and curves (cstype, deg, surf, curv, parm, end), and
-/// those of lines (l). Each surface becomes patches.
+/// Reads the statements of free-form surfaces and curves (cstype, deg, surf, curv, parm, end),
+/// their connections (con), and those of lines (l). Each surface becomes patches, and each
+/// connection an edge that trims follow.
 ///
 /// Lives:   borrows the cursor and the vectors that it fills.
 /// Source:  the appendix "Object Files" of Wavefront's Advanced Visualizer manual.
@@ -32,8 +34,9 @@ public:
 
     /// `whole` gets each surface with its own knots and control points, unless it is null.
     obj_surfaces(text_cursor& text, std::vector<l3d_patch_points>& patches,
-                 std::vector<l3d_nurbs_curve>& curves, std::vector<l3d_nurbs_surface>* whole)
-        : text_(text), patches_(patches), curves_(curves), whole_(whole),
+                 std::vector<l3d_nurbs_curve>& curves, std::vector<l3d_model_edge>& edges,
+                 std::vector<l3d_nurbs_surface>* whole)
+        : text_(text), patches_(patches), curves_(curves), edges_(edges), whole_(whole),
           text_bytes_(text.rest().size()) {}
 
     static bool knows(std::string_view word);
@@ -51,6 +54,10 @@ public:
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
+    /// The bit of "edges" that are curves of curv2, which are fewer than 2^31: trims follow them
+    /// until connections are read.
+    static constexpr std::uint32_t unconnected = 0x80000000;
+
     enum class kind { none, bezier, bspline, other };
     enum class opened { nothing, surface, curve, trim_curve };
 
@@ -71,6 +78,12 @@ private:
     bool end_curve(const std::vector<vector>& vertices, const std::vector<double>& weights);
     bool end_trim_curve();
     bool put_trims(std::span<l3d_patch_points> patches);
+    bool read_connection();
+    struct connected;
+    bool read_connected(connected& side);
+    bool follow(const connected& side, std::uint32_t edge);
+    std::optional<l3d_model_edge> edge_along(const connected& side) const;
+    void forget_unconnected();
     bool weights_of(const std::vector<double>& weights, std::vector<double>& of_points);
     bool takes(std::size_t bytes);
     std::vector<vector> places_of(const std::vector<vector>& vertices);
@@ -80,6 +93,7 @@ private:
     text_cursor& text_;
     std::vector<l3d_patch_points>& patches_;
     std::vector<l3d_nurbs_curve>& curves_;
+    std::vector<l3d_model_edge>& edges_;
     std::vector<l3d_nurbs_surface>* whole_;
     std::size_t text_bytes_, patch_bytes_ = 0;
     kind kind_ = kind::none;
@@ -94,6 +108,13 @@ private:
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
     std::vector<l3d_trim_loop> trims_; ///< those of the open surface
     bool has_outer_trim_ = false;      ///< and not holes alone
+
+    /// A surface that has ended, for connections.
+    struct ended_surface {
+        std::size_t first_patch, end_patch;
+        std::optional<l3d_nurbs_surface> whole; ///< if it is trimmed
+    };
+    std::vector<ended_surface> surfaces_;
 };
 
 } // namespace l3d_detail
