@@ -308,7 +308,7 @@ void divide(const l3d_trim_region& region, const l3d_trim_box& box, int depth,
             add(triangle);
         return;
     }
-    const std::size_t along = depth % 2;
+    const std::size_t along = depth % 2 == 0 ? 0 : 1;
     const double half = (box.least[along] + box.most[along]) / 2;
     l3d_trim_box low = box, high = box;
     low.most[along] = high.least[along] = half;
