@@ -4,6 +4,7 @@
 examples of README, docs/BOOK.md, docs/TUTORIAL.md and apps/drawdot are built with it, linked in every way, and run."""
 
 import concurrent.futures
+import hashlib
 import os
 import pathlib
 import re
@@ -15,7 +16,9 @@ import tempfile
 
 INSTALLED = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MOVED = pathlib.Path(tempfile.mkdtemp(prefix="l3d_moved_"))
+# The same place each time: a compiler's cache then knows the programs that are built there.
+MOVED = pathlib.Path(tempfile.gettempdir(), "l3d_moved_%d_%s" % (
+    os.getuid(), hashlib.sha256(bytes(INSTALLED)).hexdigest()[:8]))
 os.environ["L3D_BIN"] = str(MOVED / "bin")
 sys.path.insert(0, str(ROOT / "tests" / "x11"))
 
@@ -533,6 +536,8 @@ def main():
 
 
 if __name__ == "__main__":
+    shutil.rmtree(MOVED, ignore_errors=True)
+    MOVED.mkdir(mode=0o700)  # fails if it is somebody else's
     try:
         shutil.copytree(INSTALLED, MOVED, symlinks=True, dirs_exist_ok=True)
         tools = MOVED / "tools"
