@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,6 @@ struct all_fragments {
         fragments.use_colors({}, false);
         for (const std::uint32_t index : list.items(0))
             fragments.add(list, list.item(index), shading.mode == l3d_shade::levels);
-        fragments.finish();
     }
 };
 
@@ -238,8 +238,8 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
     const all_fragments all({part}, scene_shading(l3d_shade::gouraud));
     const band_fragments& band = all.fragments;
     std::size_t fragments = 0;
-    for (std::size_t i = 0; i < band.pixels().size(); ++i)
-        for (const seen_fragment& seen : band.seen_in(i)) {
+    band.visit_seen([&](std::size_t i, std::span<const seen_fragment> all_seen) {
+        for (const seen_fragment& seen : all_seen) {
             ++fragments;
             for (std::size_t k = 0; k < the_samples.count; ++k) {
                 if ((seen.samples >> k & 1) == 0)
@@ -256,6 +256,7 @@ TEST(BandFragments, KeepWhatIsSeenOfThousandsInAPixel) {
                 }
             }
         }
+    });
     EXPECT_GT(fragments, 500U);
     EXPECT_LT(band.kept_fragments(), std::size_t{1} << 18);
 }

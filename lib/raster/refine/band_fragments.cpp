@@ -132,8 +132,11 @@ fragment_polygon& band_fragments::next_polygon() {
 /// Makes a polygon's fragments. Returns whether there are any.
 bool band_fragments::cover(const fragment_polygon& polygon, const l3d_pixel_box& box) {
     const std::size_t room = std::min(static_cast<std::size_t>(box.area()), pixels().size());
-    if (fragments_.size() < count_ + room + 1)
-        fragments_.resize(2 * count_ + room + 1);
+    if (fragments_.size() < count_ + room + 1) {
+        const std::size_t more = count_ + count_ / 2 + room + 1;
+        fragments_.reserve(more); // resize() alone would double it
+        fragments_.resize(more);
+    }
     const std::size_t covered =
         cover_samples(polygon, static_cast<std::uint32_t>(polygon_count_), box, pixels_,
                       fragments_.data() + count_, static_cast<std::uint32_t>(count_));
@@ -151,10 +154,17 @@ void band_fragments::keep(fragment_polygon& polygon, std::uint32_t color) {
 
 /// Keeps the fragments that are seen so far, and their polygons, in the same order.
 void band_fragments::leave_out_hidden() {
-    finish();
     names_.assign(polygon_count_, fragment::none);
-    for (const seen_fragment& s : seen_)
-        names_[s.polygon] = 0;
+    kept_.clear();
+    visit_seen([&](std::size_t i, std::span<const seen_fragment> seen) {
+        std::uint32_t last = fragment::none;
+        for (const seen_fragment& s : seen) {
+            names_[s.polygon] = 0;
+            kept_.push_back({s.samples, s.polygon, last});
+            last = static_cast<std::uint32_t>(kept_.size() - 1);
+        }
+        pixels_.pixels()[i].last = last;
+    });
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < polygon_count_; ++i)
         if (names_[i] != fragment::none) {
@@ -162,20 +172,11 @@ void band_fragments::leave_out_hidden() {
             names_[i] = kept++;
         }
     polygon_count_ = kept;
-    count_ = 0;
-    for (std::size_t i = 0; i < pixels().size(); ++i) {
-        std::uint32_t& last = pixels_.pixels()[i].last;
-        last = fragment::none;
-        for (const seen_fragment& s : seen_in(i)) {
-            fragments_[count_] = {s.samples, names_[s.polygon], last};
-            last = static_cast<std::uint32_t>(count_++);
-        }
-    }
+    for (fragment& f : kept_)
+        f.polygon = names_[f.polygon];
+    fragments_.swap(kept_);
+    count_ = fragments_.size();
     most_fragments_ = std::max(least_most_fragments, 2 * count_);
-}
-
-void band_fragments::finish() {
-    see_samples(polygons_, std::span(fragments_).first(count_), pixels(), seen_, begins_);
 }
 
 } // namespace l3d_detail

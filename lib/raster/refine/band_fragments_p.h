@@ -9,6 +9,7 @@
 #include "raster/surface_part.h"
 #include "raster/surfaces/band_list_p.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,18 +46,24 @@ public:
     /// items are then to be added once more, for these pixels only.
     bool reopen() { return pixels_.reopen(); }
 
-    /// Finds the fragments that are seen.
-    void finish();
-
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }
 
     /// Whether something was drawn in pixel i and in all pixels around it. Then samples without a
     /// polygon do not show the background: some polygons have not been added.
     bool closed(std::size_t i) const { return pixels()[i].is_closed; }
 
-    /// The fragments that are seen in pixel i. Expects: finish() was called.
-    std::span<const seen_fragment> seen_in(std::size_t i) const {
-        return std::span(seen_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
+    /// Calls visit(i, fragments) for each pixel i, with those of its fragments that are seen.
+    template <class Visit> void visit_seen(const Visit& visit) const {
+        seen_in_pixels seen;
+        const auto all = std::span(fragments_).first(count_);
+        for (std::size_t first = 0; first < pixels().size(); first += seen_in_pixels::most) {
+            const std::size_t few = std::min(seen_in_pixels::most, pixels().size() - first);
+            see_samples(polygons_, all, pixels().subspan(first, few), seen);
+            for (std::size_t i = 0; i < few; ++i)
+                visit(first + i,
+                      std::span<const seen_fragment>(seen.fragments.begin() + seen.begins[i],
+                                                     seen.fragments.begin() + seen.begins[i + 1]));
+        }
     }
     const fragment_polygon& polygon(const seen_fragment& of) const { return polygons_[of.polygon]; }
 
@@ -90,11 +97,11 @@ private:
     std::vector<fragment_polygon> polygons_; ///< polygons, with room for more
     std::size_t polygon_count_ = 0;          ///< polygons in use
     std::vector<fragment> fragments_;        ///< fragments, with room for more
+    std::vector<fragment> kept_;             ///< those that are left when hidden ones are removed
     std::size_t count_ = 0;                  ///< fragments in use
     std::size_t most_fragments_ = 0;         ///< number of fragments at which hidden ones are
                                              ///< removed
-    std::vector<seen_fragment> seen_;
-    std::vector<std::uint32_t> begins_, names_;
+    std::vector<std::uint32_t> names_;       ///< the polygons' indices after that
 };
 
 } // namespace l3d_detail

@@ -57,6 +57,8 @@ private:
     void find_edges(const drawn_frame& frame, int band, worker_space& space);
     void join_marks(const drawn_frame& frame, const l3d_pixel_box& box);
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
+    void draw_slice(const drawn_frame& frame, int band, const l3d_pixel_box& slice,
+                    worker_space& space);
 
     level_jumps jumps_;
     l3d_pixel_bits marks_; ///< marks the pixels that are sampled
@@ -66,7 +68,6 @@ private:
 /// Writes the pixel words of a band's marked pixels. A word is the mean of the light in the middles
 /// of the polygons' visible parts, weighted by their numbers of samples. `has_color` tells whether
 /// polygons have the colours of materials.
-/// Expects: `band` is finished.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,
                   const l3d_pixels& target);

@@ -222,10 +222,10 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
         const bool is_grey = light.is_grey();
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
+        band.visit_seen([&](std::size_t i, std::span<const seen_fragment> seen) {
             light_sum sum;
             int count = 0;
-            for (const seen_fragment& of : band.seen_in(i)) {
+            for (const seen_fragment& of : seen) {
                 const auto samples = static_cast<float>(of.count);
                 if (is_grey)
                     sum.of[0] += samples * light.grey_of(of);
@@ -244,7 +244,7 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
             const std::uint32_t behind =
                 empty > 0 ? shading.background.word(y, target.height) : 0; // not used then
             word = word_before(mean, behind, empty, tables);
-        }
+        });
     };
     with_shader(shading, materials, 0, light_by);
 }

@@ -283,19 +283,17 @@ HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
     return count;
 }
 
-std::size_t see_all(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
-                    std::span<const marked_pixel> pixels, seen_fragment* to,
-                    std::uint32_t* begins) {
+void see_all(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
+             std::span<const marked_pixel> pixels, seen_in_pixels& to) {
     const half_planes& planes = planes_of_samples();
     seen_so_far seen[sample_places::count + 1];
     std::size_t count = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        begins[i] = static_cast<std::uint32_t>(count);
+        to.begins[i] = count;
         for (std::size_t n = see(polygons, fragments, pixels[i], planes, seen); n > 0; --n)
-            to[count++] = measured(seen[n - 1], pixels[i]);
+            to.fragments[count++] = measured(seen[n - 1], pixels[i]);
     }
-    begins[pixels.size()] = static_cast<std::uint32_t>(count);
-    return count;
+    to.begins[pixels.size()] = count;
 }
 
 } // namespace
@@ -350,11 +348,8 @@ void quad_boxes::find(const l3d_micro_grid& grid, std::size_t first, std::size_t
 }
 
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
-                 std::span<const marked_pixel> pixels, std::vector<seen_fragment>& seen,
-                 std::vector<std::uint32_t>& begins) {
-    seen.resize(fragments.size());
-    begins.resize(pixels.size() + 1);
-    seen.resize(L3D_SIMD_CALL(see_all)(polygons, fragments, pixels, seen.data(), begins.data()));
+                 std::span<const marked_pixel> pixels, seen_in_pixels& to) {
+    L3D_SIMD_CALL(see_all)(polygons, fragments, pixels, to);
 }
 
 } // namespace l3d_detail

@@ -5,6 +5,7 @@
 
 #include "raster/surface_part.h"
 #include "raster/refine/marked_pixels_p.h"
+#include "raster/refine/sample_places_p.h"
 #include "raster/shapes/scan_edge_p.h"
 
 #include <array>
@@ -109,12 +110,19 @@ struct quad_boxes {
               const l3d_pixel_box& inside);
 };
 
-/// Finds the polygon that is seen at each sample of each pixel: the one whose plane of depth is the
-/// nearest. Among equals, it is the one that was added first. Fragments of a pixel have the order
-/// in which they were added. Those of pixel i have indices from begins[i] to begins[i + 1].
+/// What is seen in a few pixels. No two fragments of a pixel share a sample. Fragments have the
+/// order in which they were added.
+struct seen_in_pixels {
+    static constexpr std::size_t most = 4; ///< pixels
+
+    std::array<seen_fragment, most * sample_places::count> fragments;
+    std::array<std::size_t, most + 1> begins; ///< the first fragment of each pixel, and the end
+};
+
+/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels: the one
+/// whose plane of depth is the nearest. Among equals, it is the one that was added first.
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
-                 std::span<const marked_pixel> pixels, std::vector<seen_fragment>& seen,
-                 std::vector<std::uint32_t>& begins);
+                 std::span<const marked_pixel> pixels, seen_in_pixels& to);
 
 } // namespace l3d_detail
 
