@@ -78,14 +78,13 @@ public:
         return result;
     }
 
-    /// The number of bits that are 1, in rows [top, bottom) or in all. Expects: these were cleared.
-    std::int64_t count(std::int32_t top, std::int32_t bottom) const {
+    /// The number of bits that are 1. Expects: all rows were cleared.
+    std::int64_t count() const {
         std::int64_t result = 0;
-        for (const std::uint64_t* word = row(top); word < row(bottom); ++word)
+        for (const std::uint64_t* word = row(0); word < row(size_.height); ++word)
             result += std::popcount(*word);
         return result;
     }
-    std::int64_t count() const { return count(0, size_.height); }
 
     friend bool operator==(const l3d_pixel_bits& a, const l3d_pixel_bits& b) {
         return a.size_ == b.size_ && std::equal(a.row(0), a.row(a.size_.height), b.row(0));

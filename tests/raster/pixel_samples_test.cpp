@@ -43,7 +43,15 @@ struct all_fragments {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 bits.set(x, y);
-        fragments.begin(bits, drawn_depth(nullptr, 0, window, coarse), window);
+        begin(window, static_cast<std::size_t>(bits.count()));
+        add(shading);
+    }
+
+    std::int32_t begin(const l3d_pixel_box& box, std::size_t most) {
+        return fragments.begin(bits, drawn_depth(nullptr, 0, l3d_whole(size), coarse), box, most);
+    }
+
+    void add(const l3d_shading& shading) {
         fragments.use_colors({}, false);
         for (const std::uint32_t index : list.items(0))
             fragments.add(list, list.item(index), shading.mode == l3d_shade::levels);
@@ -99,7 +107,8 @@ struct masks {
         for (int y = 0; y < of.height; ++y)
             for (int x = 0; x < of.width; ++x)
                 bits.set(x, y);
-        pixels.begin(bits, drawn_depth(nullptr, 0, window, coarse), window);
+        pixels.begin(bits, drawn_depth(nullptr, 0, window, coarse), window,
+                     static_cast<std::size_t>(bits.count()));
         for (const fragment_polygon& p : polygons) {
             const std::size_t first = fragments.size();
             fragments.resize(first + pixels.pixels().size() + 1);
@@ -222,6 +231,23 @@ TEST(PixelSamples, ShowFacetsInOnePlaceOnce) {
         }
         EXPECT_EQ(words_of(thrice), words_of(once)) << n;
     }
+}
+
+/// A picture that is drawn slice by slice is the same, and its slices hold all of its rows.
+TEST(BandFragments, ShowTheSameInSlices) {
+    const l3d_shading shading = scene_shading(l3d_shade::gouraud);
+    const surface_parts scene = random_scene(scene_seed, size, 6);
+    surface_picture whole(size.width, size.height, 1), sliced(size.width, size.height, 1);
+    all_fragments all(scene, shading);
+    light_pixels(all.fragments, shading, {}, false, whole.pixels());
+    int slices = 0;
+    for (l3d_pixel_box rest = l3d_whole(size); !rest.empty(); ++slices) {
+        rest.top = all.begin(rest, 1500);
+        all.add(shading);
+        light_pixels(all.fragments, shading, {}, false, sliced.pixels());
+    }
+    EXPECT_EQ(slices, 5); // two rows of tiles have 2 x 8 x 101 pixels
+    EXPECT_EQ(sliced.words, whole.words);
 }
 
 /// Thousands of slivers in each pixel are left out as others hide them.

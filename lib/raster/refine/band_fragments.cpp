@@ -26,12 +26,13 @@ l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
 
 } // namespace
 
-void band_fragments::begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
-                           const l3d_pixel_box& band) {
-    pixels_.begin(marks, depth, band);
+std::int32_t band_fragments::begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
+                                   const l3d_pixel_box& band, std::size_t most) {
+    pixels_.begin(marks, depth, band, most);
     polygon_count_ = 0;
     count_ = 0;
     most_fragments_ = least_most_fragments;
+    return pixels_.band().bottom;
 }
 
 void band_fragments::add(const band_list& list, const band_item& item, bool levels) {

@@ -25,8 +25,11 @@ namespace l3d_detail {
 ///        Hidden fragments are removed whenever their number has doubled.
 class band_fragments {
 public:
-    /// Starts a band of a picture. Expects: the band begins at a tile of marked_pixels.
-    void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
+    /// Starts a band of a picture, or so many of its rows that at least `most` pixels are marked.
+    /// Returns: the end of these rows.
+    /// Expects: the band begins at a tile of marked_pixels.
+    std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
+                       const l3d_pixel_box& band, std::size_t most);
 
     /// Sets the colours of the frame's materials, if it has any and words are levels. `by_material`
     /// tells whether shaders take the index of the material instead.

@@ -12,21 +12,24 @@
 namespace l3d_detail {
 
 void marked_pixels::begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
-                          const l3d_pixel_box& band) {
+                          const l3d_pixel_box& band, std::size_t most) {
     assert(band.top % side == 0);
     band_ = band;
     first_row_ = band.top / side;
     columns_ = marks.row_words() * (l3d_pixel_bits::word_pixels / side);
-    const auto rows = static_cast<std::size_t>((band.bottom - band.top + side - 1) / side);
-    tiles_.assign(rows * columns_, {});
+    tiles_.clear();
     pixels_.clear();
-    gather_bits(marks);
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        if (tiles_[i].bits == 0)
-            continue;
-        const std::size_t row = i / columns_, column = i % columns_;
-        list(tiles_[i], static_cast<std::int32_t>(column) * side,
-             band.top + static_cast<std::int32_t>(row) * side, depth);
+    for (std::int32_t top = band.top; top < band.bottom; top += side) {
+        if (pixels_.size() >= most) {
+            band_.bottom = top;
+            break;
+        }
+        const std::size_t first = tiles_.size();
+        tiles_.resize(first + columns_);
+        gather_bits(marks, top);
+        for (std::size_t i = 0; i < columns_; ++i)
+            if (tiles_[first + i].bits != 0)
+                list(tiles_[first + i], static_cast<std::int32_t>(i) * side, top, depth);
     }
 }
 
@@ -52,13 +55,12 @@ bool marked_pixels::reopen() {
     return !reached.empty();
 }
 
-/// Gathers the bits of tiles. A word of a row holds one row of eight tiles.
-void marked_pixels::gather_bits(const l3d_pixel_bits& marks) {
+/// Gathers the bits of a row of tiles. A word of a row of pixels holds one row of eight tiles.
+void marked_pixels::gather_bits(const l3d_pixel_bits& marks, std::int32_t top) {
     constexpr std::size_t in_word = l3d_pixel_bits::word_pixels / side;
     constexpr std::uint64_t row_bits = (1u << side) - 1;
-    for (std::int32_t y = band_.top; y < band_.bottom; ++y) {
-        tile* const row =
-            tiles_.data() + static_cast<std::size_t>(y / side - first_row_) * columns_;
+    tile* const row = tiles_.data() + static_cast<std::size_t>(top / side - first_row_) * columns_;
+    for (std::int32_t y = top; y < std::min(top + side, band_.bottom); ++y)
         for (std::size_t w = 0; w < marks.row_words(); ++w) {
             const std::uint64_t word = marks.row(y)[w];
             for (std::size_t i = 0; word >> (side * i) != 0; ++i) {
@@ -67,7 +69,6 @@ void marked_pixels::gather_bits(const l3d_pixel_bits& marks) {
                     break;
             }
         }
-    }
 }
 
 void marked_pixels::list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth) {

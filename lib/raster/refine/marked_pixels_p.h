@@ -40,8 +40,10 @@ public:
         std::uint32_t first = 0; ///< the index of its first marked pixel
     };
 
-    /// Starts a band. Expects: the band begins at a tile.
-    void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band);
+    /// Starts a band, or so many rows of its tiles that at least `most` pixels are marked.
+    /// Expects: the band begins at a tile.
+    void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
+               std::size_t most);
 
     /// Empties the closed pixels that the added polygons do not cover wholly. It opens them for all
     /// polygons, also those behind what was drawn there. All other pixels take no more fragments.
@@ -96,7 +98,7 @@ public:
     const std::vector<marked_pixel>& pixels() const { return pixels_; }
 
 private:
-    void gather_bits(const l3d_pixel_bits& marks);
+    void gather_bits(const l3d_pixel_bits& marks, std::int32_t top);
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;

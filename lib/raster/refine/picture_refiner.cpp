@@ -13,10 +13,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// The marked pixels of a slice of a band, at which no more rows of tiles join it. Bands of usual
-/// frames have fewer. A pixel shows 64 fragments at most and keeps twice as many, so a slice of a
-/// row of tiles more, 1024 pixels wide, takes 25 MB at most.
-constexpr std::int64_t most_in_slice = 2048;
+/// A slice of a band ends with the row of tiles at which it has so many marked pixels. Bands of
+/// usual frames have fewer. A pixel keeps up to twice the 64 fragments that can be seen, 16 bytes
+/// each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024 pixels and takes 21 MB.
+constexpr std::size_t most_in_slice = 2048;
 
 l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
     const int top = frame.window.top + band * frame.rows;
@@ -122,28 +122,20 @@ void picture_refiner::join_marks(const drawn_frame& frame, const l3d_pixel_box& 
     }
 }
 
-/// Draws the marked pixels of a band, in slices that few bands have more than one of.
 void picture_refiner::draw_marked(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
+    const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
     join_marks(frame, box);
-    l3d_pixel_box slice = box;
-    for (; slice.top < box.bottom; slice.top = slice.bottom) {
-        std::int64_t marked = 0;
-        slice.bottom = slice.top;
-        while (slice.bottom < box.bottom && marked < most_in_slice) {
-            const std::int32_t from = slice.bottom;
-            slice.bottom = std::min(from + marked_pixels::side, box.bottom);
-            marked += marks_.count(from, slice.bottom);
-        }
-        if (marked > 0)
-            draw_slice(frame, band, slice, space);
+    for (l3d_pixel_box rest = box; !rest.empty();) {
+        rest.top = space.fragments.begin(marks_, depth, rest, most_in_slice);
+        draw_slice(frame, band, space);
     }
 }
 
-void picture_refiner::draw_slice(const drawn_frame& frame, int band, const l3d_pixel_box& slice,
-                                 worker_space& space) {
-    const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
-    space.fragments.begin(marks_, depth, slice);
+/// Draws the marked pixels with which a worker's fragments began.
+void picture_refiner::draw_slice(const drawn_frame& frame, int band, worker_space& space) {
+    if (space.fragments.pixels().empty())
+        return;
     const bool levels = frame.shading.mode == l3d_shade::levels;
     const bool by_material = l3d_sees_patches(frame.shading.mode) ||
                              frame.shading.is_lit(frame.materials) || frame.shading.paints;

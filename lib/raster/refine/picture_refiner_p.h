@@ -57,8 +57,7 @@ private:
     void find_edges(const drawn_frame& frame, int band, worker_space& space);
     void join_marks(const drawn_frame& frame, const l3d_pixel_box& box);
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
-    void draw_slice(const drawn_frame& frame, int band, const l3d_pixel_box& slice,
-                    worker_space& space);
+    void draw_slice(const drawn_frame& frame, int band, worker_space& space);
 
     level_jumps jumps_;
     l3d_pixel_bits marks_; ///< marks the pixels that are sampled
