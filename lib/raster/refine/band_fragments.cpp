@@ -132,9 +132,9 @@ fragment_polygon& band_fragments::next_polygon() {
 
 /// Makes a polygon's fragments. Returns whether there are any.
 bool band_fragments::cover(const fragment_polygon& polygon, const l3d_pixel_box& box) {
-    const std::size_t room = std::min(static_cast<std::size_t>(box.area()), pixels().size());
-    if (fragments_.size() < count_ + room + 1) {
-        const std::size_t more = count_ + count_ / 2 + room + 1;
+    const std::size_t room = pixels().size();
+    if (fragments_.size() < count_ + room) {
+        const std::size_t more = count_ + count_ / 2 + room;
         fragments_.reserve(more); // resize() alone would double it
         fragments_.resize(more);
     }

@@ -50,41 +50,65 @@ public:
     /// Returns whether any pixel is open.
     bool reopen();
 
-    /// Calls visit(tile, left, top, bits of its open pixels in the box) for each tile that has such
-    /// pixels. It ends when visit returns true, and returns whether that happened.
+    /// The tiles that have open pixels in a box, one after the other.
     /// Expects: the box lies in the band, and is not empty.
-    template <class Visit> bool visit(const l3d_pixel_box& box, const Visit& visit) const {
-        constexpr std::uint64_t all = ~std::uint64_t{0}, a_row = (1u << side) - 1,
-                                a_column = 0x0101010101010101;
-        const auto first = static_cast<std::uint32_t>(box.left),
-                   end = static_cast<std::uint32_t>(box.right);
-        const std::uint32_t last_column = (end - 1) / side,
-                            last_row = static_cast<std::uint32_t>(box.bottom - 1) / side;
-        for (auto y = static_cast<std::uint32_t>(box.top) / side; y <= last_row; ++y) {
-            const auto top = static_cast<std::int32_t>(y * side);
-            const std::uint64_t rows = all << side * std::max(box.top - top, 0) &
-                                       all >> side * std::max(top + side - box.bottom, 0);
-            const tile* row = &at(0, static_cast<std::int32_t>(y));
-            for (std::uint32_t x = first / side; x <= last_column; ++x) {
-                std::uint64_t bits = row[x].open & rows;
-                if (bits == 0)
+    class open_tiles {
+    public:
+        open_tiles(const marked_pixels& of, const l3d_pixel_box& box)
+            : box_(box), columns_(of.columns_), last_(column_of(box.right - 1)),
+              next_(column_of(box.left)), top_(box.top & -side), row_(&of.at(0, top_ / side)),
+              rows_(rows_inside()) {}
+
+        /// Goes on to the first one, or the next. Returns whether there is one.
+        bool next() {
+            constexpr std::uint64_t a_row = (1u << side) - 1, a_column = 0x0101010101010101;
+            for (;;) {
+                if (next_ > last_) {
+                    top_ += side;
+                    if (top_ >= box_.bottom)
+                        return false;
+                    next_ = column_of(box_.left);
+                    row_ += columns_;
+                    rows_ = rows_inside();
+                }
+                bits_ = row_[next_++].open & rows_;
+                if (bits_ == 0)
                     continue;
-                const auto left = static_cast<std::int32_t>(x * side);
-                bits &= (a_row << std::max(box.left - left, 0) &
-                         a_row >> std::max(left + side - box.right, 0)) *
-                        a_column;
-                if (bits != 0 && visit(row[x], left, top, bits))
+                bits_ &= (a_row << std::max(box_.left - left(), 0) &
+                          a_row >> std::max(left() + side - box_.right, 0)) *
+                         a_column;
+                if (bits_ != 0)
                     return true;
             }
         }
-        return false;
-    }
 
-    /// Whether a box has an open pixel. Expects: as visit.
-    bool reached(const l3d_pixel_box& box) const {
-        return visit(box,
-                     [](const tile&, std::int32_t, std::int32_t, std::uint64_t) { return true; });
-    }
+        const tile& here() const { return row_[next_ - 1]; }
+        std::int32_t left() const { return static_cast<std::int32_t>(next_ - 1) * side; }
+        std::int32_t top() const { return top_; }
+        /// Its open pixels in the box.
+        std::uint64_t bits() const { return bits_; }
+
+    private:
+        static std::uint32_t column_of(std::int32_t x) {
+            return static_cast<std::uint32_t>(x) / side;
+        }
+        std::uint64_t rows_inside() const {
+            constexpr std::uint64_t all = ~std::uint64_t{0};
+            return all << side * std::max(box_.top - top_, 0) &
+                   all >> side * std::max(top_ + side - box_.bottom, 0);
+        }
+
+        l3d_pixel_box box_;
+        std::size_t columns_; ///< the number of tiles in a row of the picture
+        std::uint32_t last_, next_;
+        std::int32_t top_;
+        const tile* row_;
+        std::uint64_t rows_; ///< the pixels of a tile that are in the box's rows
+        std::uint64_t bits_ = 0;
+    };
+
+    /// Whether a box has an open pixel. Expects: as open_tiles.
+    bool reached(const l3d_pixel_box& box) const { return open_tiles(*this, box).next(); }
 
     /// The tile with this column and row of tiles, counted from the picture's first.
     const tile& at(std::int32_t x, std::int32_t y) const {

@@ -95,9 +95,11 @@ public:
           polygons_(polygons) {
         if (has_color && shading.paints)
             painter_.emplace(*shading.paints, materials);
-        if constexpr (has_bends<Shader>)
+        if constexpr (has_bends<Shader>) {
+            levels_.reserve(polygons.size());
             for (const fragment_polygon& polygon : polygons)
                 levels_.emplace_back(polygon);
+        }
     }
 
     /// Whether all light is grey.

@@ -153,15 +153,16 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
     std::uint32_t count = 0;
     polygon_sides sides;
     bool has_sides = false;
-    pixels.visit(box, [&](const marked_pixels::tile& tile, std::int32_t left, std::int32_t top,
-                          std::uint64_t bits) HWY_ATTR {
+    for (marked_pixels::open_tiles tiles(pixels, box); tiles.next();) {
         if (!has_sides)
             sides.begin(of);
         has_sides = true;
-        for (bits &= sides.reached(left, top, of_pixels); bits != 0; bits &= bits - 1) {
-            const std::uint64_t earlier = tile.bits & ((bits & -bits) - 1);
-            marked_pixel& pixel = pixels.pixels()[tile.first + static_cast<std::uint32_t>(
-                                                                   __builtin_popcountll(earlier))];
+        std::uint64_t bits = tiles.bits() & sides.reached(tiles.left(), tiles.top(), of_pixels);
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint64_t earlier = tiles.here().bits & ((bits & -bits) - 1);
+            marked_pixel& pixel =
+                pixels.pixels()[tiles.here().first +
+                                static_cast<std::uint32_t>(__builtin_popcountll(earlier))];
             if (!(nearest >= pixel.farthest))
                 continue;
             const std::uint64_t samples = sides.samples(pixel.x, pixel.y, of_samples);
@@ -174,8 +175,7 @@ std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixe
             if (pixel.covered == ~std::uint64_t{0})
                 pixel.farthest = std::max(pixel.farthest, pixel.least);
         }
-        return false;
-    });
+    }
     return count;
 }
 
