@@ -110,8 +110,8 @@ struct quad_boxes {
               const l3d_pixel_box& inside);
 };
 
-/// What is seen in a few pixels. No two fragments of a pixel share a sample. Fragments have the
-/// order in which they were added.
+/// The fragments that are seen in a few pixels. No two fragments of a pixel share a sample.
+/// Fragments have the order in which they were added.
 struct seen_in_pixels {
     static constexpr std::size_t most = 4; ///< pixels
 
