@@ -8,55 +8,16 @@
 
 namespace l3d_detail {
 
-chain::chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height,
-             std::uint8_t layer)
+chain::chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height)
     : last_(static_cast<std::ptrdiff_t>(last)), step_(first < last ? 1 : -1) {
     top_ = static_cast<std::int32_t>(std::max(all[first].y, 0.0));
     bottom_ = static_cast<std::int32_t>(std::ceil(std::min<double>(all[last].y, height)));
     next_ = static_cast<std::ptrdiff_t>(first) + step_;
     while (all[next_].y <= 0)
         next_ += step_;
-    piece_.direction = static_cast<std::int8_t>(-step_);
-    piece_.layer = layer;
-    piece_.corners.step = step_;
-    piece_.leaves = all[next_ - step_];
-    end_ = 0;
-    if (piece_.leaves.y < 0) {
-        edge_ = straight_edge(piece_.leaves, all[next_]);
-        end_ = all[next_].y;
-        piece_.leaves = {edge_.x_at(0), 0};
-    }
-}
-
-void chain::enter_at_corners(std::int32_t row, const l3d_point_2d* all) {
-    const double row_end = row + 1;
-    const std::ptrdiff_t behind = last_ + step_;
-    l3d_point_2d at = piece_.leaves;
-    // A level edge on the border of two rows bounds no area in either.
-    if (at.y == row)
-        for (; next_ != behind && all[next_].y == at.y; next_ += step_)
-            at = all[next_];
-    piece_.enters = at;
-    double left = at.x, right = at.x;
-    const std::ptrdiff_t begin = next_;
-    for (; next_ != behind && all[next_].y < row_end; next_ += step_) {
-        left = std::min(left, all[next_].x);
-        right = std::max(right, all[next_].x);
-    }
-    piece_.corners.first = all + begin;
-    piece_.corners.count = static_cast<std::size_t>((next_ - begin) * step_);
-    if (next_ == behind) {
-        piece_.leaves = all[last_];
-        --piece_.corners.count;
-    } else if (all[next_].y == row_end) {
-        piece_.leaves = all[next_];
-    } else {
-        edge_ = straight_edge(all[next_ - step_], all[next_]);
-        end_ = all[next_].y;
-        piece_.leaves = {edge_.x_at(row_end), row_end};
-    }
-    piece_.left = std::min(left, piece_.leaves.x);
-    piece_.right = std::max(right, piece_.leaves.x);
+    begin_ = all[next_ - step_];
+    if (begin_.y < 0)
+        begin_ = {straight_edge(begin_, all[next_]).x_at(0), 0};
 }
 
 void path_chains::clear(std::int32_t width, std::int32_t height, l3d_point_2d move) {
@@ -65,6 +26,7 @@ void path_chains::clear(std::int32_t width, std::int32_t height, l3d_point_2d mo
     move_ = move;
     corners_.clear();
     chains_.clear();
+    blocks_.clear();
     outlines_.clear();
 }
 
@@ -118,12 +80,8 @@ void path_chains::cut_at_sides() {
     }
 }
 
-/// Ends an outline and cuts it into chains.
-///
-/// A chain begins at an edge that is not level, where the last such edge led the other way. The
-/// outline's corners before the first turn are repeated behind its last corner, so that each
-/// chain's corners lie side by side. Outlines beside the picture are dropped: a dashed line may
-/// have a million of them.
+/// Ends an outline, and cuts it into blocks and perhaps chains. Outlines beside the picture are
+/// dropped: a dashed line may have a million of them.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
@@ -131,7 +89,55 @@ void path_chains::end(std::uint8_t layer) {
         return corners_.keep(outline_); // being closed, it winds about no place of the picture
     if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
-    const std::size_t last = corners_.size() - 1, before = chains_.size();
+    const std::size_t last = corners_.size() - 1, first_block = blocks_.size();
+    add_blocks(last);
+    double top = blocks_[first_block].top, bottom = blocks_[first_block].bottom;
+    for (std::size_t i = first_block + 1; i < blocks_.size(); ++i) {
+        top = std::min(top, blocks_[i].top);
+        bottom = std::max(bottom, blocks_[i].bottom);
+    }
+    const double seen_top = std::max(top, 0.0), seen_bottom = std::min<double>(bottom, height_);
+    if (seen_top >= seen_bottom) { // it is above, below, or level
+        blocks_.resize(first_block);
+        return corners_.keep(outline_);
+    }
+    const auto column = [this](double x) {
+        return static_cast<std::int32_t>(std::clamp(x, 0.0, width_));
+    };
+    const std::size_t chains = chains_.size();
+    const bool is_pair = add_pair(last);
+    outlines_.push_back({{column(reached_.least), static_cast<std::int32_t>(seen_top),
+                          column(reached_.most) + 1,
+                          static_cast<std::int32_t>(std::ceil(seen_bottom))},
+                         first_block,
+                         blocks_.size() - first_block,
+                         is_pair ? chains : outline::none,
+                         layer,
+                         false});
+}
+
+/// Divides the edges of the present outline into blocks.
+void path_chains::add_blocks(std::size_t last) {
+    constexpr std::size_t edges = 64;
+    const l3d_point_2d* const all = corners_.data();
+    for (std::size_t i = outline_; i < last;) {
+        const std::size_t first = i, end = std::min(i + edges, last);
+        double top = all[i].y, bottom = top;
+        for (; i < end; ++i) {
+            top = std::min(top, all[i + 1].y);
+            bottom = std::max(bottom, all[i + 1].y);
+        }
+        blocks_.push_back(
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), top, bottom});
+    }
+}
+
+/// Cuts the present outline into two chains. Does nothing and returns false if it turns more often.
+///
+/// A chain begins at an edge that is not level, where the last such edge led the other way. The
+/// outline's corners before the first turn are repeated behind its last corner, so that each
+/// chain's corners lie side by side. Expects: not all edges are level.
+bool path_chains::add_pair(std::size_t last) {
     // The next edge that leads the other way, or the last corner.
     const auto turn_from = [](const l3d_point_2d* at, const l3d_point_2d* end, bool down) {
         if (down)
@@ -142,62 +148,45 @@ void path_chains::end(std::uint8_t layer) {
                 ++at;
         return at;
     };
-    const auto place_of_turn = [&](std::size_t from, std::size_t end, bool down) {
-        const l3d_point_2d* const all = corners_.data();
-        return static_cast<std::size_t>(turn_from(all + from, all + end, down) - all);
-    };
-    std::size_t begin = outline_;
-    while (begin < last && corners_[begin].y == corners_[begin + 1].y)
-        ++begin;
-    if (begin == last)
-        return; // the outline is level
-    bool down = corners_[begin].y < corners_[begin + 1].y;
-    begin = place_of_turn(begin, last, down);
+    const l3d_point_2d *first = corners_.data() + outline_, *const end = corners_.data() + last;
+    while (first[0].y == first[1].y)
+        ++first;
+    const bool down = first[0].y < first[1].y;
+    const l3d_point_2d* const turn = turn_from(first, end, down);
+    const l3d_point_2d* const second = turn_from(turn, end, !down);
+    if (turn_from(second, end, down) != end)
+        return false;
+    const auto begin = static_cast<std::size_t>(turn - corners_.data());
+    std::size_t middle = static_cast<std::size_t>(second - corners_.data());
     const std::size_t again = begin - outline_;
     l3d_point_2d* const room = corners_.room(again);
     std::copy_n(corners_.data() + outline_ + 1, again, room);
     corners_.use(again);
-    const std::size_t end = corners_.size() - 1;
-    while (begin != end) {
-        down = !down;
-        const std::size_t turn = place_of_turn(begin, end, down);
-        add_chain(begin, turn, down, layer);
-        begin = turn;
+    if (middle == last) { // level edges at the outline's end go on as the repeated ones do
+        const l3d_point_2d* const all = corners_.data();
+        middle = static_cast<std::size_t>(
+            turn_from(all + middle, all + corners_.size() - 1, !down) - all);
     }
-    if (chains_.size() > before)
-        add_outline(before);
+    add_chain(begin, middle, !down);
+    add_chain(middle, corners_.size() - 1, down);
+    return true;
 }
 
-/// Adds an outline: its chains from `first` on, and the columns and rows that it reaches.
-void path_chains::add_outline(std::size_t first) {
-    std::int32_t top = height_, bottom = 0;
-    for (std::size_t i = first; i < chains_.size(); ++i) {
-        top = std::min(top, chains_[i].top());
-        bottom = std::max(bottom, chains_[i].bottom());
-    }
-    const auto column = [this](double x) {
-        return static_cast<std::int32_t>(std::clamp(x, 0.0, width_));
-    };
-    outlines_.push_back({{column(reached_.least), top, column(reached_.most) + 1, bottom},
-                         first,
-                         chains_.size() - first,
-                         false});
-}
-
-void path_chains::add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer) {
+void path_chains::add_chain(std::size_t first, std::size_t last, bool down) {
     if (!down)
         std::swap(first, last);
-    if (corners_[last].y > 0 && corners_[first].y < height_)
-        chains_.emplace_back(corners_.data(), first, last, height_, layer);
+    chains_.emplace_back(corners_.data(), first, last, height_);
+}
+
+void path_chains::sort() {
+    std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
 }
 
 /// Finds the outlines that overlap no other one. Goes through them by their tops, and compares each
 /// with those that have begun and not ended.
 void path_chains::find_apart() {
-    const auto is_pair = [](const outline& o) { return o.chains == 2; };
-    if (std::ranges::none_of(outlines_, is_pair))
+    if (std::ranges::none_of(outlines_, &outline::is_pair))
         return;
-    std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
     // Where very many outlines lie side by side, comparing all costs more than it saves.
     std::size_t looks = 64 * outlines_.size();
     active_.clear();
@@ -220,38 +209,6 @@ void path_chains::find_apart() {
         active_.resize(kept);
         active_.push_back(&next);
     }
-}
-
-/// Sorts chains by the row that they begin in: counts those of each row, then puts each at its
-/// row's place. Returns the end of the lowest row.
-std::int32_t path_chains::sort() {
-    const auto is_left_out = [](const chain& c) { return c.top() == c.bottom(); };
-    top_ = height_;
-    std::int32_t bottom = 0;
-    for (const chain& c : chains_)
-        if (!is_left_out(c)) {
-            top_ = std::min(top_, c.top());
-            bottom = std::max(bottom, c.bottom());
-        }
-    if (top_ >= bottom)
-        return top_;
-    begins_.assign(static_cast<std::size_t>(bottom - top_) + 2, 0);
-    for (const chain& c : chains_)
-        if (!is_left_out(c))
-            ++begins_[static_cast<std::size_t>(c.top() - top_) + 2];
-    for (std::size_t row = 2; row < begins_.size(); ++row)
-        begins_[row] += begins_[row - 1];
-    order_.resize(begins_.back());
-    for (std::size_t i = 0; i < chains_.size(); ++i)
-        if (!is_left_out(chains_[i]))
-            order_[begins_[static_cast<std::size_t>(chains_[i].top() - top_) + 1]++] =
-                static_cast<std::uint32_t>(i);
-    return bottom;
-}
-
-std::span<const std::uint32_t> path_chains::begun_in(std::int32_t row) const {
-    const auto place = static_cast<std::size_t>(row - top_);
-    return std::span(order_).subspan(begins_[place], begins_[place + 1] - begins_[place]);
 }
 
 } // namespace l3d_detail

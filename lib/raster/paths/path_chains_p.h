@@ -38,9 +38,6 @@ struct row_piece {
     corner_run corners;    ///< corners between its ends
     std::int8_t direction; ///< 1 if the outline leads upwards here, which adds 1 to the winding on
                            ///< the right; else -1
-    std::uint8_t layer;    ///< 0: an edge of the filled path; 1: of its clip path
-
-    double height() const { return leaves.y - enters.y; }
 
     /// Calls edge(from, to) for each edge of the piece from top to bottom; some edges are level.
     template <class Edge> void visit(const Edge& edge) const {
@@ -66,67 +63,42 @@ struct straight_edge {
     double x_at(double y) const { return std::clamp(x0 + (y - y0) * slope, least, most); }
 };
 
-/// A chain: consecutive edges of an outline that only lead down, or only up. It is walked row by
-/// row, from top to bottom.
+/// A chain: consecutive edges of an outline that only lead down, or only up.
 class chain {
 public:
     /// Makes a chain of corners `first` to `last` of the array `all`, from top to bottom.
     /// Expects: the picture has rows 0 to height - 1, and the chain reaches at least one of them.
-    chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height,
-          std::uint8_t layer);
+    chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height);
 
     /// The first row that the chain reaches, and the row after the last.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
-
-    /// Walks to the next row, whose piece is then piece().
-    /// Expects: `all` has the same corners as before; rows from top() to bottom() - 1, in order.
-    void enter(std::int32_t row, const l3d_point_2d* all);
-
-    const row_piece& piece() const { return piece_; }
-
-    /// Sets the piece of a row, for callers that walk the chain by themselves.
-    void take_piece(const row_piece& piece) { piece_ = piece; }
+    /// The place where the chain enters the picture.
+    const l3d_point_2d& begin() const { return begin_; }
+    /// 1 if the outline leads upwards here, which adds 1 to the winding on the right; else -1.
+    std::int8_t direction() const { return static_cast<std::int8_t>(-step_); }
     /// The next corner to which the chain leads, the place behind its last corner, and the step in
     /// memory between corners.
     const l3d_point_2d* next_corner(const l3d_point_2d* all) const { return all + next_; }
     const l3d_point_2d* behind(const l3d_point_2d* all) const { return all + last_ + step_; }
     std::ptrdiff_t step() const { return step_; }
-    /// Makes the chain reach no rows.
-    void leave_out() { bottom_ = top_; }
 
 private:
-    void enter_at_corners(std::int32_t row, const l3d_point_2d* all);
-
     std::ptrdiff_t next_; ///< index of the next corner to which the chain leads
     std::ptrdiff_t last_, step_;
     std::int32_t top_ = 0, bottom_ = 0;
-    /// The edge by which the chain leaves the row, if this edge ends at `end_` in a later row.
-    straight_edge edge_;
-    double end_;
-    row_piece piece_{};
+    l3d_point_2d begin_;
 };
 
-inline void chain::enter(std::int32_t row, const l3d_point_2d* all) {
-    const double row_end = row + 1;
-    if (end_ <= row_end)
-        return enter_at_corners(row, all);
-    piece_.enters = piece_.leaves;
-    piece_.leaves = {edge_.x_at(row_end), row_end};
-    piece_.left = std::min(piece_.enters.x, piece_.leaves.x);
-    piece_.right = std::max(piece_.enters.x, piece_.leaves.x);
-    piece_.corners.count = 0;
-}
-
-/// Takes outlines, and cuts them into chains: at the sides of a picture, and where they turn up or
-/// down.
+/// Takes outlines, and cuts them at the sides of a picture. Those that turn up or down only twice
+/// are cut into two chains, too.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
 /// of the picture stay the same. Level edges belong to the chain before them.
 /// Cost:    linear in the corners; allocates when there are more than ever before.
 class path_chains {
 public:
-    /// Removes all chains. Corners that are added later are moved by `move`.
+    /// Removes all outlines. Corners that are added later are moved by `move`.
     void clear(std::int32_t width, std::int32_t height, l3d_point_2d move = {});
 
     /// These three functions begin an outline, add its corners, and close it.
@@ -135,26 +107,35 @@ public:
     void end(std::uint8_t layer);
 
     /// All chains, and the array of their corners.
-    std::span<chain> chains() { return chains_; }
+    std::span<const chain> chains() const { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
+
+    /// Consecutive edges of an outline, and the heights between which they lie. Edge i leads from
+    /// corner i to corner i + 1.
+    struct block {
+        std::uint32_t first, end;
+        double top, bottom;
+    };
+    /// All blocks, those of an outline in its order.
+    const std::vector<block>& blocks() const { return blocks_; }
 
     /// An outline that reaches the picture.
     struct outline {
-        l3d_pixel_box box;         ///< the box of all pixels that it reaches
-        std::size_t first, chains; ///< its first chain, and how many
-        bool apart;                ///< set by find_apart: its box meets no other outline's
+        l3d_pixel_box box;              ///< the box of all pixels that it reaches
+        std::size_t first_block, blocks; ///< its first block, and how many
+        std::size_t chains;             ///< the first of its two chains; `none` if it has not two
+        std::uint8_t layer;             ///< 0: of the filled path; 1: of its clip path
+        bool apart;                     ///< set by find_apart: its box meets no other outline's
+
+        static constexpr std::size_t none = ~std::size_t{0};
+        bool is_pair() const { return chains != none; }
     };
     std::span<const outline> outlines() const { return outlines_; }
+    /// Sorts outlines by their tops.
+    void sort();
     /// Finds the outlines whose boxes meet no other's. It searches only if an outline of two chains
-    /// may be among them.
+    /// may be among them. Expects: sorted.
     void find_apart();
-
-    /// Sorts the chains by their top rows. Returns the row after the last one reached.
-    std::int32_t sort();
-    /// The first row that a chain reaches. Expects: sorted.
-    std::int32_t top() const { return top_; }
-    /// The chains that begin in a row. Expects: sorted; top() or a later row.
-    std::span<const std::uint32_t> begun_in(std::int32_t row) const;
 
 private:
     /// The range of x that an outline reaches.
@@ -163,22 +144,21 @@ private:
     };
 
     void cut_at_sides();
-    void add_chain(std::size_t first, std::size_t last, bool down, std::uint8_t layer);
-    void add_outline(std::size_t first);
+    void add_blocks(std::size_t last);
+    bool add_pair(std::size_t last);
+    void add_chain(std::size_t first, std::size_t last, bool down);
 
     double width_ = 0;
     std::int32_t height_ = 0;
-    std::int32_t top_ = 0;
     l3d_point_2d move_{};
     std::size_t outline_ = 0; ///< the index of the present outline's first corner
     columns reached_{};       ///< the range of the present outline's corners
     kept_list<l3d_point_2d> corners_;
     std::vector<l3d_point_2d> uncut_;
     std::vector<chain> chains_;
+    std::vector<block> blocks_;
     std::vector<outline> outlines_;
     std::vector<outline*> active_;
-    std::vector<std::uint32_t> order_;
-    std::vector<std::size_t> begins_; ///< for each row, the index of its first chain in order_
 };
 
 } // namespace l3d_detail

@@ -23,7 +23,6 @@ enum class cell_begin : std::uint8_t {
 /// The part of an outline's edge in one pixel.
 struct edge_cell {
     l3d_point_2d top, bottom;
-    std::uint32_t pixel;    ///< its index, for those who list cells
     std::int8_t direction;  ///< 1 if the outline leads upwards, which adds 1 to the winding on the
                             ///< right; -1 if downwards; 0 if the edge is level
     std::uint8_t layer;     ///< 0: an edge of the filled path; 1: of its clip path

@@ -8,7 +8,7 @@ namespace l3d_detail {
 
 side_walk::side_walk(const chain& of, const l3d_point_2d* corners)
     : chain_(of), step_(of.step()), next_(of.next_corner(corners)), behind_(of.behind(corners)),
-      x_(of.piece().leaves.x), y_(of.piece().leaves.y), begin_(y_) {
+      x_(of.begin().x), y_(of.begin().y), begin_(y_) {
     while ((behind_ - 2 * step_)->y == (behind_ - step_)->y)
         behind_ -= step_;
     skip_level();
@@ -105,8 +105,7 @@ row_piece side_walk::piece_of(const side_block& block, std::int32_t row, std::si
     piece.leaves = {block.straight ? block.edge.x_at(bottom) : block.leaves[lane], bottom};
     if (!block.straight)
         piece.corners = {block.first[lane], step_, static_cast<std::size_t>(block.corners[lane])};
-    piece.direction = chain_.piece().direction;
-    piece.layer = chain_.piece().layer;
+    piece.direction = chain_.direction();
     piece.left = std::min(piece.enters.x, piece.leaves.x);
     piece.right = std::max(piece.enters.x, piece.leaves.x);
     for (std::size_t i = 0; i < piece.corners.count; ++i) {

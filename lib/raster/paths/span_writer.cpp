@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// span_writer: spans that grow, and those that begin.
+#include "raster/paths/span_writer_p.h"
+
+namespace l3d_detail {
+
+void span_writer::begin(const l3d_pixel_box& box, double full) {
+    box_ = box;
+    width_ = box.right - box.left;
+    full_ = full;
+    spans_.clear();
+    values_.clear();
+}
+
+/// Makes room for a value in each of some columns: in the last span if it ends where they begin,
+/// else in a new span.
+void span_writer::add_span(std::int32_t row, std::int32_t first, std::int32_t end) {
+    if (ends_at(row, first))
+        spans_.back().between = spans_.back().beyond = spans_.back().last = end;
+    else
+        spans_.push({row, first, end, end, end, 0, values_.size()});
+}
+
+/// Whether the last span ends at a place with columns that have a value each, and these values are
+/// the last of all. Such a span can grow.
+bool span_writer::ends_at(std::int32_t row, std::int32_t column) {
+    if (spans_.size() == 0)
+        return false;
+    const covered_span& s = spans_.back();
+    return s.row == row && s.last == column && s.between == s.last &&
+           s.values + s.values_before() == values_.size();
+}
+
+std::uint8_t* span_writer::add_values(std::int32_t row, std::int32_t first, std::int32_t end) {
+    const std::int32_t seen = std::min(end, width_);
+    if (first < seen)
+        add_span(row + box_.top, first + box_.left, seen + box_.left);
+    const auto count = static_cast<std::size_t>(end - first);
+    std::uint8_t* const values = values_.room(count);
+    values_.use(count);
+    return values;
+}
+
+void span_writer::add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value) {
+    constexpr std::int32_t few = 32;
+    end = std::min(end, width_);
+    if (first >= end || value == 0)
+        return;
+    const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
+    if (right - left < few && ends_at(y, left)) {
+        const auto count = static_cast<std::size_t>(right - left);
+        add_span(y, left, right);
+        std::fill_n(values_.room(count), count, static_cast<std::uint8_t>(value));
+        values_.use(count);
+    } else if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
+               spans_.back().beyond == left && spans_.back().last == left) {
+        spans_.back().beyond = spans_.back().last = right;
+    } else {
+        spans_.push({y, left, left, right, right, value, 0});
+    }
+}
+
+} // namespace l3d_detail
