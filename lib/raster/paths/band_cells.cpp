@@ -2,85 +2,109 @@
 // band_cells: edges cut at rows and columns, and the pixels that outlines pass more than once.
 #include "raster/paths/band_cells_p.h"
 
+#include "raster/paths/area_values_p.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
+
+#include <hwy/base.h>
 
 namespace l3d_detail {
 
 namespace {
 
-/// Pixels whose values are found together. Their visits are the bytes of a word.
-constexpr std::size_t group = 8;
-/// The number of visits of pixels where it is not known, or an outline may cross itself.
-constexpr std::uint8_t unclear = 255;
-constexpr std::size_t nowhere = ~std::size_t{0};
+/// The number of visits of pixels where an outline may cross itself, or more.
+constexpr std::uint32_t unclear = 1 << 30;
+constexpr std::ptrdiff_t nowhere = -1;
 
 constexpr std::int32_t whole(double x) {
     return static_cast<std::int32_t>(x);
 }
 
-/// An edge in a band, from top to bottom, cut off at the band's borders.
+/// An edge in the direction of its outline, in the rows of a band.
 struct band_edge {
-    l3d_point_2d top, bottom; ///< its ends, which may lie beyond the band
-    bool is_up;               ///< whether the outline leads upwards
-    std::int32_t first, last; ///< the rows that it reaches
-    double begin, end;        ///< the heights between which it is in the band
-    double slope = 0;         ///< x by y; 0 if it is not needed
-    double x, end_x;          ///< x at `begin` and at `end`
+    l3d_point_2d from, to;      ///< its ends, which may lie beyond the band
+    double x, y, end_x, end_y;  ///< its part in the band
+    bool begins = true, ends = true; ///< whether its ends lie in the band
+    double slope = 0;           ///< x by y, if it is needed
+    double least = 0, most = 0; ///< bounds of x, if they are needed
 
-    band_edge(const l3d_point_2d& from, const l3d_point_2d& to, std::int32_t band_top,
-              std::int32_t band_bottom)
-        : is_up(to.y < from.y) {
-        top = is_up ? to : from;
-        bottom = is_up ? from : to;
-        begin = std::max<double>(top.y, band_top);
-        end = std::min<double>(bottom.y, band_bottom);
-        first = whole(begin);
-        last = whole(end);
-        last -= last == end ? 1 : 0;
-        x = top.x;
-        end_x = bottom.x;
-        if (first < last || begin != top.y || end != bottom.y) {
-            slope = (bottom.x - top.x) / (bottom.y - top.y);
-            x = x_at(begin);
-            end_x = x_at(end);
+    band_edge(const l3d_point_2d& first, const l3d_point_2d& last)
+        : from(first), to(last), x(from.x), y(from.y), end_x(to.x), end_y(to.y) {}
+
+    bool leads_up() const { return to.y < from.y; }
+
+    /// Cuts it at the band's borders. Returns false if it lies beyond them.
+    bool clip(double top, double bottom) {
+        const double upper = std::min(from.y, to.y), lower = std::max(from.y, to.y);
+        if (lower <= top || upper >= bottom)
+            return false;
+        if (upper < top || lower > bottom) {
+            set_slope();
+            const auto cut = [&](double& at_x, double& at_y) {
+                const bool is_cut = at_y < top || at_y > bottom;
+                if (is_cut)
+                    at_x = x_at(at_y = at_y < top ? top : bottom);
+                return !is_cut;
+            };
+            begins = cut(x, y);
+            ends = cut(end_x, end_y);
         }
+        return true;
     }
-
-    /// Whether it has a point between rows' borders.
-    bool is_seen() const { return first <= last; }
-    /// x at a height within it. Rounding never puts it beyond its ends.
-    double x_at(double y) const {
-        if (y == top.y)
-            return top.x;
-        if (y == bottom.y)
-            return bottom.x;
-        const double at = top.x + (y - top.y) * slope;
-        return top.x < bottom.x ? std::clamp(at, top.x, bottom.x)
-                                : std::clamp(at, bottom.x, top.x);
+    void set_slope() {
+        slope = (to.x - from.x) / (to.y - from.y);
+        least = std::min(from.x, to.x);
+        most = std::max(from.x, to.x);
     }
-    /// y by x.
-    double steepness() const { return (bottom.y - top.y) / (bottom.x - top.x); }
-    int direction() const { return is_up ? 1 : -1; }
+    /// x at a border of rows. Rounding never puts it beyond the edge's ends.
+    double x_at(double border) const {
+        return std::min(std::max(from.x + (border - from.y) * slope, least), most);
+    }
+    /// y by x. Expects: they are not the same.
+    double steepness() const { return (to.y - from.y) / (to.x - from.x); }
 };
 
-/// The part of an edge in a row, from top to bottom.
+/// The part of an edge in a row, in the direction of its outline, and the columns of its ends.
 struct row_part {
     double x, y, end_x, end_y;
-
-    row_part(const band_edge& of, std::int32_t row)
-        : x(of.x), y(of.begin), end_x(of.end_x), end_y(of.end) {
-        if (row > of.first)
-            x = of.x_at(y = row);
-        if (row < of.last)
-            end_x = of.x_at(end_y = row + 1);
-    }
-    /// The height at which it crosses a side of columns.
-    double y_at(double side, double steepness) const {
-        return std::clamp(y + (side - x) * steepness, y, end_y);
-    }
+    std::int32_t column, end_column;
 };
+
+/// The part of an edge in a pixel that it reaches. `begin` tells how its outline comes to `from`.
+edge_cell cell_of(const l3d_point_2d* corners, std::uint32_t edge, std::int32_t row,
+                  std::int32_t column, std::size_t layer, cell_begin begin) {
+    band_edge e(corners[edge], corners[edge + 1]);
+    e.clip(row, row + 1);
+    const std::int32_t first = whole(e.x), last = whole(e.end_x);
+    const bool is_start = column == first && e.begins;
+    edge_cell result{{e.x - column, e.y - row},
+                     {e.end_x - column, e.end_y - row},
+                     edge,
+                     static_cast<std::uint8_t>(layer),
+                     0,
+                     is_start ? begin : cell_begin::enters};
+    if (first == last)
+        return result;
+    const double steepness = e.steepness();
+    const auto y_at = [&](double side) {
+        return std::clamp(e.y + (side - e.x) * steepness, std::min(e.y, e.end_y),
+                          std::max(e.y, e.end_y)) -
+               row;
+    };
+    const int right = first < last ? 1 : 0; // on this side of a column it leaves for the next one
+    if (column != first)
+        result.from = {1.0 - right, y_at(column + 1 - right)};
+    if (column != last)
+        result.to = {0.0 + right, y_at(column + right)};
+    // From left to right, an edge has this on its lower side, beyond what it has above.
+    if (column != std::min(first, last))
+        result.below_left = right == 1 ? 1 : -1;
+    return result;
+}
 
 } // namespace
 
@@ -90,18 +114,19 @@ void band_cells::begin(const l3d_pixel_box& reached, const fill_rules& rules) {
     right_ = reached.right;
     // An edge on the right side of the last column adds to the next one.
     stride_ = (static_cast<std::size_t>(right_ - left_) + 1 + group) / group * group;
-    constexpr std::size_t most_cells = 1 << 16; // 1 MB for a layer, which caches hold
+    constexpr std::size_t most_cells = 1 << 16; // 1.5 MB for a layer, which caches hold
     const std::size_t height = static_cast<std::size_t>(reached.bottom - reached.top);
     const std::size_t rows = std::clamp<std::size_t>(most_cells / stride_, 1, height);
     rows_ = static_cast<std::int32_t>(rows);
     const std::size_t needed = rows * stride_;
+    words_ = (stride_ / group + 63) / 64;
+    if (groups_.size() < rows * words_)
+        groups_.resize(rows * words_, 0);
+    if (sums_.size() < stride_)
+        sums_.resize(stride_);
     for (std::size_t layer = 0; layer < (rules.clips ? 2U : 1U); ++layer)
         if (cells_[layer].size() < needed)
             cells_[layer].resize(needed, cell{});
-    if (visits_.size() < needed) {
-        visits_.resize(needed, 0);
-        last_.resize(needed, 0);
-    }
 }
 
 void band_cells::begin_band(std::int32_t top, std::int32_t bottom) {
@@ -113,116 +138,148 @@ void band_cells::begin_band(std::int32_t top, std::int32_t bottom) {
 
 /// A walk along an outline.
 struct band_cells::walk {
-    enum way : std::uint8_t { up = 1, down = 2, to_left = 4, to_right = 8, all = 15 };
+    enum way : std::uint32_t { none = 0, up = 1, down = 2, to_left = 4, to_right = 8, all = 15 };
 
     cell* const cells;
-    std::uint8_t* const visits;
-    std::uint32_t* const last;
-    const std::size_t stride;
-    const std::int32_t left, top, bottom;
-    const std::uint8_t layer;
-    record* records = nullptr; ///< room for more
+    std::uint64_t* const groups;
+    const std::ptrdiff_t stride, words;
+    const std::int32_t left, top;
+    const double band_top, band_bottom;
+    record* records = nullptr; ///< all records, and room for more
     std::uint32_t used;        ///< the number of records
 
-    std::size_t here = nowhere; ///< the pixel that the outline has reached
-    std::uint32_t edges = 0;    ///< the number of its edges there
-    std::uint8_t ways = 0;      ///< the directions in which they run, as bits of `way`
+    std::ptrdiff_t here = nowhere; ///< the pixel that the outline has reached
+    std::uint32_t edges = 0;       ///< the number of its edges there
+    std::uint32_t ways = 0;        ///< the directions in which they run, as bits of `way`
 
-    std::size_t pixel_at(std::int32_t row, double x) const {
-        return static_cast<std::size_t>(row - top) * stride +
-               static_cast<std::size_t>(whole(x) - left);
+    /// Adds an edge's part in a pixel. `x` is the part of the row on the right of its middle.
+    HWY_INLINE void put(cell& at, double height, double x, std::uint32_t edge) {
+        at.cover += height;
+        at.area += height * x;
+        ++at.visits;
+        records[used] = {at.last, edge};
+        at.last = used++;
     }
 
-    /// Adds an edge's part in a pixel. `x` is its middle, seen from the pixel's left side.
-    void put(std::size_t at, double height, double x, std::uint32_t edge, cell_begin begin) {
-        cells[at].cover += height;
-        cells[at].area += height - height * x;
-        visits[at] = static_cast<std::uint8_t>(visits[at] + (visits[at] < unclear ? 1 : 0));
-        records[0] = {last[at], edge, begin, layer};
-        ++records;
-        last[at] = used++;
-    }
-
-    void add_part(const row_part& p, std::size_t row, int direction, double steepness,
-                  std::uint32_t edge, cell_begin begin) {
-        const std::int32_t first = whole(p.x), end = whole(p.end_x);
-        std::size_t at = row + static_cast<std::size_t>(first - left);
-        if (first == end)
-            return put(at, direction * (p.end_y - p.y), (p.x + p.end_x) / 2 - first, edge, begin);
+    /// Adds an edge's part in a row. `at` is the pixel of its begin.
+    HWY_INLINE void add_part(cell* at, const row_part& p, double steepness, std::uint32_t edge) {
+        if (p.column == p.end_column)
+            return put(*at, p.y - p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
         double x = p.x, y = p.y;
-        std::int32_t column = first;
-        if (first < end) {
-            for (; column < end; ++column, ++at) {
-                const double next = p.y_at(column + 1, steepness);
-                put(at, direction * (next - y), (x - column + 1) / 2, edge, begin);
-                x = column + 1;
+        if (p.column < p.end_column) {
+            for (double side = p.column + 1; side <= p.end_column; side += 1, ++at) {
+                const double next = p.y + (side - p.x) * steepness;
+                put(*at, y - next, (side - x) / 2, edge);
+                x = side;
                 y = next;
             }
+            put(*at, y - p.end_y, 1 - (p.end_x - x) / 2, edge);
         } else {
-            for (; column > end; --column, --at) {
-                const double next = p.y_at(column, steepness);
-                put(at, direction * (next - y), (x - column) / 2, edge, begin);
-                x = column;
+            for (double side = p.column; side > p.end_column; side -= 1, --at) {
+                const double next = p.y + (side - p.x) * steepness;
+                put(*at, y - next, 1 - (x - side) / 2, edge);
+                x = side;
                 y = next;
             }
+            put(*at, y - p.end_y, (x - p.end_x) / 2, edge);
         }
-        put(at, direction * (p.end_y - y), (x + p.end_x) / 2 - column, edge, begin);
     }
 
-    void add(const l3d_point_2d& from, const l3d_point_2d& to, std::uint32_t edge, bool is_first,
-             kept_list<record>& list) {
-        if (std::max(from.y, to.y) <= top || std::min(from.y, to.y) >= bottom) {
+    /// Marks the groups of columns from one to another.
+    static HWY_INLINE void mark(std::uint64_t* row, std::int32_t first, std::int32_t last) {
+        constexpr std::uint32_t bits = 64;
+        auto g = static_cast<std::uint32_t>(first) / static_cast<std::uint32_t>(group);
+        auto end = static_cast<std::uint32_t>(last) / static_cast<std::uint32_t>(group);
+        row[g / bits] |= std::uint64_t{1} << (g % bits);
+        if (g == end)
+            return;
+        if (g > end)
+            std::swap(g, end);
+        for (; g <= end; ++g)
+            row[g / bits] |= std::uint64_t{1} << (g % bits);
+    }
+
+    /// The directions in which an edge runs.
+    static std::uint32_t ways_of(const l3d_point_2d& from, const l3d_point_2d& to) {
+        return (to.y < from.y ? up : none) | (from.y < to.y ? down : none) |
+               (from.x < to.x ? to_right : none) | (to.x < from.x ? to_left : none);
+    }
+
+    /// Notes that the outline's next edge begins in a pixel, and returns how it comes there.
+    HWY_INLINE cell_begin come_to(std::ptrdiff_t pixel, const l3d_point_2d* corner, bool is_begin) {
+        if (pixel != here) {
+            edges = 1;
+            if (!is_begin)
+                return cell_begin::enters;
+            cells[pixel].visits = unclear;
+            return cell_begin::unclear;
+        }
+        // Where edges in a pixel all lead up, down, to the left or to the right, they do not cross
+        // each other. Two that follow each other never do.
+        if (++edges > 2) {
+            if (edges == 3)
+                ways = ways_of(corner[-2], corner[-1]) | ways_of(corner[-1], corner[0]);
+            ways |= ways_of(corner[0], corner[1]);
+            if (ways == all) {
+                cells[pixel].visits = unclear;
+                return cell_begin::unclear;
+            }
+        }
+        --cells[pixel].visits;
+        return cell_begin::continues;
+    }
+
+    /// Adds the edge that begins at a corner.
+    template <bool clips> HWY_INLINE void add(const l3d_point_2d* corner, std::uint32_t index,
+                                              bool is_first) {
+        band_edge e(corner[0], corner[1]);
+        if (clips && !e.clip(band_top, band_bottom)) {
             here = nowhere;
             return;
         }
-        const band_edge e(from, to, top, bottom);
-        if (!e.is_seen()) { // it is level, on a border of rows
+        // An edge that begins or ends at a border of rows does so in the row that it reaches.
+        const bool is_up = e.leads_up();
+        std::int32_t row = whole(e.y), last_row = whole(e.end_y);
+        std::int32_t& lower = is_up ? row : last_row;
+        lower -= lower >= (is_up ? e.y : e.end_y) ? 1 : 0;
+        if (is_up ? row < last_row : last_row < row) { // it is level, and between two rows
             here = nowhere;
             return;
         }
-        const std::size_t upper = pixel_at(e.first, e.x), lower = pixel_at(e.last, e.end_x);
-        const bool begins = e.is_up ? e.end == from.y : e.begin == from.y;
-        const bool ends = e.is_up ? e.begin == to.y : e.end == to.y;
-        const std::size_t start = e.is_up ? lower : upper, stop = e.is_up ? upper : lower;
-        const auto runs = static_cast<std::uint8_t>((to.y < from.y   ? up
-                                                     : from.y < to.y ? down
-                                                                     : 0) |
-                                                    (from.x < to.x   ? to_right
-                                                     : to.x < from.x ? to_left
-                                                                     : 0));
-        cell_begin begin = cell_begin::enters;
-        if (start == here) {
-            // Where edges in a pixel all lead up, down, to the left or to the right, they do not
-            // cross each other. Two that follow each other never do.
-            ++edges;
-            ways |= runs;
-            if (edges > 2 && ways == all) {
-                begin = cell_begin::unclear;
-                visits[start] = unclear;
-            } else {
-                begin = cell_begin::continues;
-                --visits[start];
+        const std::int32_t end_column = whole(e.end_x);
+        row_part p{e.x, e.y, e.end_x, e.end_y, whole(e.x), end_column};
+        std::ptrdiff_t pixel = (row - top) * stride + (p.column - left);
+        const cell_begin begin = come_to(pixel, corner, is_first && e.begins);
+        const std::uint32_t edge = index << 2 | static_cast<std::uint32_t>(begin);
+        const double steepness = p.column == end_column ? 0 : e.steepness();
+        std::uint64_t* marks = groups + (row - top) * words;
+        if (row != last_row) {
+            e.set_slope();
+            const std::int32_t step = is_up ? -1 : 1;
+            const std::ptrdiff_t next_words = step * words, next_row = step * stride;
+            for (double border = is_up ? row : row + 1; row != last_row; row += step) {
+                p.end_y = border;
+                p.end_x = e.x_at(border);
+                p.end_column = whole(p.end_x);
+                mark(marks, p.column - left, p.end_column - left);
+                add_part(cells + pixel, p, steepness, edge);
+                pixel += next_row + (p.end_column - p.column);
+                marks += next_words;
+                border += step;
+                p.x = p.end_x;
+                p.y = p.end_y;
+                p.column = p.end_column;
             }
-        } else {
+            p.end_x = e.end_x;
+            p.end_y = e.end_y;
+            p.end_column = end_column;
             edges = 1;
-            ways = runs;
-            if (is_first && begins) {
-                begin = cell_begin::unclear;
-                visits[start] = unclear;
-            }
         }
-        if (start != stop) {
+        if (p.column != end_column)
             edges = 1;
-            ways = runs;
-        }
-        here = ends ? stop : nowhere;
-        const auto columns = static_cast<std::size_t>(std::abs(whole(e.end_x) - whole(e.x)));
-        list.keep(used);
-        records = list.room(static_cast<std::size_t>(e.last - e.first) + 2 + columns);
-        const double steepness = columns > 0 ? e.steepness() : 0;
-        std::size_t row = static_cast<std::size_t>(e.first - top) * stride;
-        for (std::int32_t r = e.first; r <= e.last; ++r, row += stride)
-            add_part(row_part(e, r), row, e.direction(), steepness, edge, begin);
+        mark(marks, p.column - left, end_column - left);
+        add_part(cells + pixel, p, steepness, edge);
+        here = e.ends ? pixel + (end_column - p.column) : nowhere;
     }
 };
 
@@ -230,15 +287,16 @@ void band_cells::add(const path_chains::outline& outline, const l3d_point_2d* al
                      const path_chains::block* blocks) {
     corners_ = all;
     walk w{cells_[outline.layer].data(),
-           visits_.data(),
-           last_.data(),
-           stride_,
+           groups_.data(),
+           static_cast<std::ptrdiff_t>(stride_),
+           static_cast<std::ptrdiff_t>(words_),
            left_,
            top_,
-           bottom_,
-           outline.layer,
+           static_cast<double>(top_),
+           static_cast<double>(bottom_),
            nullptr,
            static_cast<std::uint32_t>(records_.size())};
+    const std::size_t most_parts = static_cast<std::size_t>(rows_) + stride_;
     const std::size_t first = outline.first_block;
     for (std::size_t b = first; b < first + outline.blocks; ++b) {
         const path_chains::block& block = blocks[b];
@@ -246,8 +304,15 @@ void band_cells::add(const path_chains::outline& outline, const l3d_point_2d* al
             w.here = nowhere;
             continue;
         }
-        for (std::uint32_t i = block.first; i < block.end; ++i)
-            w.add(all[i], all[i + 1], i, i == blocks[first].first, records_);
+        const std::uint32_t begin = block.first, end = block.end;
+        records_.keep(w.used);
+        w.records = records_.room((end - begin) * most_parts) - w.used;
+        if (block.top >= top_ && block.bottom <= bottom_)
+            for (std::uint32_t i = begin; i < end; ++i)
+                w.add<false>(all + i, i, i == blocks[first].first);
+        else
+            for (std::uint32_t i = begin; i < end; ++i)
+                w.add<true>(all + i, i, i == blocks[first].first);
     }
     records_.keep(w.used);
 }
@@ -258,116 +323,107 @@ void band_cells::write(span_writer& to) {
 }
 
 void band_cells::write_row(std::int32_t row, span_writer& to) {
-    const std::size_t begin = static_cast<std::size_t>(row - top_) * stride_;
-    const auto is_passed = [&](std::size_t at) {
-        std::uint64_t word;
-        std::memcpy(&word, visits_.data() + begin + at, group);
-        return word != 0;
-    };
+    const auto r = static_cast<std::size_t>(row - top_);
     std::array<double, 2> cover{};
     std::size_t done = 0;
+    const auto column = [this](std::size_t of) { return left_ + static_cast<std::int32_t>(of); };
     const auto fill = [&](std::size_t end) {
         // Windings do not change down a gap, so they are whole but for rounding.
-        for (double& c : cover)
-            c = std::rint(c);
-        const windings w{{static_cast<int>(cover[0]), static_cast<int>(cover[1])}};
-        if (done < end && rules_.inside(w))
-            to.add_solid(row, left_ + static_cast<std::int32_t>(done),
-                         left_ + static_cast<std::int32_t>(end), to.value_of(1));
+        const windings w{
+            {static_cast<int>(std::lrint(cover[0])), static_cast<int>(std::lrint(cover[1]))}};
+        cover = {static_cast<double>(w.turns[0]), static_cast<double>(w.turns[1])};
+        if (rules_.inside(w))
+            to.add_solid(row, column(done), column(end), to.value_of(1));
     };
-    for (std::size_t at = 0; at < stride_; at += group) {
-        if (!is_passed(at))
-            continue;
-        std::size_t end = at + group;
-        while (end < stride_ && is_passed(end))
-            end += group;
-        fill(at);
-        std::uint8_t* values = to.add_values(row, left_ + static_cast<std::int32_t>(at),
-                                             left_ + static_cast<std::int32_t>(end));
-        for (; at < end; at += group, values += group)
-            convert(begin + at, cover, values, to.full());
-        done = end;
-    }
-    fill(stride_);
+    for (std::size_t word = 0; word < words_; ++word)
+        for (std::uint64_t marks = std::exchange(groups_[r * words_ + word], 0); marks != 0;) {
+            const int begin = std::countr_zero(marks), count = std::countr_one(marks >> begin);
+            const std::size_t at = group * (64 * word + static_cast<std::size_t>(begin));
+            const std::size_t end = at + group * static_cast<std::size_t>(count);
+            marks = begin + count < 64 ? marks >> (begin + count) << (begin + count) : 0;
+            if (at > done)
+                fill(at);
+            if (rules_.clips)
+                find_clipped(r * stride_ + at, r * stride_ + end, cover);
+            else
+                find_sums(r * stride_ + at, r * stride_ + end, cover[0]);
+            find_values(sums_.data(), end - at,
+                        rules_.clips || rules_.rule[0] == l3d_winding::nonzero, to.full(),
+                        to.add_values(row, column(at), column(end)));
+            done = end;
+        }
+    if (done < stride_)
+        fill(stride_);
 }
 
-/// Finds the values of a group of pixels. `cover` are the integrals of the windings down its left
+/// Finds the windings' integrals of a run of pixels in a row. `cover` is that down the run's left
 /// side, and then down its right side.
-void band_cells::convert(std::size_t at, std::array<double, 2>& cover, std::uint8_t* values,
-                         double full) {
-    const std::size_t layers = rules_.clips ? 2 : 1;
-    std::array<std::array<double, group>, 2> sums{};
-    for (std::size_t layer = 0; layer < layers; ++layer) {
-        cell* const cells = cells_[layer].data() + at;
-        double sum = cover[layer];
+void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
+    double sum = cover;
+    for (double* sums = sums_.data(); at < end; at += group, sums += group) {
+        cell* const cells = cells_[0].data() + at;
+        std::array<double, group> here;
+        std::uint32_t visits = 0;
         for (std::size_t i = 0; i < group; ++i) {
-            sums[layer][i] = sum + cells[i].area;
+            here[i] = sum + cells[i].area;
             sum += cells[i].cover;
+            visits |= cells[i].visits;
         }
-        cover[layer] = sum;
+        std::copy(here.begin(), here.end(), sums);
+        if (visits > 1)
+            find_exact(at, sums);
         std::fill_n(cells, group, cell{});
     }
-    std::uint64_t visits;
-    std::memcpy(&visits, visits_.data() + at, group);
-    constexpr std::uint64_t several = 0xfefefefefefefefe;
-    if ((visits & several) != 0) {
-        for (std::size_t i = 0; i < group; ++i)
-            if (visits_[at + i] > 1) {
-                sums[0][i] = exact(at + i, {sums[0][i], sums[1][i]});
-                sums[1][i] = 1;
-            }
-    }
-    std::memset(visits_.data() + at, 0, group);
-    std::fill_n(last_.data() + at, group, 0);
-    // The area inside, where windings take two values that follow each other.
-    std::array<double, group> areas;
-    areas.fill(1);
-    for (std::size_t layer = 0; layer < layers; ++layer)
-        if (rules_.rule[layer] == l3d_winding::nonzero)
-            for (std::size_t i = 0; i < group; ++i)
-                areas[i] *= std::min(std::abs(sums[layer][i]), 1.0);
-        else
-            for (std::size_t i = 0; i < group; ++i)
-                areas[i] *= std::abs(sums[layer][i] - 2 * std::rint(sums[layer][i] / 2));
-    for (std::size_t i = 0; i < group; ++i)
-        values[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(areas[i] * full + 0.5));
+    cover = sum;
 }
 
-/// The area inside of a pixel that outlines pass several times.
-double band_cells::exact(std::size_t at, const std::array<double, 2>& sums) {
+/// Replaces the integrals by the areas in those pixels of a group that outlines pass several times.
+void band_cells::find_exact(std::size_t at, double* sums) {
+    for (std::size_t i = 0; i < group; ++i)
+        if (const std::uint32_t visits = cells_[0][at + i].visits; visits > 1)
+            sums[i] = exact(at + i, visits, {sums[i], 0});
+}
+
+/// Finds the areas of a run of pixels in a row, for two layers.
+void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double, 2>& cover) {
+    for (double* area = sums_.data(); at < end; ++at, ++area) {
+        std::array<double, 2> sums;
+        for (std::size_t layer = 0; layer < 2; ++layer) {
+            sums[layer] = cover[layer] + cells_[layer][at].area;
+            cover[layer] += cells_[layer][at].cover;
+        }
+        const std::uint32_t visits = cells_[0][at].visits + cells_[1][at].visits;
+        *area = visits > 1 ? exact(at, visits, sums)
+                           : area_inside(sums[0], rules_.rule[0] == l3d_winding::nonzero) *
+                                 area_inside(sums[1], rules_.rule[1] == l3d_winding::nonzero);
+        cells_[0][at] = cells_[1][at] = {};
+    }
+}
+
+/// The area inside of a pixel that outlines pass several times, or an integral that tells it.
+double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
     // Each visit adds at most 1 to the sum, so the rest is above 0 wherever in the pixel.
     constexpr double slack = 1e-9; // far above rounding
-    const std::uint8_t visits = visits_[at];
     if (!rules_.clips && rules_.rule[0] == l3d_winding::nonzero && visits < unclear &&
         std::abs(sums[0]) >= visits - slack)
         return 1;
+    const std::uint32_t last = cells_[0][at].last;
+    if (!rules_.clips && visits == 2) {
+        // Two edges that follow each other do not cross. If their corner is elsewhere, windings are
+        // the same on both sides of what is between them, and the sum tells the area.
+        const record &second = records_[last], &first = records_[second.before];
+        if (first.before == 0 && second.edge >> 2 == (first.edge >> 2) + 1)
+            return sums[0];
+    }
     const std::int32_t row = top_ + static_cast<std::int32_t>(at / stride_);
     const std::int32_t column = left_ + static_cast<std::int32_t>(at % stride_);
-    pixel_.begin(column);
-    for (std::uint32_t i = last_[at]; i != 0; i = records_[i].before) {
-        const record& r = records_[i];
-        const l3d_point_2d &from = corners_[r.edge], &to = corners_[r.edge + 1];
-        const band_edge e(from, to, top_, bottom_);
-        const row_part p(e, row);
-        const std::int32_t first = whole(p.x), last = whole(p.end_x);
-        const bool is_start = e.is_up ? row == e.last && column == last && e.end == from.y
-                                      : row == e.first && column == first && e.begin == from.y;
-        l3d_point_2d top{p.x, p.y - row}, bottom{p.end_x, p.end_y - row};
-        if (first != last) {
-            const double steepness = e.steepness();
-            const double entry = first < last ? column : column + 1;
-            const double exit = first < last ? column + 1 : column;
-            if (column != first)
-                top = {entry, p.y_at(entry, steepness) - row};
-            if (column != last)
-                bottom = {exit, p.y_at(exit, steepness) - row};
+    pixel_.begin();
+    for (std::size_t layer = 0; layer < (rules_.clips ? 2U : 1U); ++layer)
+        for (std::uint32_t i = cells_[layer][at].last; i != 0; i = records_[i].before) {
+            const std::uint32_t edge = records_[i].edge;
+            pixel_.add(cell_of(corners_, edge >> 2, row, column, layer,
+                               static_cast<cell_begin>(edge & 3)));
         }
-        // From left to right, an edge has this on its lower side, beyond what it has above.
-        const std::int8_t below = column == std::min(first, last) ? 0 : from.x < to.x ? 1 : -1;
-        pixel_.add({top, bottom,
-                    static_cast<std::int8_t>(from.y == to.y ? 0 : e.direction()), r.layer, below,
-                    is_start ? r.begin : cell_begin::enters});
-    }
     return pixel_.inside(sums, rules_);
 }
 

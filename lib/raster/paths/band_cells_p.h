@@ -46,30 +46,37 @@ public:
     void write(span_writer& to);
 
 private:
-    /// The integral of what edges in a pixel add to the windings: on the pixel's right side, and
-    /// within the pixel.
+    /// Pixels whose values are found together.
+    static constexpr std::size_t group = 8;
+    /// What edges in a pixel tell: the integrals of what they add to the windings, on the pixel's
+    /// right side and within the pixel, and how often outlines pass.
     struct cell {
-        double cover, area;
+        double cover = 0, area = 0;
+        std::uint32_t visits = 0;
+        std::uint32_t last = 0; ///< the pixel's last record; 0 for none
     };
-    /// A part of an edge in a pixel, and the record that came before it in this pixel; 0 for none.
+    /// A part of an edge in a pixel.
     struct record {
-        std::uint32_t before, edge;
-        cell_begin begin; ///< how the outline comes to the edge's first corner
-        std::uint8_t layer;
+        std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
+        std::uint32_t edge;   ///< four times the edge's index, plus the cell_begin of its first
+                              ///< corner
     };
     struct walk;
 
     void write_row(std::int32_t row, span_writer& to);
-    void convert(std::size_t at, std::array<double, 2>& cover, std::uint8_t* values, double full);
-    double exact(std::size_t at, const std::array<double, 2>& sums);
+    void find_sums(std::size_t at, std::size_t end, double& cover);
+    void find_exact(std::size_t at, double* sums);
+    void find_clipped(std::size_t at, std::size_t end, std::array<double, 2>& cover);
+    double exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums);
 
     fill_rules rules_;
     std::int32_t left_ = 0, right_ = 0, rows_ = 0, top_ = 0, bottom_ = 0;
     std::size_t stride_ = 0; ///< cells of a row, whole groups of `group`
     std::array<std::vector<cell>, 2> cells_;
-    std::vector<std::uint8_t> visits_; ///< for each pixel, how often outlines pass; see `unclear`
-    std::vector<std::uint32_t> last_;  ///< for each pixel, its last record
     kept_list<record> records_;
+    std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits
+    std::size_t words_ = 0;             ///< words of a row in groups_
+    std::vector<double> sums_; ///< the integrals, or the areas, of a run of pixels
     const l3d_point_2d* corners_ = nullptr;
     pixel_area pixel_;
 };

@@ -9,43 +9,89 @@
 
 namespace l3d_detail {
 
-void pixel_area::begin(std::int32_t column) {
-    column_ = column;
-    slabs_.set_width(1);
-    parts_.clear();
-    changes_.clear();
+namespace {
+
+/// The height of the end that lies on the pixel's left side.
+double height_on_left(const edge_cell& e) {
+    return e.from.x <= e.to.x ? e.from.y : e.to.y;
+}
+
+} // namespace
+
+void pixel_area::begin() {
+    edges_.clear();
+    visits_.clear();
+    open_ = is_unclear_ = false;
     own_ = {};
-    visit_ = shares_ = 0;
-    visits_ = 0;
-    is_unclear_ = false;
 }
 
 void pixel_area::add(const edge_cell& cell) {
-    const double x0 = cell.top.x - column_, y0 = cell.top.y;
-    const double x1 = cell.bottom.x - column_, y1 = cell.bottom.y;
-    double adds = cell.direction * (y1 - y0) * (1 - (x0 + x1) / 2);
-    if (cell.below_left != 0) { // the end on the side is the left one
-        changes_.push_back({x0 <= x1 ? y0 : y1, cell.below_left, cell.layer});
-        adds += cell.below_left * (1 - changes_.back().y);
-    }
-    if (y0 < y1)
-        parts_.push_back({x0, y0, x1, y1, cell.direction, cell.layer});
+    if (!open_)
+        visits_.push_back({edges_.size(), edges_.size()});
+    // An edge that leads upwards adds 1 on its right.
+    double adds = (cell.from.y - cell.to.y) * (1 - (cell.from.x + cell.to.x) / 2);
+    if (cell.below_left != 0)
+        adds += cell.below_left * (1 - height_on_left(cell));
+    edges_.push_back(cell);
     own_[cell.layer] += adds;
-    visit_ += adds;
+    visit& v = visits_.back();
+    ++v.end;
+    v.adds += adds;
     is_unclear_ |= cell.begin == cell_begin::unclear;
-    if (cell.begin != cell_begin::continues)
-        end_visit();
+    open_ = cell.begin == cell_begin::continues;
 }
 
-/// Ends a visit: a way through the pixel, from side to side. On its one side the winding is higher
-/// by 1 than on the other. The share of the pixel there differs from what its edges add by a
-/// whole number.
-void pixel_area::end_visit() {
-    constexpr double unclear = 1e-9; // far above rounding
-    const double share = visit_ - std::floor(visit_);
-    shares_ += share < unclear ? 1 : share;
-    visit_ = 0;
-    ++visits_;
+/// On which side of a visit another one lies. If that is known, neither crosses the other.
+///
+/// A visit's higher side is to the right of its edges. Where these all turn to the right, a place is
+/// on that side if it is to the right of all of their lines, and on the left one if it is to the left
+/// of one line. Where they all turn to the left, left and right change places.
+pixel_area::side pixel_area::side_of(const visit& of, const visit& other) const {
+    constexpr double surely = 1e-10; // far above rounding
+    const auto to_right = [](const edge_cell& e, const l3d_point_2d& p) {
+        return (e.to.x - e.from.x) * (p.y - e.from.y) - (e.to.y - e.from.y) * (p.x - e.from.x);
+    };
+    bool turns_right = true, turns_left = true;
+    for (std::size_t i = of.first + 1; i < of.end; ++i) {
+        const double turn = to_right(edges_[i], edges_[i - 1].to); // the one before leads on
+        turns_right &= turn >= 0;
+        turns_left &= turn <= 0;
+    }
+    bool all_right = true, all_left = true, some_right = true, some_left = true;
+    for (std::size_t k = other.first; k < other.end; ++k) {
+        bool one_right = false, one_left = false;
+        for (std::size_t i = of.first; i < of.end; ++i) {
+            const double from = to_right(edges_[i], edges_[k].from);
+            const double to = to_right(edges_[i], edges_[k].to);
+            const bool right = std::min(from, to) > surely, left = std::max(from, to) < -surely;
+            all_right &= right;
+            all_left &= left;
+            one_right |= right;
+            one_left |= left;
+        }
+        some_right &= one_right;
+        some_left &= one_left;
+    }
+    if (all_right || (turns_left && some_right))
+        return side::higher;
+    return all_left || (turns_right && some_left) ? side::lower : side::unknown;
+}
+
+/// Finds the windings on the lower sides of all visits. Returns false if two may cross. `least` is
+/// the winding where all visits have their lower sides.
+bool pixel_area::find_lower(int least) {
+    for (visit& v : visits_)
+        v.lower = least;
+    for (std::size_t i = 1; i < visits_.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            visit &a = visits_[i], &b = visits_[k];
+            const side of_a = side_of(b, a), of_b = side_of(a, b);
+            if (of_a == side::unknown || of_b == side::unknown)
+                return false;
+            a.lower += of_a == side::higher ? 1 : 0;
+            b.lower += of_b == side::higher ? 1 : 0;
+        }
+    return true;
 }
 
 /// Whether the winding is certainly at least 1, or at most -1, wherever in the pixel. `corner` is
@@ -108,19 +154,72 @@ bool pixel_area::is_wound_about(int corner) const {
     return (all & 128 * ones) == 128 * ones;
 }
 
-double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& rules) {
-    const bool is_nonzero = !rules.clips && rules.rule[0] == l3d_winding::nonzero;
-    if (is_nonzero && !is_unclear_) {
-        const auto least = std::lrint(sums[0] - shares_); // where all visits have their lower sides
-        if (least > 0 || least + visits_ < 0)
-            return 1;
+/// The range of the windings. `least` is the winding where all visits have their lower sides.
+///
+/// Two edges that follow each other, and meet elsewhere, do not cross here. If they turn to the
+/// right, each place is on the higher side of one of them, else on the lower side of one.
+pixel_area::windings_range pixel_area::range(int least) const {
+    windings_range r{least, least + static_cast<int>(visits_.size())};
+    for (std::size_t i = 0; i + 1 < visits_.size(); ++i) {
+        const visit &second = visits_[i], &first = visits_[i + 1];
+        const edge_cell &after = edges_[second.first], &before = edges_[first.first];
+        if (second.end != second.first + 1 || first.end != first.first + 1 ||
+            after.edge != before.edge + 1)
+            continue;
+        constexpr double surely = 1e-10; // far above rounding
+        const double turn = (before.to.x - before.from.x) * (after.to.y - after.from.y) -
+                            (before.to.y - before.from.y) * (after.to.x - after.from.x);
+        r.least += turn > surely ? 1 : 0;
+        r.most -= turn < -surely ? 1 : 0;
+        ++i;
     }
+    return r;
+}
+
+double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& rules) {
     // The rest of the sum, without what the pixel's edges add, is that of its corner.
     const windings w{{static_cast<int>(std::lrint(sums[0] - own_[0])),
                       static_cast<int>(std::lrint(sums[1] - own_[1]))}};
-    constexpr int many = 6; // for fewer visits, slabs cost less
-    if (is_nonzero && visits_ >= many && is_wound_about(w.turns[0]))
+    if (rules.clips || is_unclear_)
+        return slabs(w, rules);
+    double least = w.turns[0]; // where all visits have their lower sides
+    bool are_clear = true;
+    for (const visit& v : visits_) {
+        // What the visit adds differs from its higher side's share by a whole number.
+        constexpr double unclear = 1e-9; // far above rounding
+        const double share = v.adds - std::floor(v.adds);
+        are_clear &= share > unclear && share < 1 - unclear;
+        least -= (share < unclear ? 1 : share) - v.adds;
+    }
+    const int lower = static_cast<int>(std::lrint(least));
+    const windings_range all = range(lower);
+    if (rules.same_between({{all.least, 0}}, {{all.most, 0}}))
+        return rules.inside({{all.least, 0}}) ? 1 : 0;
+    constexpr std::size_t few = 4; // for more visits, looking for those that cross costs too much
+    if (visits_.size() > few || !are_clear || !find_lower(lower))
+        return slabs(w, rules);
+    double area = rules.inside(w) ? 1 : 0;
+    for (const visit& v : visits_)
+        area += (rules.inside({{v.lower + 1, 0}}) - rules.inside({{v.lower, 0}})) * v.adds;
+    return area;
+}
+
+double pixel_area::slabs(const windings& w, const fill_rules& rules) {
+    parts_.clear();
+    changes_.clear();
+    for (const edge_cell& e : edges_) {
+        if (e.below_left != 0)
+            changes_.push_back({height_on_left(e), e.below_left, e.layer});
+        if (e.from.y < e.to.y)
+            parts_.push_back({e.from.x, e.from.y, e.to.x, e.to.y, -1, e.layer});
+        else if (e.to.y < e.from.y)
+            parts_.push_back({e.to.x, e.to.y, e.from.x, e.from.y, 1, e.layer});
+    }
+    constexpr std::size_t many = 6; // for fewer visits, slabs cost less
+    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits_.size() >= many &&
+        is_wound_about(w.turns[0]))
         return 1;
+    slabs_.set_width(1);
     std::ranges::sort(changes_, {}, &winding_change::y);
     slabs_.add_cluster(parts_, w, rules, changes_);
     double* const borders = slabs_.sums();

@@ -20,11 +20,11 @@ enum class cell_begin : std::uint8_t {
     unclear,   ///< its first corner lies in the pixel, or it may cross itself there
 };
 
-/// The part of an outline's edge in one pixel.
+/// The part of an outline's edge in one pixel, in the direction of the outline.
+/// Units:   x and y from 0 to 1, seen from the pixel's top left corner.
 struct edge_cell {
-    l3d_point_2d top, bottom;
-    std::int8_t direction;  ///< 1 if the outline leads upwards, which adds 1 to the winding on the
-                            ///< right; -1 if downwards; 0 if the edge is level
+    l3d_point_2d from, to;
+    std::uint32_t edge;     ///< its index; that of the outline's next edge is the next one
     std::uint8_t layer;     ///< 0: an edge of the filled path; 1: of its clip path
     std::int8_t below_left; ///< if the edge crosses the pixel's left side: what this adds to the
                             ///< windings along the side, below the crossing; else 0
@@ -33,14 +33,16 @@ struct edge_cell {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// Edges may cross and lie upon each other. The pixel is cut at their ends and crossings. Between
-/// two cuts edges have an order from left to right. Edges count only if one side is inside and the
-/// other outside.
-/// Cost:    n log n for n edges, times the number of their ends, and some more for each crossing.
+/// Where no two visits cross, windings on either side of each are known, and the visits that part
+/// inside from outside tell the area. Else the pixel is cut at the ends and crossings of edges.
+/// Between two cuts edges have an order from left to right. Edges count only if one side is inside
+/// and the other outside.
+/// Cost:    the square of the edges' number. If visits cross, n log n for n edges, times the number
+///          of their ends, and some more for each crossing.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
-    void begin(std::int32_t column);
+    void begin();
 
     /// Adds an edge that reaches the pixel. Edges come in the order opposite to their outlines'.
     void add(const edge_cell& cell);
@@ -50,16 +52,30 @@ public:
     double inside(const std::array<double, 2>& sums, const fill_rules& rules);
 
 private:
-    void end_visit();
-    bool is_wound_about(int corner) const;
+    /// The least and the most winding anywhere in the pixel.
+    struct windings_range {
+        int least, most;
+    };
+    /// A visit: a way of an outline through the pixel, from side to side. On its one side, the
+    /// higher one, the winding is higher by 1 than on the other.
+    struct visit {
+        std::size_t first, end;  ///< its edges
+        double adds = 0;         ///< what it adds to the sum
+        int lower = 0;           ///< the winding on its lower side
+    };
+    enum class side { unknown, lower, higher };
 
-    double column_ = 0;
-    std::array<double, 2> own_{}; ///< the part of the sums that the edges of the pixel add
-    double visit_ = 0;            ///< the part that edges of the present visit add
-    double shares_ = 0; ///< the sum of the shares of the pixel that lie on the visits' higher sides
-    int visits_ = 0;
+    bool is_wound_about(int corner) const;
+    windings_range range(int least) const;
+    side side_of(const visit& of, const visit& other) const;
+    bool find_lower(int least);
+    double slabs(const windings& corner, const fill_rules& rules);
+
+    std::vector<edge_cell> edges_;
+    std::vector<visit> visits_;
+    bool open_ = false;       ///< whether the last visit waits for its first edges
     bool is_unclear_ = false; ///< whether visits may not lead from side to side once
-    /// The edges' parts in the pixel, with x from 0 to 1.
+    std::array<double, 2> own_{}; ///< the part of the sums that the edges of the pixel add
     std::vector<row_edge> parts_;
     std::vector<winding_change> changes_; ///< along the pixel's left side
     row_areas slabs_;
