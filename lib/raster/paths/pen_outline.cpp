@@ -118,6 +118,8 @@ void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
 
 /// Adds a joint on both sides. The right side is the left one of the way back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
+    if (add_flat_joint(before, after))
+        return;
     const joint there{after.from, before.ends, after.begins, std::min(before.length, after.length),
                       after.smooth ? l3d_join::round : pen_.join};
     add_left(there, left_);
@@ -127,12 +129,31 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
     std::reverse(right_.begin() + begin, right_.end());
 }
 
-/// Adds the left side of a joint.
+/// Adds a joint that turns so little that an arc is nearly its chord: one point on either side,
+/// whatever the join. Does nothing and returns false if it turns more. Such turns are within curves,
+/// and at the many points of a plot.
 ///
-/// A turn so small that its arc is nearly its chord gets one point, whatever the join. Such turns
-/// are within curves, and at the many points of a plot. On the outside, the point lies on the arc,
-/// and the sides of both rectangles are at most r (1 - cos(turn / 2)) away. On the inside it is
-/// where these sides cross, unless that is beyond the middle of one of them.
+/// On the outside, the point lies on the arc, and the sides of both rectangles are at most
+/// r (1 - cos(turn / 2)) away. On the inside it is where these sides cross, unless that is beyond the
+/// middle of one of them.
+bool pen_outline::add_flat_joint(const chord& before, const chord& after) {
+    const l3d_point_2d &ends = before.ends, &begins = after.begins, &at = after.from;
+    const double sine = ends.x * begins.y - ends.y * begins.x;
+    const double cosine = ends.x * begins.x + ends.y * begins.y;
+    const double inner = radius_ / (1 + cosine);
+    if (!(cosine >= least_cosine_) ||
+        inner * std::abs(sine) > std::min(before.length, after.length) / 2)
+        return false;
+    const double outer = radius_ / std::sqrt(2 * (1 + cosine));
+    const double left = sine > 0 ? outer : inner; // a turn to the right, as y leads down
+    const double right = sine < 0 ? outer : inner;
+    const double x = ends.y + begins.y, y = ends.x + begins.x;
+    left_.push_back({at.x + left * x, at.y - left * y});
+    right_.push_back({at.x - right * x, at.y + right * y});
+    return true;
+}
+
+/// Adds the left side of a joint.
 void pen_outline::add_left(const joint& j, side& to) {
     const double sine = j.ends.x * j.begins.y - j.ends.y * j.begins.x;
     const double cosine = j.ends.x * j.begins.x + j.ends.y * j.begins.y;

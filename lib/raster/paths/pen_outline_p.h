@@ -59,6 +59,7 @@ private:
 
     void add_ends(l3d_point_2d at, l3d_point_2d direction);
     void add_joint(const chord& before, const chord& after);
+    bool add_flat_joint(const chord& before, const chord& after);
     void add_left(const joint& j, side& to);
     void add_outside(const joint& j, double sine, double cosine, side& to);
     void add_cap(l3d_point_2d at, l3d_point_2d arrives);
