@@ -3,6 +3,7 @@
 #include "raster/paths/pixel_area_p.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -10,6 +11,28 @@
 namespace l3d_detail {
 
 namespace {
+
+/// The lower bounds of windings in a row of eight fields: 16 bits for each.
+using row_bounds = std::array<std::uint64_t, 2>;
+constexpr std::uint64_t in_all = 0x0001000100010001;
+
+/// For each field, 1 there and in all fields behind; for the place behind the last field, nothing.
+constexpr std::array<row_bounds, 9> behind{{{in_all, in_all},
+                                            {in_all << 16, in_all},
+                                            {in_all << 32, in_all},
+                                            {in_all << 48, in_all},
+                                            {0, in_all},
+                                            {0, in_all << 16},
+                                            {0, in_all << 32},
+                                            {0, in_all << 48},
+                                            {0, 0}}};
+
+/// Adds 1 to the bounds of the fields from the first one on, or subtracts it.
+void count_from(row_bounds& to, std::size_t first, bool subtracts) {
+    const row_bounds& by = behind[first];
+    for (std::size_t i = 0; i < by.size(); ++i)
+        to[i] += subtracts ? -by[i] : by[i];
+}
 
 /// The height of the end that lies on the pixel's left side.
 double height_on_left(const edge_cell& e) {
@@ -94,32 +117,31 @@ bool pixel_area::find_lower(int least) {
     return true;
 }
 
-/// Whether the winding is certainly at least 1, or at most -1, wherever in the pixel. `corner` is
-/// that of its top left corner.
+/// Finds the fields in which the winding may be 0, a bit for each. `corner` is the winding at the top
+/// left corner.
 ///
-/// The pixel has 8 x 8 fields, and each has a lower bound of its windings. An edge that makes the
-/// winding fall counts from the first field on that it may reach. One that makes it rise counts
-/// behind those that it may reach. A row's bounds are the bytes of a word.
-bool pixel_area::is_wound_about(int corner) const {
-    constexpr int fields = 8, zero = 127; // a byte above it has its highest bit set
-    constexpr std::uint64_t ones = 0x0101010101010101;
-    if (corner == 0 && changes_.empty())
-        return false; // as is the corner itself
+/// Each field has a lower bound of its windings. An edge that makes the winding fall counts from the
+/// first field on that it may reach. One that makes it rise counts behind those that it may reach.
+/// If the corner's winding is below 0, bounds are those of the negative windings.
+void pixel_area::find_open(int corner) {
+    constexpr int zero = 0x7fff; // a bound above it has its highest bit set
+    open_fields_.fill(0xff);
     if (parts_.size() + changes_.size() + static_cast<std::size_t>(std::abs(corner)) > zero)
-        return false;
+        return;
     const int sign = corner < 0 ? -1 : 1;
     const auto floor = [](double y) { return static_cast<int>(y); };
     const auto ceil = [](double y) {
         const int whole = static_cast<int>(y);
         return whole + (whole < y ? 1 : 0);
     };
-    std::array<std::uint64_t, fields + 1> least;
-    least.fill(ones * static_cast<std::uint64_t>(zero + sign * corner));
+    std::array<row_bounds, fields + 1> least; // a row more, for heights of 1
+    const std::uint64_t at_corner = static_cast<std::uint64_t>(zero + sign * corner) * in_all;
+    least.fill({at_corner, at_corner});
     for (const winding_change& c : changes_) {
         const int by = sign * c.direction;
         const double y = c.y * fields;
         for (int k = by < 0 ? floor(y) : ceil(y); k < fields; ++k)
-            least[static_cast<std::size_t>(k)] += by < 0 ? -ones : ones;
+            count_from(least[static_cast<std::size_t>(k)], 0, by < 0);
     }
     for (const row_edge& p : parts_) {
         const double slope = (p.x1 - p.x0) / (p.y1 - p.y0);
@@ -144,14 +166,15 @@ bool pixel_area::is_wound_about(int corner) const {
             const std::int64_t at =
                 std::clamp<std::int64_t>(std::clamp(x, fixed_low, fixed_high), 0, fields << 16);
             const std::int64_t field = (falls ? at : at + 0xffff) >> 16;
-            const std::uint64_t behind = field < fields ? ones << (field << 3) : 0;
-            least[static_cast<std::size_t>(k)] += falls ? -behind : behind;
+            count_from(least[static_cast<std::size_t>(k)], static_cast<std::size_t>(field), falls);
         }
     }
-    std::uint64_t all = ~std::uint64_t{0};
-    for (std::size_t k = 0; k < fields; ++k)
-        all &= least[k];
-    return (all & 128 * ones) == 128 * ones;
+    for (std::size_t k = 0; k < fields; ++k) {
+        unsigned open = 0;
+        for (std::size_t field = 0; field < fields; ++field)
+            open |= (least[k][field / 4] >> (field % 4 * 16) & 0x8000) == 0 ? 1U << field : 0;
+        open_fields_[k] = static_cast<std::uint8_t>(open);
+    }
 }
 
 /// The range of the windings. `least` is the winding where all visits have their lower sides.
@@ -204,6 +227,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
     return area;
 }
 
+/// Finds the area from the edges' ends and crossings, but where fields are surely inside.
 double pixel_area::slabs(const windings& w, const fill_rules& rules) {
     parts_.clear();
     changes_.clear();
@@ -215,25 +239,108 @@ double pixel_area::slabs(const windings& w, const fill_rules& rules) {
         else if (e.to.y < e.from.y)
             parts_.push_back({e.to.x, e.to.y, e.from.x, e.from.y, 1, e.layer});
     }
-    constexpr std::size_t many = 6; // for fewer visits, slabs cost less
-    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits_.size() >= many &&
-        is_wound_about(w.turns[0]))
-        return 1;
     slabs_.set_width(1);
-    std::ranges::sort(changes_, {}, &winding_change::y);
-    slabs_.add_cluster(parts_, w, rules, changes_);
+    constexpr std::size_t many = 6; // for fewer visits, slabs cost less
+    if (rules.clips || rules.rule[0] != l3d_winding::nonzero || visits_.size() < many)
+        return box({0, 0, fields, fields}, w, rules);
+    find_open(w.turns[0]);
+    // Open fields of neighbouring rows are done together if few others lie between them.
+    constexpr int wide = 3;
+    double area = 1;
+    l3d_pixel_box open{};
+    const auto finish = [&] {
+        if (!open.empty())
+            area += box(open, w, rules) -
+                    static_cast<double>((open.right - open.left) * (open.bottom - open.top)) /
+                        (fields * fields);
+        open = {};
+    };
+    for (int row = 0; row < fields; ++row) {
+        const std::uint8_t here = open_fields_[static_cast<std::size_t>(row)];
+        if (here == 0) {
+            finish();
+            continue;
+        }
+        const int left = std::countr_zero(here), right = static_cast<int>(std::bit_width(here));
+        const int both_left = std::min(open.left, left), both_right = std::max(open.right, right);
+        if (!open.empty() && both_right - both_left > std::max(wide, right - left))
+            finish();
+        if (open.empty())
+            open = {left, row, right, row + 1};
+        else
+            open = {both_left, open.top, both_right, row + 1};
+    }
+    finish();
+    return area;
+}
+
+/// The area inside in a box of fields. `corner` are the windings at the pixel's top left corner.
+double pixel_area::box(const l3d_pixel_box& of, const windings& corner, const fill_rules& rules) {
+    const auto place = [](int field) { return static_cast<double>(field) / fields; };
+    const double left = place(of.left), right = place(of.right), top = place(of.top);
+    const double bottom = place(of.bottom), width = right - left;
+    windings beside = corner; // at the box's top left corner
+    side_changes_.clear();
+    const auto change = [&](double y, std::int8_t direction, std::uint8_t layer) {
+        const winding_change c{y, direction, layer};
+        if (y <= top)
+            beside.cross(c);
+        else if (y < bottom)
+            side_changes_.push_back(c);
+    };
+    for (const winding_change& c : changes_)
+        change(c.y, c.direction, c.layer);
+    box_parts_.clear();
+    for (const row_edge& p : parts_) {
+        double y0 = std::max(p.y0, top), y1 = std::min(p.y1, bottom);
+        if (y0 >= y1)
+            continue;
+        const straight_edge edge({p.x0, p.y0}, {p.x1, p.y1});
+        double x0 = y0 == p.y0 ? p.x0 : edge.x_at(y0), x1 = y1 == p.y1 ? p.x1 : edge.x_at(y1);
+        if (std::min(x0, x1) >= right)
+            continue;
+        const auto y_at = [&](double x) {
+            return std::clamp(std::lerp(y0, y1, (x - x0) / (x1 - x0)), y0, y1);
+        };
+        // On the box's left, an edge only changes the windings along its side.
+        if (std::max(x0, x1) <= left) {
+            change(y0, p.direction, p.layer);
+            change(y1, static_cast<std::int8_t>(-p.direction), p.layer);
+            continue;
+        }
+        const double at_left = std::min(x0, x1) < left ? y_at(left) : y0;
+        const double at_right = std::max(x0, x1) > right ? y_at(right) : y0;
+        const double whole_y0 = y0, whole_y1 = y1;
+        if (x0 < left) {
+            change(whole_y0, p.direction, p.layer);
+            change(at_left, static_cast<std::int8_t>(-p.direction), p.layer);
+            y0 = at_left, x0 = left;
+        } else if (x0 > right) {
+            y0 = at_right, x0 = right;
+        }
+        if (x1 < left) {
+            change(at_left, p.direction, p.layer);
+            change(whole_y1, static_cast<std::int8_t>(-p.direction), p.layer);
+            y1 = at_left, x1 = left;
+        } else if (x1 > right) {
+            y1 = at_right, x1 = right;
+        }
+        box_parts_.push_back(
+            {(x0 - left) / width, y0, (x1 - left) / width, y1, p.direction, p.layer});
+    }
+    std::ranges::sort(side_changes_, {}, &winding_change::y);
+    slabs_.add_cluster(box_parts_, beside, rules, side_changes_);
     double* const borders = slabs_.sums();
     double area = std::exchange(borders[0], 0);
     borders[1] = borders[2] = 0;
     // Where the left side is inside, all is but for what borders take away.
-    windings left = w;
-    double top = 0;
-    for (const winding_change& c : changes_) {
-        area += rules.inside(left) ? c.y - top : 0;
-        left.cross(c);
-        top = c.y;
+    double y = top;
+    for (const winding_change& c : side_changes_) {
+        area += rules.inside(beside) ? c.y - y : 0;
+        beside.cross(c);
+        y = c.y;
     }
-    return area + (rules.inside(left) ? 1 - top : 0);
+    return (area + (rules.inside(beside) ? bottom - y : 0)) * width;
 }
 
 } // namespace l3d_detail

@@ -3,7 +3,9 @@
 #ifndef L3D_RASTER_PATHS_PIXEL_AREA_P_H
 #define L3D_RASTER_PATHS_PIXEL_AREA_P_H
 
+#include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
+#include "tool_2d/pixels.h"
 
 #include <array>
 #include <cstddef>
@@ -52,6 +54,8 @@ public:
     double inside(const std::array<double, 2>& sums, const fill_rules& rules);
 
 private:
+    /// A pixel has as many rows and columns of fields.
+    static constexpr int fields = 8;
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
         int least, most;
@@ -65,19 +69,23 @@ private:
     };
     enum class side { unknown, lower, higher };
 
-    bool is_wound_about(int corner) const;
+    void find_open(int corner);
     windings_range range(int least) const;
     side side_of(const visit& of, const visit& other) const;
     bool find_lower(int least);
     double slabs(const windings& corner, const fill_rules& rules);
+    double box(const l3d_pixel_box& of, const windings& corner, const fill_rules& rules);
 
     std::vector<edge_cell> edges_;
     std::vector<visit> visits_;
     bool open_ = false;       ///< whether the last visit waits for its first edges
     bool is_unclear_ = false; ///< whether visits may not lead from side to side once
     std::array<double, 2> own_{}; ///< the part of the sums that the edges of the pixel add
-    std::vector<row_edge> parts_;
+    std::vector<row_edge> parts_;         ///< the edges that are not level
     std::vector<winding_change> changes_; ///< along the pixel's left side
+    std::vector<row_edge> box_parts_;     ///< the same in a box of fields
+    std::vector<winding_change> side_changes_;
+    std::array<std::uint8_t, fields> open_fields_{}; ///< for each row, as bits
     row_areas slabs_;
 };
 
