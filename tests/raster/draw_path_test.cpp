@@ -259,6 +259,37 @@ TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
     }
 }
 
+/// Bands of a wide picture have few rows, and those of a small box hold it whole.
+TEST(draw_path, fills_a_wide_picture_as_it_fills_its_parts) {
+    std::mt19937 random(31);
+    constexpr int wide = 3000, high = 90, part = 47;
+    canvas whole(wide, high), parts(wide, high);
+    for (const l3d_winding rule : {l3d_winding::nonzero, l3d_winding::even_odd}) {
+        std::vector<l3d_point_2d> outline;
+        for (int i = 0; i < 700; ++i)
+            outline.push_back({uniform(random, -20, wide + 20), uniform(random, -9, high + 9)});
+        for (int i = 0; i < 700; ++i) // short edges, many of them in a band
+            outline.push_back({wide / 2 + i * 0.31, high / 2 + uniform(random, -3, 3)});
+        l3d_path path, clip;
+        path.add_polygon(outline);
+        clip.add_polygon(std::span(outline).first(50));
+        for (const l3d_path* const shown : {static_cast<const l3d_path*>(nullptr), &std::as_const(clip)}) {
+            whole.draw.clear_buffer();
+            parts.draw.clear_buffer();
+            l3d_fill fill{.color = 0x00ffffff, .inside = rule, .clip = shown};
+            whole.draw.draw_path(path, fill);
+            for (int y = 0; y < high; y += part)
+                for (int x = 0; x < wide; x += part) {
+                    fill.box = {x, y, x + part, y + part};
+                    parts.draw.draw_path(path, fill);
+                }
+            for (int y = 0; y < high; ++y)
+                for (int x = 0; x < wide; ++x)
+                    ASSERT_EQ(whole.at(x, y), parts.at(x, y)) << x << ' ' << y;
+        }
+    }
+}
+
 /// The steps of the whole curve would be as small everywhere as its smallest weight needs them.
 TEST(flatten, takes_no_more_chords_the_more_weights_differ) {
     const l3d_detail::seen_box everything{-1e9, -1e9, 1e9, 1e9};

@@ -68,7 +68,8 @@ void pixel_area::add(const edge_cell& cell) {
 ///
 /// A visit's higher side is to the right of its edges. Where these all turn to the right, a place is
 /// on that side if it is to the right of all of their lines, and on the left one if it is to the left
-/// of one line. Where they all turn to the left, left and right change places.
+/// of one line. Where they all turn to the left, left and right change places. Edges that go back
+/// tell neither.
 pixel_area::side pixel_area::side_of(const visit& of, const visit& other) const {
     constexpr double surely = 1e-10; // far above rounding
     const auto to_right = [](const edge_cell& e, const l3d_point_2d& p) {
@@ -76,9 +77,13 @@ pixel_area::side pixel_area::side_of(const visit& of, const visit& other) const 
     };
     bool turns_right = true, turns_left = true;
     for (std::size_t i = of.first + 1; i < of.end; ++i) {
-        const double turn = to_right(edges_[i], edges_[i - 1].to); // the one before leads on
-        turns_right &= turn >= 0;
-        turns_left &= turn <= 0;
+        const edge_cell &before = edges_[i], &after = edges_[i - 1];
+        const double turn = to_right(before, after.to);
+        const bool goes_on = (before.to.x - before.from.x) * (after.to.x - after.from.x) +
+                                 (before.to.y - before.from.y) * (after.to.y - after.from.y) >
+                             0;
+        turns_right &= turn > 0 || (turn == 0 && goes_on);
+        turns_left &= turn < 0 || (turn == 0 && goes_on);
     }
     bool all_right = true, all_left = true, some_right = true, some_left = true;
     for (std::size_t k = other.first; k < other.end; ++k) {
@@ -204,7 +209,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
     const windings w{{static_cast<int>(std::lrint(sums[0] - own_[0])),
                       static_cast<int>(std::lrint(sums[1] - own_[1]))}};
     if (rules.clips || is_unclear_)
-        return slabs(w, rules);
+        return cut(w, rules);
     double least = w.turns[0]; // where all visits have their lower sides
     bool are_clear = true;
     for (const visit& v : visits_) {
@@ -215,12 +220,14 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
         least -= (share < unclear ? 1 : share) - v.adds;
     }
     const int lower = static_cast<int>(std::lrint(least));
-    const windings_range all = range(lower);
+    const windings_range all =
+        are_clear ? range(lower)
+                  : windings_range{lower, lower + static_cast<int>(visits_.size())};
     if (rules.same_between({{all.least, 0}}, {{all.most, 0}}))
         return rules.inside({{all.least, 0}}) ? 1 : 0;
     constexpr std::size_t few = 4; // for more visits, looking for those that cross costs too much
     if (visits_.size() > few || !are_clear || !find_lower(lower))
-        return slabs(w, rules);
+        return cut(w, rules);
     double area = rules.inside(w) ? 1 : 0;
     for (const visit& v : visits_)
         area += (rules.inside({{v.lower + 1, 0}}) - rules.inside({{v.lower, 0}})) * v.adds;
@@ -228,7 +235,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
 }
 
 /// Finds the area from the edges' ends and crossings, but where fields are surely inside.
-double pixel_area::slabs(const windings& w, const fill_rules& rules) {
+double pixel_area::cut(const windings& w, const fill_rules& rules) {
     parts_.clear();
     changes_.clear();
     for (const edge_cell& e : edges_) {
@@ -242,7 +249,7 @@ double pixel_area::slabs(const windings& w, const fill_rules& rules) {
     slabs_.set_width(1);
     constexpr std::size_t many = 6; // for fewer visits, slabs cost less
     if (rules.clips || rules.rule[0] != l3d_winding::nonzero || visits_.size() < many)
-        return box({0, 0, fields, fields}, w, rules);
+        return slabs(parts_, changes_, w, 0, 1, rules);
     find_open(w.turns[0]);
     // Open fields of neighbouring rows are done together if few others lie between them.
     constexpr int wide = 3;
@@ -328,19 +335,26 @@ double pixel_area::box(const l3d_pixel_box& of, const windings& corner, const fi
         box_parts_.push_back(
             {(x0 - left) / width, y0, (x1 - left) / width, y1, p.direction, p.layer});
     }
-    std::ranges::sort(side_changes_, {}, &winding_change::y);
-    slabs_.add_cluster(box_parts_, beside, rules, side_changes_);
+    return slabs(box_parts_, side_changes_, beside, top, bottom, rules) * width;
+}
+
+/// The area inside between two heights, on the right of a side along which the windings are
+/// `beside` at the top, and then change.
+double pixel_area::slabs(std::span<const row_edge> edges, std::span<winding_change> changes,
+                         windings beside, double top, double bottom,
+                         const fill_rules& rules) {
+    std::ranges::sort(changes, {}, &winding_change::y);
+    slabs_.add_cluster(edges, beside, rules, changes);
     double* const borders = slabs_.sums();
     double area = std::exchange(borders[0], 0);
     borders[1] = borders[2] = 0;
     // Where the left side is inside, all is but for what borders take away.
-    double y = top;
-    for (const winding_change& c : side_changes_) {
-        area += rules.inside(beside) ? c.y - y : 0;
+    for (const winding_change& c : changes) {
+        area += rules.inside(beside) ? c.y - top : 0;
         beside.cross(c);
-        y = c.y;
+        top = c.y;
     }
-    return (area + (rules.inside(beside) ? bottom - y : 0)) * width;
+    return area + (rules.inside(beside) ? bottom - top : 0);
 }
 
 } // namespace l3d_detail

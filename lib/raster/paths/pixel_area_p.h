@@ -73,8 +73,10 @@ private:
     windings_range range(int least) const;
     side side_of(const visit& of, const visit& other) const;
     bool find_lower(int least);
-    double slabs(const windings& corner, const fill_rules& rules);
+    double cut(const windings& corner, const fill_rules& rules);
     double box(const l3d_pixel_box& of, const windings& corner, const fill_rules& rules);
+    double slabs(std::span<const row_edge> edges, std::span<winding_change> changes, windings beside,
+                 double top, double bottom, const fill_rules& rules);
 
     std::vector<edge_cell> edges_;
     std::vector<visit> visits_;
