@@ -273,7 +273,8 @@ TEST(draw_path, fills_a_wide_picture_as_it_fills_its_parts) {
         l3d_path path, clip;
         path.add_polygon(outline);
         clip.add_polygon(std::span(outline).first(50));
-        for (const l3d_path* const shown : {static_cast<const l3d_path*>(nullptr), &std::as_const(clip)}) {
+        for (const l3d_path* const shown :
+             {static_cast<const l3d_path*>(nullptr), &std::as_const(clip)}) {
             whole.draw.clear_buffer();
             parts.draw.clear_buffer();
             l3d_fill fill{.color = 0x00ffffff, .inside = rule, .clip = shown};

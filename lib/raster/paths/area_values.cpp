@@ -24,9 +24,9 @@ void find_values_in_lanes(const double* sums, std::size_t count, bool is_nonzero
     const hn::Rebind<std::uint8_t, eight_doubles> db;
     for (std::size_t i = 0; i < count; i += lanes_at_once()) {
         const number sum = {hn::LoadU(d, sums + i)};
-        const number area =
-            is_nonzero ? number{hn::Min(magnitude(sum).v, hn::Set(d, 1))}
-                       : magnitude(sum - same(2) * number{hn::Round((sum * same(0.5)).v)});
+        const number area = is_nonzero
+                                ? number{hn::Min(magnitude(sum).v, hn::Set(d, 1))}
+                                : magnitude(sum - same(2) * number{hn::Round((sum * same(0.5)).v)});
         const auto level = hn::DemoteTo(di, (area * same(full) + same(0.5)).v);
         hn::StoreU(hn::DemoteTo(db, level), db, values + i);
     }

@@ -26,11 +26,11 @@ constexpr std::int32_t whole(double x) {
 
 /// An edge in the direction of its outline, in the rows of a band.
 struct band_edge {
-    l3d_point_2d from, to;      ///< its ends, which may lie beyond the band
-    double x, y, end_x, end_y;  ///< its part in the band
+    l3d_point_2d from, to;           ///< its ends, which may lie beyond the band
+    double x, y, end_x, end_y;       ///< its part in the band
     bool begins = true, ends = true; ///< whether its ends lie in the band
-    double slope = 0;           ///< x by y, if it is needed
-    double least = 0, most = 0; ///< bounds of x, if they are needed
+    double slope = 0;                ///< x by y, if it is needed
+    double least = 0, most = 0;      ///< bounds of x, if they are needed
 
     band_edge(const l3d_point_2d& first, const l3d_point_2d& last)
         : from(first), to(last), x(from.x), y(from.y), end_x(to.x), end_y(to.y) {}
@@ -230,8 +230,8 @@ struct band_cells::walk {
     }
 
     /// Adds the edge that begins at a corner.
-    template <bool clips> HWY_INLINE void add(const l3d_point_2d* corner, std::uint32_t index,
-                                              bool is_first) {
+    template <bool clips>
+    HWY_INLINE void add(const l3d_point_2d* corner, std::uint32_t index, bool is_first) {
         band_edge e(corner[0], corner[1]);
         if (clips && !e.clip(band_top, band_bottom)) {
             here = nowhere;

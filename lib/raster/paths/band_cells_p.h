@@ -76,7 +76,7 @@ private:
     kept_list<record> records_;
     std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits
     std::size_t words_ = 0;             ///< words of a row in groups_
-    std::vector<double> sums_; ///< the integrals, or the areas, of a run of pixels
+    std::vector<double> sums_;          ///< the integrals, or the areas, of a run of pixels
     const l3d_point_2d* corners_ = nullptr;
     pixel_area pixel_;
 };

@@ -106,14 +106,14 @@ void path_chains::end(std::uint8_t layer) {
     };
     const std::size_t chains = chains_.size();
     const bool is_pair = add_pair(last);
-    outlines_.push_back({{column(reached_.least), static_cast<std::int32_t>(seen_top),
-                          column(reached_.most) + 1,
-                          static_cast<std::int32_t>(std::ceil(seen_bottom))},
-                         first_block,
-                         blocks_.size() - first_block,
-                         is_pair ? chains : outline::none,
-                         layer,
-                         false});
+    outlines_.push_back(
+        {{column(reached_.least), static_cast<std::int32_t>(seen_top), column(reached_.most) + 1,
+          static_cast<std::int32_t>(std::ceil(seen_bottom))},
+         first_block,
+         blocks_.size() - first_block,
+         is_pair ? chains : outline::none,
+         layer,
+         false});
 }
 
 /// Divides the edges of the present outline into blocks.

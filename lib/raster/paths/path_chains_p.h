@@ -121,11 +121,11 @@ public:
 
     /// An outline that reaches the picture.
     struct outline {
-        l3d_pixel_box box;              ///< the box of all pixels that it reaches
+        l3d_pixel_box box;               ///< the box of all pixels that it reaches
         std::size_t first_block, blocks; ///< its first block, and how many
-        std::size_t chains;             ///< the first of its two chains; `none` if it has not two
-        std::uint8_t layer;             ///< 0: of the filled path; 1: of its clip path
-        bool apart;                     ///< set by find_apart: its box meets no other outline's
+        std::size_t chains;              ///< the first of its two chains; `none` if it has not two
+        std::uint8_t layer;              ///< 0: of the filled path; 1: of its clip path
+        bool apart;                      ///< set by find_apart: its box meets no other outline's
 
         static constexpr std::size_t none = ~std::size_t{0};
         bool is_pair() const { return chains != none; }

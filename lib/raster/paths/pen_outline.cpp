@@ -130,12 +130,12 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
 }
 
 /// Adds a joint that turns so little that an arc is nearly its chord: one point on either side,
-/// whatever the join. Does nothing and returns false if it turns more. Such turns are within curves,
-/// and at the many points of a plot.
+/// whatever the join. Does nothing and returns false if it turns more. Such turns are within
+/// curves, and at the many points of a plot.
 ///
 /// On the outside, the point lies on the arc, and the sides of both rectangles are at most
-/// r (1 - cos(turn / 2)) away. On the inside it is where these sides cross, unless that is beyond the
-/// middle of one of them.
+/// r (1 - cos(turn / 2)) away. On the inside it is where these sides cross, unless that is beyond
+/// the middle of one of them.
 bool pen_outline::add_flat_joint(const chord& before, const chord& after) {
     const l3d_point_2d &ends = before.ends, &begins = after.begins, &at = after.from;
     const double sine = ends.x * begins.y - ends.y * begins.x;

@@ -66,10 +66,10 @@ void pixel_area::add(const edge_cell& cell) {
 
 /// On which side of a visit another one lies. If that is known, neither crosses the other.
 ///
-/// A visit's higher side is to the right of its edges. Where these all turn to the right, a place is
-/// on that side if it is to the right of all of their lines, and on the left one if it is to the left
-/// of one line. Where they all turn to the left, left and right change places. Edges that go back
-/// tell neither.
+/// A visit's higher side is to the right of its edges. Where these all turn to the right, a place
+/// is on that side if it is to the right of all of their lines, and on the left one if it is to the
+/// left of one line. Where they all turn to the left, left and right change places. Edges that go
+/// back tell neither.
 pixel_area::side pixel_area::side_of(const visit& of, const visit& other) const {
     constexpr double surely = 1e-10; // far above rounding
     const auto to_right = [](const edge_cell& e, const l3d_point_2d& p) {
@@ -122,12 +122,12 @@ bool pixel_area::find_lower(int least) {
     return true;
 }
 
-/// Finds the fields in which the winding may be 0, a bit for each. `corner` is the winding at the top
-/// left corner.
+/// Finds the fields in which the winding may be 0, a bit for each. `corner` is the winding at the
+/// top left corner.
 ///
-/// Each field has a lower bound of its windings. An edge that makes the winding fall counts from the
-/// first field on that it may reach. One that makes it rise counts behind those that it may reach.
-/// If the corner's winding is below 0, bounds are those of the negative windings.
+/// Each field has a lower bound of its windings. An edge that makes the winding fall counts from
+/// the first field on that it may reach. One that makes it rise counts behind those that it may
+/// reach. If the corner's winding is below 0, bounds are those of the negative windings.
 void pixel_area::find_open(int corner) {
     constexpr int zero = 0x7fff; // a bound above it has its highest bit set
     open_fields_.fill(0xff);
@@ -221,8 +221,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
     }
     const int lower = static_cast<int>(std::lrint(least));
     const windings_range all =
-        are_clear ? range(lower)
-                  : windings_range{lower, lower + static_cast<int>(visits_.size())};
+        are_clear ? range(lower) : windings_range{lower, lower + static_cast<int>(visits_.size())};
     if (rules.same_between({{all.least, 0}}, {{all.most, 0}}))
         return rules.inside({{all.least, 0}}) ? 1 : 0;
     constexpr std::size_t few = 4; // for more visits, looking for those that cross costs too much
@@ -341,8 +340,7 @@ double pixel_area::box(const l3d_pixel_box& of, const windings& corner, const fi
 /// The area inside between two heights, on the right of a side along which the windings are
 /// `beside` at the top, and then change.
 double pixel_area::slabs(std::span<const row_edge> edges, std::span<winding_change> changes,
-                         windings beside, double top, double bottom,
-                         const fill_rules& rules) {
+                         windings beside, double top, double bottom, const fill_rules& rules) {
     std::ranges::sort(changes, {}, &winding_change::y);
     slabs_.add_cluster(edges, beside, rules, changes);
     double* const borders = slabs_.sums();

@@ -63,9 +63,9 @@ private:
     /// A visit: a way of an outline through the pixel, from side to side. On its one side, the
     /// higher one, the winding is higher by 1 than on the other.
     struct visit {
-        std::size_t first, end;  ///< its edges
-        double adds = 0;         ///< what it adds to the sum
-        int lower = 0;           ///< the winding on its lower side
+        std::size_t first, end; ///< its edges
+        double adds = 0;        ///< what it adds to the sum
+        int lower = 0;          ///< the winding on its lower side
     };
     enum class side { unknown, lower, higher };
 
@@ -75,14 +75,14 @@ private:
     bool find_lower(int least);
     double cut(const windings& corner, const fill_rules& rules);
     double box(const l3d_pixel_box& of, const windings& corner, const fill_rules& rules);
-    double slabs(std::span<const row_edge> edges, std::span<winding_change> changes, windings beside,
-                 double top, double bottom, const fill_rules& rules);
+    double slabs(std::span<const row_edge> edges, std::span<winding_change> changes,
+                 windings beside, double top, double bottom, const fill_rules& rules);
 
     std::vector<edge_cell> edges_;
     std::vector<visit> visits_;
-    bool open_ = false;       ///< whether the last visit waits for its first edges
-    bool is_unclear_ = false; ///< whether visits may not lead from side to side once
-    std::array<double, 2> own_{}; ///< the part of the sums that the edges of the pixel add
+    bool open_ = false;                   ///< whether the last visit waits for its first edges
+    bool is_unclear_ = false;             ///< whether visits may not lead from side to side once
+    std::array<double, 2> own_{};         ///< the part of the sums that the edges of the pixel add
     std::vector<row_edge> parts_;         ///< the edges that are not level
     std::vector<winding_change> changes_; ///< along the pixel's left side
     std::vector<row_edge> box_parts_;     ///< the same in a box of fields
