@@ -250,10 +250,8 @@ double pixel_area::cut(const windings& w, const fill_rules& rules) {
     if (rules.clips || rules.rule[0] != l3d_winding::nonzero || visits_.size() < many)
         return slabs(parts_, changes_, w, 0, 1, rules);
     find_open(w.turns[0]);
-    // Open fields of neighbouring rows are done together if few others lie between them.
-    constexpr int wide = 3;
     double area = 1;
-    l3d_pixel_box open{};
+    l3d_pixel_box open{}; // that of open fields in neighbouring rows
     const auto finish = [&] {
         if (!open.empty())
             area += box(open, w, rules) -
@@ -268,13 +266,9 @@ double pixel_area::cut(const windings& w, const fill_rules& rules) {
             continue;
         }
         const int left = std::countr_zero(here), right = static_cast<int>(std::bit_width(here));
-        const int both_left = std::min(open.left, left), both_right = std::max(open.right, right);
-        if (!open.empty() && both_right - both_left > std::max(wide, right - left))
-            finish();
-        if (open.empty())
-            open = {left, row, right, row + 1};
-        else
-            open = {both_left, open.top, both_right, row + 1};
+        open = open.empty() ? l3d_pixel_box{left, row, right, row + 1}
+                            : l3d_pixel_box{std::min(open.left, left), open.top,
+                                            std::max(open.right, right), row + 1};
     }
     finish();
     return area;
