@@ -20,8 +20,8 @@ namespace l3d_detail {
 ///
 /// Each edge adds its signed area to the pixels that it passes. Their sum is the integral of the
 /// winding number. Where an outline passes a pixel once, and nothing else does, windings there take
-/// two values that follow each other, so the integral tells the area. Of the other pixels, some are
-/// surely covered as the sum is large; the rest go to pixel_area.
+/// two values that follow each other, so the integral tells the area. Some of the other
+/// pixels are surely covered as the sum is large; the rest go to pixel_area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {
@@ -48,8 +48,8 @@ public:
 private:
     /// Pixels whose values are found together.
     static constexpr std::size_t group = 8;
-    /// What edges in a pixel tell: the integrals of what they add to the windings, on the pixel's
-    /// right side and within the pixel, and how often outlines pass.
+    /// The sum of all edges in a pixel: the integrals of what they add to the windings, on the
+    /// pixel's right side and within the pixel, and how often outlines pass.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

@@ -67,9 +67,8 @@ void pixel_area::add(const edge_cell& cell) {
 /// On which side of a visit another one lies. If that is known, neither crosses the other.
 ///
 /// A visit's higher side is to the right of its edges. Where these all turn to the right, a place
-/// is on that side if it is to the right of all of their lines, and on the left one if it is to the
-/// left of one line. Where they all turn to the left, left and right change places. Edges that go
-/// back tell neither.
+/// to the right of all of their lines is on that side. One to the left of any line is on the other.
+/// Where they all turn to the left, left and right change places. Edges that go back tell neither.
 pixel_area::side pixel_area::side_of(const visit& of, const visit& other) const {
     constexpr double surely = 1e-10; // far above rounding
     const auto to_right = [](const edge_cell& e, const l3d_point_2d& p) {
@@ -213,7 +212,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
     double least = w.turns[0]; // where all visits have their lower sides
     bool are_clear = true;
     for (const visit& v : visits_) {
-        // What the visit adds differs from its higher side's share by a whole number.
+        // The visit adds its higher side's share, but for a whole number.
         constexpr double unclear = 1e-9; // far above rounding
         const double share = v.adds - std::floor(v.adds);
         are_clear &= share > unclear && share < 1 - unclear;

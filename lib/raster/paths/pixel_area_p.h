@@ -64,7 +64,7 @@ private:
     /// higher one, the winding is higher by 1 than on the other.
     struct visit {
         std::size_t first, end; ///< its edges
-        double adds = 0;        ///< what it adds to the sum
+        double adds = 0;        ///< its part of the sum
         int lower = 0;          ///< the winding on its lower side
     };
     enum class side { unknown, lower, higher };
