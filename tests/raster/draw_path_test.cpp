@@ -262,7 +262,7 @@ TEST(draw_path, has_exact_areas_where_a_row_has_hundreds_of_edges) {
 /// Bands of a wide picture have few rows, and those of a small box hold it whole.
 TEST(draw_path, fills_a_wide_picture_as_it_fills_its_parts) {
     std::mt19937 random(31);
-    constexpr int wide = 3000, high = 90, part = 47;
+    constexpr int wide = 3000, high = 90, part_wide = 331, part_high = 47;
     canvas whole(wide, high), parts(wide, high);
     for (const l3d_winding rule : {l3d_winding::nonzero, l3d_winding::even_odd}) {
         std::vector<l3d_point_2d> outline;
@@ -279,9 +279,9 @@ TEST(draw_path, fills_a_wide_picture_as_it_fills_its_parts) {
             parts.draw.clear_buffer();
             l3d_fill fill{.color = 0x00ffffff, .inside = rule, .clip = shown};
             whole.draw.draw_path(path, fill);
-            for (int y = 0; y < high; y += part)
-                for (int x = 0; x < wide; x += part) {
-                    fill.box = {x, y, x + part, y + part};
+            for (int y = 0; y < high; y += part_high)
+                for (int x = 0; x < wide; x += part_wide) {
+                    fill.box = {x, y, x + part_wide, y + part_high};
                     parts.draw.draw_path(path, fill);
                 }
             for (int y = 0; y < high; ++y)
