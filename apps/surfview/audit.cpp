@@ -70,6 +70,24 @@ void cut_small(const l3d_surface_audit::triangle& t, double longest, const Visit
     cut_small({half, b, c}, longest, visit);
 }
 
+/// How long parts of triangles are for a picture: some pixels, but such that a processor measures
+/// at all of them in seconds. CAD meshes have crowds of long thin triangles.
+double longest_part(const triangles& mesh, double size) {
+    constexpr double pixels = 1.0 / 128;
+    const double most_parts = 0x1p17 + static_cast<double>(mesh.size());
+    for (double longest = pixels * size;; longest *= 2) {
+        double parts = 0;
+        for (const auto& [a, b, c] : mesh) {
+            const double side = std::max({l3d_length(b - a), l3d_length(c - b), l3d_length(a - c)});
+            const double area = l3d_length(l3d_cross(b - a, c - a));
+            parts += std::max(1.0, side / longest) *
+                     (side > 0 ? std::max(1.0, area / side / longest) : 1.0);
+        }
+        if (parts <= most_parts)
+            return longest;
+    }
+}
+
 void add_triangle(l3d_polygon_mesh& mesh, const l3d_surface_audit::triangle& t, l3d_color color) {
     const auto first = l3d_polygon_mesh::index_of(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), t.begin(), t.end());
@@ -90,6 +108,9 @@ mesh_audit::mesh_audit(std::string surface_file, const l3d_patch_model& surface,
     const triangles mesh = triangles_of(mesh_);
     found_ = surface_.compare(mesh);
     seconds_ = std::chrono::duration<double>(clock::now() - begin).count();
+    for (std::size_t i = 0; part_.empty() && i < surface.patches().size(); ++i)
+        if (surface.piece_of(i) == found_.from_surface.index)
+            part_ = surface.parts().name_of(i);
     // The worst triangle is seen from its outside; what is missing, from away of the middle.
     const vector usual(1.0, 0.8, 1.4);
     vector out = worst().place - mesh_.centre();
@@ -116,6 +137,9 @@ std::string mesh_audit::json() const {
                     {what, index}};
     };
     const auto triangle = mesh_.triangles()[found_.from_mesh.index];
+    json missing = way(found_.from_surface, "piece", found_.from_surface.index);
+    if (!part_.empty())
+        missing["part"] = part_;
     json line{{"surface", surface_file_.empty() ? "teapot" : surface_file_},
               {"mesh", mesh_file_},
               {"pieces", pieces_},
@@ -123,7 +147,7 @@ std::string mesh_audit::json() const {
               {"diagonal", diagonal_},
               {"tolerance", tolerance_},
               {"mesh_to_surface", way(found_.from_mesh, "face", triangle.face)},
-              {"surface_to_mesh", way(found_.from_surface, "piece", found_.from_surface.index)},
+              {"surface_to_mesh", missing},
               {"seconds", std::round(seconds_ * 1000) / 1000}};
     if (const std::string said = hint(); !said.empty())
         line["hint"] = said;
@@ -154,9 +178,9 @@ l3d_color mesh_audit::color_of(double distance) const {
 }
 
 l3d_polygon_model mesh_audit::picture() const {
-    // Parts of triangles are some pixels wide, and no more than a processor measures in seconds.
-    constexpr double part = 1.0 / 128;
     const double size = l3d_length(mesh_.most() - mesh_.least());
+    const triangles all = triangles_of(mesh_);
+    const double longest = longest_part(all, size);
     std::map<std::array<double, 3>, double> known;
     const auto distance = [&](const vector& p) {
         const auto [place, is_new] = known.try_emplace({p[0], p[1], p[2]}, 0.0);
@@ -165,8 +189,8 @@ l3d_polygon_model mesh_audit::picture() const {
         return place->second;
     };
     l3d_polygon_mesh result;
-    for (const auto& triangle : triangles_of(mesh_))
-        cut_small(triangle, part * size, [&](const l3d_surface_audit::triangle& t) {
+    for (const auto& triangle : all)
+        cut_small(triangle, longest, [&](const l3d_surface_audit::triangle& t) {
             const double middle = surface_.distance((t[0] + t[1] + t[2]) * (1.0 / 3))[1];
             add_triangle(
                 result, t,

@@ -45,6 +45,7 @@ private:
     l3d_color color_of(double distance) const;
 
     std::string surface_file_, mesh_file_;
+    std::string part_; ///< the name of the part with the surface's worst place; may be empty
     std::size_t pieces_;
     l3d_polygon_model mesh_;
     double diagonal_, tolerance_;

@@ -104,6 +104,33 @@ TEST(surface_audit, finds_a_hole_that_is_filled_and_one_that_is_missing) {
     EXPECT_LT(l3d_length(missing.from_surface.place - vector(-2.0, 2.0, 0.0)), 1e-3);
 }
 
+/// The plate in fans of long thin triangles, as meshes of CAD programs have them: from each corner
+/// to so many chords of a quarter of the hole.
+triangles fans(int chords) {
+    triangles result;
+    const auto corner = [](int k) {
+        return vector(k == 1 || k == 2 ? -2.0 : 2.0, k >= 2 ? -2.0 : 2.0, 0.0);
+    };
+    const auto on_rim = [&](int i) {
+        const double angle = std::numbers::pi / 2 * i / chords;
+        return vector(std::cos(angle), std::sin(angle), 0.0);
+    };
+    for (int k = 0; k < 4; ++k) {
+        for (int i = k * chords; i < (k + 1) * chords; ++i)
+            result.push_back({corner(k), on_rim(i + 1), on_rim(i)});
+        result.push_back({corner(k), corner((k + 1) % 4), on_rim((k + 1) * chords)});
+    }
+    return result;
+}
+
+TEST(surface_audit, ends_for_crowds_of_long_thin_triangles) {
+    constexpr double tolerance = 1e-3;
+    constexpr int chords = 200;
+    const auto found = l3d_surface_audit(plate_with_hole(), tolerance).compare(fans(chords));
+    expect_holds(found.from_mesh, 1 - std::cos(std::numbers::pi / (4 * chords)), tolerance);
+    expect_holds(found.from_surface, 0, tolerance);
+}
+
 TEST(surface_audit, finds_a_mesh_that_is_moved) {
     const l3d_surface_audit audit(plate_with_hole(), 1e-5);
     const auto moved = audit.compare(square_mesh(0.25));

@@ -101,6 +101,24 @@ double flat_triangle::beyond(std::size_t k, const vector& place) const {
     return (of_third > 0 ? -1 : 1) * l3d_dot(out, place - corners_[k]);
 }
 
+bool flat_triangle::is_apart(const flat_triangle& other, double by) const {
+    const auto all_beyond = [&](const vector& out, const vector& from) {
+        const double least = by * l3d_length(out);
+        return std::ranges::all_of(other.corners_,
+                                   [&](const vector& p) { return l3d_dot(out, p - from) > least; });
+    };
+    if (all_beyond(normal_, corners_[0]) || all_beyond(normal_ * -1.0, corners_[0]))
+        return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        vector out = l3d_cross(corners_[next(k)] - corners_[k], normal_);
+        if (l3d_dot(out, corners_[next(next(k))] - corners_[k]) > 0)
+            out = out * -1.0;
+        if (all_beyond(out, corners_[k]))
+            return true;
+    }
+    return false;
+}
+
 bent_patch::bent_patch(const patch& p) : of(p) {
     const auto raise = [](double& to, double by) { to = std::max(to, by); };
     for (int i = 0; i < 4; ++i)

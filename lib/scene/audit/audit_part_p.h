@@ -24,6 +24,9 @@ public:
     double square_distance(const vector& from) const;
     /// How far a place is beyond the line through the corners k and k + 1, seen from above.
     double beyond(std::size_t k, const vector& place) const;
+    /// Whether all of another triangle is beyond one of the sides, or above or below the plane, by
+    /// more than a distance.
+    bool is_apart(const flat_triangle& other, double by) const;
 
 private:
     std::array<vector, 3> corners_;

@@ -86,15 +86,17 @@ public:
                     sample(p, part);
         for (const audit_part& part : parts)
             judge(part, sample(part.middle(), part).most + part.size() + part.off);
+        const std::size_t most_cuts =
+            std::max(l3d_surface_audit::least_cuts, parts.size() + to_.parts().size());
         for (std::size_t cuts = 0; !open_.empty() && open_.front().most > enough(); ++cuts) {
-            if (cuts == l3d_surface_audit::most_cuts)
+            if (cuts == most_cuts)
                 break;
             std::ranges::pop_heap(open_, is_nearer);
             const open_part next = std::move(open_.back());
             open_.pop_back();
             const auto halves = next.part.cut(next.at.side, next.at.share);
-            // The corner that the cut has made.
-            sample(halves[0].flat.corners()[1], next.part);
+            if (next.part.size() < large * enough()) // the corner that the cut has made
+                sample(halves[0].flat.corners()[1], next.part);
             for (const audit_part& half : halves)
                 judge(half, next.most);
         }
@@ -139,7 +141,7 @@ private:
         const bool is_near_few = to_.find_near(part, enough(), most_near, near_);
         if (is_near_few || part.size() < large * enough()) {
             double here = 0;
-            if (is_near_few && is_settled(part, near_, cuts_at_once, here)) {
+            if (is_near_few && is_settled(part, 0, cuts_at_once, here)) {
                 settled_ = std::max(settled_, here);
                 return;
             }
@@ -168,27 +170,41 @@ private:
         std::ranges::push_heap(open_, is_nearer);
     }
 
-    /// Whether every place of `part` is within enough() of a part in `near`; halves `part` up to
-    /// `cuts` times to find out. `most` grows to the largest bound that was found.
-    bool is_settled(const audit_part& part, std::span<const std::uint32_t> near, int cuts,
-                    double& most) {
-        if (near.empty())
-            return false;
+    /// Whether every place of `part` is within enough() of one of near_[first] and those after it;
+    /// halves `part` up to `cuts` times to find out. `most` grows to the largest bound that was
+    /// found.
+    bool is_settled(const audit_part& part, std::size_t first, int cuts, double& most) {
+        const std::size_t end = near_.size();
         const vector middle = part.middle();
         const audit_part* nearest = nullptr;
         double square = std::numeric_limits<double>::infinity();
-        for (const std::uint32_t i : near)
-            if (const double here = to_.parts()[i].flat.square_distance(middle); here < square) {
+        // Boxes of long slanted triangles meet many that are nowhere near them.
+        for (std::size_t i = first; i < end; ++i) {
+            const audit_part& other = to_.parts()[near_[i]];
+            const double by = enough() + other.off + part.off;
+            if (part.flat.is_apart(other.flat, by) || other.flat.is_apart(part.flat, by))
+                continue;
+            near_.push_back(near_[i]);
+            if (const double here = other.flat.square_distance(middle); here < square) {
                 square = here;
-                nearest = &to_.parts()[i];
+                nearest = &other;
             }
+        }
+        const bool result = nearest && is_settled_by(*nearest, part, end, cuts, most);
+        near_.resize(end);
+        return result;
+    }
+
+    /// The same, the nearest one being known.
+    bool is_settled_by(const audit_part& nearest, const audit_part& part, std::size_t first,
+                       int cuts, double& most) {
         cut_choice at(part);
         double bound = part.off;
-        if (nearest->sheet && nearest->sheet->is_whole)
-            bound += matched_part(part, *nearest->sheet, at);
+        if (nearest.sheet && nearest.sheet->is_whole)
+            bound += matched_part(part, *nearest.sheet, at);
         else {
-            bound += nearest->off + farthest(nearest->flat, part.flat.corners());
-            offer_borders(nearest->flat, part, at);
+            bound += nearest.off + farthest(nearest.flat, part.flat.corners());
+            offer_borders(nearest.flat, part, at);
         }
         if (bound <= enough()) {
             most = std::max(most, bound);
@@ -198,7 +214,7 @@ private:
             return false;
         const cut_place place = chosen(part, at);
         return std::ranges::all_of(part.cut(place.side, place.share), [&](const audit_part& half) {
-            return is_settled(half, near, cuts - 1, most);
+            return is_settled(half, first, cuts - 1, most);
         });
     }
 
@@ -258,12 +274,15 @@ private:
     }
 
     /// Offers cuts where the sides of a part leave the prism over a triangle.
-    static void offer_borders(const flat_triangle& of, const audit_part& part, cut_choice& to) {
+    void offer_borders(const flat_triangle& of, const audit_part& part, cut_choice& to) const {
         const auto& corners = part.flat.corners();
         for (std::size_t side = 0; side < 3; ++side) {
             std::array<double, 3> beyond{};
             for (std::size_t k = 0; k < 3; ++k)
                 beyond[k] = of.beyond(side, corners[k]);
+            // A part that hardly leaves it needs no cut there: rounding would choose the place.
+            if (std::ranges::max(beyond) <= (enough() - part.off) / 2)
+                continue;
             for (std::size_t k = 0; k < 3; ++k)
                 to.offer(k, beyond[k], beyond[(k + 1) % 3]);
         }
@@ -271,8 +290,8 @@ private:
 
     /// Cuts that are made before samples are taken and a part is kept, and parts that these have to
     /// do with. Where more are near, a part of `large` times the distance is cut at once.
-    static constexpr int cuts_at_once = 6;
-    static constexpr std::size_t most_near = 24;
+    static constexpr int cuts_at_once = 16;
+    static constexpr std::size_t most_near = 256;
     static constexpr double large = 8;
     /// Where many parts are hardly too far, a search for one that is near enough ends here.
     static constexpr std::size_t steps_for_parts = 1024;

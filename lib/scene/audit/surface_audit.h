@@ -60,15 +60,16 @@ public:
     /// Compares triangles with the surface.
     ///
     /// The bounds are valid however long it takes. They are wider than the tolerance if the
-    /// model's finest level is coarser, or if most_cuts are not enough.
+    /// model's finest level is coarser, or if the cuts are not enough.
     /// Expects: at least one triangle; finite coordinates of magnitude at most 1e12.
     /// Cost:    some 10 us for each triangle and each of the surface's cells, and up to a
     ///          millisecond for each cut where the distance is nearly the largest.
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
-    /// The most cuts of triangles, each way.
-    static constexpr std::size_t most_cuts = std::size_t{1} << 13;
+    /// So many cuts of triangles are made each way, if they are needed, and as many as there are
+    /// triangles and cells on both sides if those are more.
+    static constexpr std::size_t least_cuts = std::size_t{1} << 13;
 
 private:
     struct contents;
