@@ -76,10 +76,11 @@ public:
     HWY_ATTR explicit part_normals(taylor_net<5> m);
 
     HWY_ATTR HWY_INLINE const vector& at(std::size_t k, std::size_t l) const { return n_[k][l]; }
+
     HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
 
-    /// Bound of N's difference from its value in the middle.
-    HWY_ATTR HWY_INLINE number change() const { return most_[0][0] - same(1) + noise_; }
+    /// The value of the series of sizes in the corner.
+    HWY_ATTR HWY_INLINE number sum_of_sizes() const { return most_[0][0]; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 
     /// Whether the bounds hold; false where there is no normal.
@@ -216,45 +217,57 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 
 /// Bounds of |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
-/// With n the normal in the middle, N . S_b = n . S_b + (N - n) . S_b. Terms of order 0 and 1 are
-/// exact. For the others, the first product adds up |n . coefficient|, which is zero where the
-/// surface is flat. The second product adds up sizes.
+/// The product is a series whose coefficients are exact but for those of N beyond its order. So
+/// signs are lost only when its terms are added up. Terms of even powers keep theirs over the part.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)
         : s_(s), n_(n), noise_(same(size * point_noise)) {
         for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t l = 0; l < 4; ++l) {
-                heights_[k][l] = dot(n.at(0, 0), s.at[k][l]);
+            for (std::size_t l = 0; l < 4; ++l)
                 sizes_[k][l] = root(squared(s.at[k][l]));
-            }
+        rest_ = n.sum_of_sizes();
+        for_powers(exact_order - 1,
+                   [&](std::size_t k, std::size_t l) HWY_ATTR { rest_ = rest_ - n.size(k, l); });
+        rest_ = largest(rest_, same(0));
     }
 
-    HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
-        number all = same(0), far = all;
+    HWY_NOINLINE HWY_ATTR number bound(std::size_t k, std::size_t l) const {
+        number product[room][room];
+        for (auto& column : product)
+            for (number& c : column)
+                c = same(0);
+        number all = same(0);
         for (std::size_t i = 0; i + k < 4; ++i)
             for (std::size_t j = 0; j + l < 4; ++j) {
                 const number times = same(taken_out(k, i) * taken_out(l, j));
+                const vector d = s_.at[k + i][l + j] * times;
                 all = all + sizes_[k + i][l + j] * times;
-                if (i + j > 1)
-                    far = far + magnitude(heights_[k + i][l + j]) * times;
+                for (std::size_t a = 0; a < exact_order; ++a)
+                    for (std::size_t b = 0; a + b < exact_order; ++b)
+                        product[i + a][j + b] = product[i + a][j + b] + dot(n_.at(a, b), d);
             }
-        const number middle = same(factorial(k) * factorial(l));
-        const vector d = s_.at[k][l] * middle;
-        number u = dot(n_.at(1, 0), d), v = dot(n_.at(0, 1), d);
-        if (k < 3)
-            u = u + heights_[k + 1][l] * same(taken_out(k, 1) * factorial(l));
-        if (l < 3)
-            v = v + heights_[k][l + 1] * same(factorial(k) * taken_out(l, 1));
-        const number near = magnitude(heights_[k][l]) * middle + magnitude(u) + magnitude(v);
-        const number turned =
-            n_.change() * all - (n_.size(1, 0) + n_.size(0, 1)) * sizes_[k][l] * middle;
-        return (near + far + turned + n_.noise() * all + noise_) *
+        // The sum of the terms of even powers lies between `low` and `high`.
+        number low = product[0][0], high = low, others = same(0);
+        product[0][0] = same(0);
+        for (std::size_t a = 0; a < room; ++a)
+            for (std::size_t b = 0; b < room; ++b) {
+                const number above = largest(product[a][b], same(0));
+                const number below = product[a][b] - above;
+                if ((a | b) % 2 == 0) {
+                    high = high + above;
+                    low = low + below;
+                } else {
+                    others = others + (above - below);
+                }
+            }
+        return (largest(magnitude(low), magnitude(high)) + others + (rest_ + n_.noise()) * all +
+                noise_) *
                same(static_cast<double>(std::size_t{1} << (k + l)) * relative);
     }
 
     HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
-        return magnitude(heights_[k][l]) * same(as_derivative(k, l));
+        return magnitude(dot(n_.at(0, 0), s_.at[k][l])) * same(as_derivative(k, l));
     }
 
     /// The bound of |S_uuvv|. S_uuvv is bilinear, so the largest is in a corner.
@@ -272,9 +285,13 @@ private:
         return factorial(k + rest) / factorial(rest);
     }
 
+    /// Coefficients of N are multiplied out below this order. With order 4, the teapot has 0.2 %
+    /// more quads; with 7, it has 1 % fewer, and bounds take a third more instructions.
+    static constexpr std::size_t exact_order = 5, room = exact_order + 3;
+
     const taylor_net<3>& s_;
     const part_normals& n_;
-    number noise_, heights_[4][4], sizes_[4][4];
+    number noise_, rest_, sizes_[4][4];
 };
 
 /// Computes all bounds and puts them into the result's lanes from i on.
