@@ -36,6 +36,7 @@ bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
 
 /// The way of drawing quads for which steps are chosen.
 enum class l3d_quad_kind {
+    convex,    ///< the same as `whole`, but the caller adds what folded quads err more
     whole,     ///< convex quads whole: only for pieces that need no clipping
     trimmed,   ///< the same, but trims cut some quads into triangles
     triangles, ///< two triangles, clipped
@@ -127,9 +128,12 @@ struct l3d_step_plan {
     int strips = 1;
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
-    double bend_error = 0;  ///< bound of the errors along the normal, in budgets of depth
-    bool visible = false;   ///< whether any block may reach into the picture
-    bool balanced = false;  ///< whether vertices inside strips are to be moved, see l3d_balance
+    double fan_error = 0;   ///< the same if every quad were folded; not less
+    /// The chord errors of blocks. Shape: element 4 b + a is u-strip a, v-strip b.
+    alignas(64) l3d_block_needs::per_block errors{};
+    double bend_error = 0; ///< bound of the errors along the normal, in budgets of depth
+    bool visible = false;  ///< whether any block may reach into the picture
+    bool balanced = false; ///< whether vertices inside strips are to be moved, see l3d_balance
 
     int most_u() const { return *std::max_element(nu.begin(), nu.begin() + strips); }
     int most_v() const { return *std::max_element(nv.begin(), nv.begin() + strips); }
@@ -142,7 +146,8 @@ struct l3d_step_plan {
 /// by which its vertices are moved (0, or l3d_balance h^2). A quad errs by at most
 ///     c_u uu + c_v vv + m_u m_v uuvv + d k,
 ///     d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv + 4 m_u m_v uuvv.
-/// Here d bounds the corners' mixed difference, and k is 1/16 or 1/4, see l3d_second_bounds. Slits
+/// Here d bounds the corners' mixed difference. k is 1/16 or 1/4, see l3d_second_bounds, or 0 for
+/// `convex`. Slits
 /// between a side's row and its edge err as much as unbalanced chords. So the outer blocks'
 /// unbalanced chords keep the budget, too.
 ///

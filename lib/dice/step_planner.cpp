@@ -24,6 +24,9 @@ namespace {
 /// Limit of steps that keeps hopeless cases finite, and still tells which direction needs more.
 constexpr int most_steps = 1 << 28;
 
+/// The share of the corners' mixed difference by which a fan of four triangles errs.
+constexpr double of_fan = 1.0 / 16;
+
 /// Steps beyond this are not coarsened: such pieces are cut anyway, and may be many.
 constexpr int most_worth_saving = 64;
 
@@ -32,7 +35,7 @@ class planner {
 public:
     planner(const l3d_block_needs& needs, double budget, l3d_quad_kind kind)
         : needs_(needs), strips_(static_cast<std::size_t>(needs.strips)), budget_(budget),
-          mixed_(kind == l3d_quad_kind::whole ? 1.0 / 16 : 1.0 / 4), third_{needs.uuv, needs.uvv} {
+          mixed_(mixed_of(kind)), third_{needs.uuv, needs.uvv} {
         second_[along_u].take(needs.uu, strips_);
         second_[along_v].take(needs.vv, strips_);
         twist_.take(needs.uv, strips_);
@@ -58,13 +61,18 @@ public:
         plan.balanced = needs_.balanced;
         std::copy_n(steps_[along_u].n, most_strips, plan.nu.begin());
         std::copy_n(steps_[along_v].n, most_strips, plan.nv.begin());
-        lane_vec most = hn::Zero(lane_tag());
+        lane_vec most = hn::Zero(lane_tag()), of_fans = most;
         for (std::size_t strip = 0; strip < strips_; ++strip)
             for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
-                most = larger(most, image_errors(along_v, strip, lane));
+                const lane_vec of_blocks = image_errors(along_v, strip, lane, mixed_);
+                hn::Store(of_blocks, lane_tag(), &plan.errors[most_strips * strip + lane]);
+                most = larger(most, of_blocks);
                 most = larger(most, slit_errors(along_v, strip, lane));
+                of_fans = larger(of_fans, image_errors(along_v, strip, lane, drawn_mixed()));
             }
+        of_fans = larger(of_fans, most);
         plan.chord_error = hn::GetLane(hn::MaxOfLanes(lane_tag(), most));
+        plan.fan_error = hn::GetLane(hn::MaxOfLanes(lane_tag(), of_fans));
         plan.bend_error = bend_error();
     }
 
@@ -87,6 +95,15 @@ public:
     }
 
 private:
+    static double mixed_of(l3d_quad_kind kind) {
+        if (kind == l3d_quad_kind::convex)
+            return 0;
+        return kind == l3d_quad_kind::whole ? of_fan : 1.0 / 4;
+    }
+
+    /// The share of the mixed difference if every quad were folded.
+    double drawn_mixed() const { return std::max(mixed_, of_fan); }
+
     /// Starts with half the budget for each direction, which makes the product of the steps least.
     HWY_INLINE void start() {
         start_along(along_u, needs_.least_u);
@@ -196,7 +213,8 @@ private:
                 hn::Set(tag, own.bend[strip]),      hn::Set(tag, own.moved[strip])};
     }
 
-    HWY_INLINE lane_vec image_errors(direction d, std::size_t strip, std::size_t lane) const {
+    HWY_INLINE lane_vec image_errors(direction d, std::size_t strip, std::size_t lane,
+                                     double mixed_share) const {
         const lane_tag tag;
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = second_[d].in(d, strip, lane);
@@ -210,7 +228,8 @@ private:
             hn::Add(hn::Mul(hn::Mul(uv, s.step), s.own_step),
                     hn::Add(hn::Add(thirds, thirds), hn::Mul(hn::Set(tag, 4.0), both)));
         const lane_vec bends = hn::Add(hn::Mul(own, s.own_bend), hn::Mul(across, s.bend));
-        const lane_vec error = hn::Add(hn::Add(bends, both), hn::Mul(twist, hn::Set(tag, mixed_)));
+        const lane_vec error =
+            hn::Add(hn::Add(bends, both), hn::Mul(twist, hn::Set(tag, mixed_share)));
         // Not visible, or flat.
         const auto nothing = hn::Eq(hn::Add(hn::Add(own, uv), across), hn::Zero(tag));
         return hn::IfThenZeroElse(nothing, error);
@@ -226,7 +245,7 @@ private:
         const lane_vec twist =
             hn::Mul(depth_twist_.in(d, strip, lane), hn::Mul(s.own_step, s.step));
         return hn::Add(hn::Mul(hn::Add(own, across), hn::Set(lane_tag(), 1.0 / 8)),
-                       hn::Mul(twist, hn::Set(lane_tag(), mixed_)));
+                       hn::Mul(twist, hn::Set(lane_tag(), drawn_mixed())));
     }
 
     /// Errors of quads and slits along the normal. Units: budgets of depth.
@@ -261,7 +280,7 @@ private:
         const lane_vec budget = hn::Set(tag, budget_);
         unsigned bits = 0;
         for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(tag)) {
-            lane_mask met = hn::And(hn::Le(image_errors(d, strip, lane), budget),
+            lane_mask met = hn::And(hn::Le(image_errors(d, strip, lane, mixed_), budget),
                                     hn::Le(slit_errors(d, strip, lane), budget));
             if (bends_)
                 met = hn::And(met, hn::Le(bend_errors(d, strip, lane), hn::Set(tag, 1.0)));

@@ -113,6 +113,36 @@ TEST(step_plan, blocks_that_may_fold_are_finer_and_no_others_are_coarser) {
     }
 }
 
+TEST(step_plan, convex_quads_need_no_share_of_the_mixed_difference) {
+    constexpr double budget = 0.25;
+    long convex_quads = 0, quads = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        random_numbers random(seed);
+        const l3d_image_patch patch = sheet(random, random.of_any_size(1, 100));
+        const l3d_block_needs needs = l3d_needs_of(patch, l3d_blocks_of(patch), view_with(budget),
+                                                   budget, l3d_quad_kind::whole);
+        const l3d_step_plan plan = l3d_plan_steps(needs, budget, l3d_quad_kind::convex);
+        l3d_block_needs untwisted = needs;
+        untwisted.uv = {};
+        untwisted.uuv = untwisted.uvv = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < 16; ++i) {
+            const std::size_t a = i % 4, b = i / 4;
+            EXPECT_LE(plan.errors[i], planned_error(untwisted, a, b, plan.nu[a], plan.nv[b]));
+            most = std::max(most, plan.errors[i]);
+        }
+        EXPECT_LE(most, plan.chord_error) << "seed " << seed;
+        EXPECT_LE(plan.chord_error, budget) << "seed " << seed;
+        const auto everywhere = [](std::size_t) { return true; };
+        EXPECT_DOUBLE_EQ(plan.fan_error, largest_error(needs, plan, everywhere));
+        const l3d_step_plan whole = l3d_plan_steps(needs, budget, l3d_quad_kind::whole);
+        EXPECT_DOUBLE_EQ(whole.fan_error, whole.chord_error);
+        convex_quads += total(plan.nu) * total(plan.nv);
+        quads += total(whole.nu) * total(whole.nv);
+    }
+    EXPECT_LT(convex_quads, quads * 9 / 10);
+}
+
 TEST(step_plan, outlines_are_no_reason_to_cut_a_piece) {
     random_numbers random(7);
     const l3d_image_patch patch = sheet(random, 60);

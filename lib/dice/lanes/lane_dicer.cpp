@@ -7,6 +7,7 @@
 #include "dice/drawn_error.h"
 #include "dice/piece_bounds.h"
 #include "dice/edges/gap_filler.h"
+#include "dice/lanes/lane_folds_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,13 +141,40 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_patch_part& piece, const 
     const double of_depth = l3d_depth_vertex_error(view, error_w, bounds_.least_w);
     depth_error_ = vertex_error_ + of_depth;
     row_depth_error_ = row_error_ + of_depth;
-    const double budget = view.chord_budget(vertex_error_);
     bounds_.needs.without_normals = 0;
     if (bends)
         bends.ask(piece, view, view.chord_budget(depth_error_), bounds_.needs);
     l3d_ask_for_outlines(piece, view, bounds_.needs);
-    plan_ = l3d_plan_steps(bounds_.needs, budget, l3d_whole_kind(view));
+    kind_ = l3d_whole_kind(view);
+    if (kind_ == l3d_quad_kind::whole && bounds_.needs.without_normals == 0)
+        kind_ = l3d_quad_kind::convex;
+    plan_steps(view);
+    // If quads turn out to fold, steps grow until fans fit, so there has to be room for that.
+    const double more = plan_.fan_error / view.chord_budget(vertex_error_);
+    if (kind_ == l3d_quad_kind::convex && more > 1 &&
+        std::max(plan_.most_u(), plan_.most_v()) * std::sqrt(more) > l3d_most_steps_whole - 2) {
+        kind_ = l3d_quad_kind::whole;
+        plan_steps(view);
+    }
     return &plan_;
+}
+
+template <class T> void l3d_lane_dicer<T>::plan_steps(const l3d_dice_view& view) {
+    plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), kind_);
+}
+
+/// Adds the error of folded quads to the plan's, and tells whether the sum is within the budget.
+/// They are looked for only where the plan has no room for them anyway.
+template <class T>
+bool l3d_lane_dicer<T>::fits_with_folds(const l3d_surface_part& part, const l3d_dice_view& view) {
+    const double budget = view.chord_budget(vertex_error_);
+    if (kind_ != l3d_quad_kind::convex)
+        return true;
+    plan_.chord_error =
+        plan_.fan_error <= budget
+            ? plan_.fan_error
+            : std::max(plan_.chord_error, l3d_detail::most_folded(part, plan_.errors));
+    return plan_.chord_error <= budget;
 }
 
 template <class T>
@@ -191,17 +219,26 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
                              const l3d_dice_view& view, l3d_diced_piece& out) {
     l3d_surface_part& part = out.part;
     walk(view, part);
+    const auto walk_finer = [&] {
+        const l3d_step_plan coarser = plan_;
+        plan_steps(view);
+        if (std::max(plan_.most_u(), plan_.most_v()) > l3d_most_steps_whole) {
+            plan_ = coarser;
+            return false;
+        }
+        walk(view, part);
+        return true;
+    };
+    if (!fits_with_folds(part, view)) {
+        kind_ = l3d_quad_kind::whole;
+        walk_finer();
+    }
     constexpr int most_more = 2; // each round at most doubles the steps
     const double depth_budget = view.chord_budget(depth_error_);
     for (int more = 0;
-         more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs);
+         more < most_more && l3d_ask_for_planes(part, plan_, view, depth_budget, bounds_.needs) &&
+         walk_finer();
          ++more) {
-        const l3d_step_plan finer =
-            l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), l3d_whole_kind(view));
-        if (std::max(finer.most_u(), finer.most_v()) > l3d_most_steps_whole)
-            break;
-        plan_ = finer;
-        walk(view, part);
     }
 
     // Levels or normals, at the parameters of the whole patch.

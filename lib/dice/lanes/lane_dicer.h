@@ -63,12 +63,15 @@ public:
 private:
     void walk(const l3d_dice_view& view, l3d_surface_part& part);
     bool choose_registers(const l3d_dice_view& view);
+    void plan_steps(const l3d_dice_view& view);
+    bool fits_with_folds(const l3d_surface_part& part, const l3d_dice_view& view);
     double walked_w(const l3d_dice_view& view) const;
     double vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                         double snap_error) const;
 
     l3d_detail::lane_bounds bounds_;
     l3d_step_plan plan_;
+    l3d_quad_kind kind_ = l3d_quad_kind::whole; ///< that of the plan
     l3d_detail::lane_parameters u_, v_;
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
