@@ -105,9 +105,12 @@ private:
         ++points;
         at.u = part_.u + part_.du * at.u;
         at.v = part_.v + part_.dv * at.v;
-        double about = surface_->about(at.x, at.y, at.u, at.v) / bound;
+        const double distance = surface_->about(at.x, at.y, at.u, at.v);
+        double about = distance / bound;
         if (!(about <= std::numeric_limits<double>::max()))
             about = std::numeric_limits<double>::max(); // a NaN is worst, not unordered
+        else // pieces with wide bounds may have the largest distance
+            measured = std::max(measured, distance);
         if (worst_.size() == of_.how_.exact_points) {
             if (about <= worst_.front().about)
                 return;
