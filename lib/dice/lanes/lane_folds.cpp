@@ -94,7 +94,7 @@ HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& vis
     }
 }
 
-/// What the fan of a quad errs, if it is folded.
+/// The error of the fan of a quad; 0 if it is not folded.
 /// Shape: corners p00, p10, p01, p11.
 double fan_error(const std::array<l3d_micro_vertex, 4>& p, bool is_parallel) {
     struct place {
