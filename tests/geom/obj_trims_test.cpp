@@ -159,17 +159,17 @@ TEST(obj_connections, have_edges_as_exact_as_they_say) {
 
 TEST(obj_connections, are_refused_by_line) {
     EXPECT_EQ(complaint(hinge + "con 1 0 1 1 3 0 1 1\n"),
-              "name:23: '3', an index, names none of the 2 before it");
+              "name:28: '3', an index, names none of the 2 before it");
     EXPECT_EQ(complaint(hinge + "con 1 0 1 2 2 0 1 1\n"),
-              "name:23: '2', an index, names none of the 1 before it");
+              "name:28: '2', an index, names none of the 1 before it");
     EXPECT_EQ(complaint(hinge + "con 1 0 1 1 2 0\n"),
-              "name:23: the line ends where the range of a curve should be");
+              "name:28: the line ends where the range of a curve should be");
     EXPECT_EQ(complaint(hinge + "con 1 1 1 1 2 0 1 1\n"),
-              "name:23: the range of a curve of con is empty");
+              "name:28: the range of a curve of con is empty");
     EXPECT_EQ(complaint(hinge + "con 1 0 0.5 1 2 0 1 1\n"),
-              "name:23: con begins or ends between the knots of curve 1 of surface 1");
+              "name:28: con begins or ends between the knots of curve 1 of surface 1");
     EXPECT_EQ(complaint(hinge + "con 1 0 1 1 2 5 6 1\n"),
-              "name:23: con names a range of curve 1 of surface 2 that no trim has, or that "
+              "name:28: con names a range of curve 1 of surface 2 that no trim has, or that "
               "another con has");
 }
 

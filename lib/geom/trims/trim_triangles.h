@@ -55,7 +55,7 @@ private:
     /// A trapezoid with at most two corners below and two above, which are equal where it is one.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< left and right
-        std::array<l3d_trim_use, 2> use;         ///< of its left and of its right side, upwards
+        std::array<l3d_trim_use, 2> use;         ///< the left one, and the right one; upwards
         std::array<std::size_t, 2> side;         ///< as l3d_trapezoid has them
         std::size_t next = none;                 ///< the layer that goes on above all of it
         bool goes_on = false;                    ///< whether it is another one's next
