@@ -96,7 +96,7 @@ private:
         l3d_bend_bounds bends;                      ///< bends of the patch that is diced
         std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
         l3d_trim_cells trims;
-        l3d_grid_trims trims_of_piece; ///< of one of several pieces of a patch
+        l3d_grid_trims trims_of_piece; ///< where a patch has several pieces
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);
@@ -144,7 +144,7 @@ private:
         double off_px = 0; ///< the most that any is off its faces
     };
 
-    /// What trims leave of the grid of a patch.
+    /// The quads of a patch that trims leave.
     struct patch_trims {
         l3d_grid_trims grid;
         std::uint64_t frame = 0; ///< the last one that needed it

@@ -24,7 +24,7 @@ class l3d_trim_cells {
 public:
     /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
     /// Shape:   `kept` is what the region leaves of the last grid; it is made anew for another one.
-    /// Expects: what `kept` has was made for this region.
+    /// Expects: `kept` was made for this region, if it was made.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
                        l3d_diced_piece& piece, l3d_grid_trims& kept, bool keeps_parameters);
 

@@ -40,8 +40,8 @@ public:
     };
     /// A quad's side on the border of quads that lie inside, where the region follows an edge.
     struct grid_side {
-        std::uint32_t row, column, end_row, end_column; ///< of its ends
-        std::uint32_t quad_row, quad_column;            ///< of the quad beside it
+        std::uint32_t row, column, end_row, end_column; ///< where it begins and ends
+        std::uint32_t quad_row, quad_column;            ///< the quad beside it
         l3d_trim_place from, to;
         l3d_trim_use use;
     };
@@ -50,7 +50,7 @@ public:
         l3d_trim_block of;
         bool is_whole = false;
         range grid_sides{};           ///< if it is whole
-        range corners{}, triangles{}; ///< of a quad that is cut
+        range corners{}, triangles{}; ///< if it is cut
         range border{};               ///< as l3d_trim_triangles has it
         range followed{};             ///< as l3d_trim_triangles has it
         range inner{};                ///< sides at which it meets other quads

@@ -18,7 +18,7 @@ struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
     l3d_trim_use left{}, right{};
-    std::size_t left_side = 0, right_side = 0; ///< of polygons: equal where a side goes on
+    std::size_t left_side = 0, right_side = 0; ///< the polygons' sides: equal where one goes on
 };
 
 /// Cuts a region into trapezoids that meet without a T: where a corner of one lies on the low or
