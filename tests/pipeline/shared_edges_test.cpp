@@ -150,10 +150,10 @@ TEST(shared_edges, are_drawn_alike_after_other_views) {
         std::mt19937 random(543);
         l3d_pipeline_afd kept(l3d_memory_canvas({160, 120}), model, l3d_camera(), settings);
         for (int i = 0; i < 12; ++i) {
-            if (i % 3 == 0) // other frames are from nearly the same place
+            if (i % 4 == 0) // from other frames, patches need a few steps more or less
                 kept.camera() = view_of(of, std::pow(10, -0.5 + 0.2 * i), i % 2 == 1, random);
             else
-                kept.camera().orbit(1e-3, 0);
+                kept.camera().orbit(3, 2);
             kept.draw_event();
             l3d_pipeline_afd fresh(l3d_memory_canvas({160, 120}), model, kept.camera(), settings);
             fresh.draw_event();
