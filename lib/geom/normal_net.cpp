@@ -93,6 +93,14 @@ l3d_normal_net::l3d_normal_net(const l3d_bezier_patch<double, 3>& patch) {
         is_noise = is_noise && largest(net_.points[i]) <= noise[i];
     if (is_noise)
         net_ = {};
+    finish();
+}
+
+l3d_normal_net::l3d_normal_net(const l3d_normal_polynomial& normals) : net_(normals) {
+    finish();
+}
+
+void l3d_normal_net::finish() {
     scale_to_one();
     // A polynomial of degree 5 by 5 has at most 5 factors of each of u, 1 - u, v, 1 - v.
     for (int factors = 0; factors < 4 * degree && divide_by_vanishing_factor(); ++factors)

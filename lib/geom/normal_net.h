@@ -46,6 +46,8 @@ public:
 
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
+    /// Normals of a polynomial's directions, divided likewise.
+    explicit l3d_normal_net(const l3d_normal_polynomial& normals);
 
     static constexpr std::size_t index(int row, int column) {
         return 6 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
@@ -66,6 +68,7 @@ public:
     const float_net& in_floats() const { return in_floats_; }
 
 private:
+    void finish();
     void scale_to_one();
     void fill_floats();
     bool divide_by_vanishing_factor();

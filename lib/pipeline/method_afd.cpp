@@ -66,6 +66,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         frame.depth.resize(view.size);
     l3d_depth_buffer* const depth = keep_depth ? &frame.depth : nullptr;
     surface.count_pixels(frame.counts_pixels);
+    surface.leave_depth(frame.wants_depth);
     surface.use_materials(frame.materials);
     if (frame.is_part())
         surface.begin_part(frame.target, depth, shading, frame.part);

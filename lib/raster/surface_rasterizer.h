@@ -225,6 +225,10 @@ public:
     /// which takes drawing everything once more.
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
+    /// Sets whether frames that are begun later leave a depth everywhere, 0 where nothing is drawn;
+    /// at first they do. If not, depth has no meaning after the frame.
+    void leave_depth(bool wanted) { depth_wanted_ = wanted; }
+
     /// Whether begin_part may be called: not if the picture is kept elsewhere and comes as a whole.
     bool draws_parts() const { return do_draws_parts(); }
 
@@ -266,12 +270,16 @@ protected:
     /// Whether the frame that was begun last counts pixels.
     bool counts_pixels() const { return counts_pixels_; }
 
+    /// Whether the frame that was begun last leaves a depth everywhere.
+    bool leaves_depth() const { return leaves_depth_; }
+
     /// The materials of the frame that was begun last; none if its mode shows no light.
     std::span<const l3d_material> materials() const { return materials_of_frame_; }
 
     /// Takes the settings of the next frame, as the first step of each kind of begin.
     void begin_frame(const l3d_shading& shading) {
         counts_pixels_ = counting_wanted_;
+        leaves_depth_ = depth_wanted_;
         materials_of_frame_ =
             l3d_is_light(shading.mode) ? materials_ : std::span<const l3d_material>();
         materials_ = {};
@@ -292,6 +300,7 @@ private:
     virtual const l3d_surface_counts& do_counts() const = 0;
 
     bool counting_wanted_ = true, counts_pixels_ = true;
+    bool depth_wanted_ = true, leaves_depth_ = true;
     std::span<const l3d_material> materials_, materials_of_frame_;
 };
 

@@ -146,7 +146,7 @@ public:
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with finer or coarser patches; any other model is the same at all
     /// levels. Levels of places and of normals run from 0, the coarsest, with which models are
-    /// made, to most_level(). Two levels more divide the bound of places by 16, and that of normals
+    /// made, to most_level(). Two levels more divide the bound of places by 4, and that of normals
     /// by 8. That holds as long as it takes no more than 2^17 patches.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as

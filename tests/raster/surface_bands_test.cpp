@@ -210,6 +210,27 @@ TEST(SurfaceBands, WithoutPartsThePictureIsEmpty) {
         }
 }
 
+TEST(SurfaceBands, DepthThatNobodyWantsIsLeftAloneWhereNothingIsDrawn) {
+    surface_picture wanted(scene_size.width, scene_size.height, 2),
+        other(scene_size.width, scene_size.height, 2);
+    other.rasterizer.leave_depth(false);
+    for (const int sheets : {0, 25}) {
+        const surface_parts scene = random_scene(scene_seed, scene_size, sheets);
+        for (surface_picture* const picture : {&wanted, &other}) {
+            picture->begin(l3d_shade::lambert, scene_light);
+            for (const l3d_surface_part* const part : pointers(scene))
+                picture->rasterizer.draw(std::span(&part, 1)); // a batch each
+            picture->rasterizer.finish();
+        }
+        EXPECT_EQ(other.words, wanted.words);
+        EXPECT_EQ(wanted.rasterizer.counts().covered, other.rasterizer.counts().covered);
+        if (sheets == 0) {
+            EXPECT_EQ(wanted.inv_w(0, 0), 0);
+            EXPECT_EQ(other.inv_w(0, 0), 1e30f);
+        }
+    }
+}
+
 TEST(SurfaceBands, PicturesOfAnySizeAreDrawn) {
     for (const l3d_size size : {l3d_size{1, 1}, l3d_size{7, 300}, l3d_size{15, 8}, l3d_size{16, 9},
                                 l3d_size{17, 1}, l3d_size{3000, 9}, l3d_size{0, 0}}) {

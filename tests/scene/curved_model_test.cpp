@@ -47,7 +47,7 @@ l3d_curved_error chosen(l3d_patch_scene& scene, double distance, double px, doub
 
 /// The part of its diagonal that a level of places asks for.
 double place_target(const l3d_patch_model& model, int level) {
-    return std::ldexp(l3d_length(model.pieces_most() - model.pieces_least()), -10 - 2 * level);
+    return std::ldexp(l3d_length(model.pieces_most() - model.pieces_least()), -10 - level);
 }
 
 } // namespace
@@ -114,21 +114,25 @@ TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {
 }
 
 TEST(curved_model, is_not_cut_without_end_for_normals_that_turn_at_once) {
-    // Random and all but gentle: somewhere its normals nearly vanish.
+    // Random and all but gentle: somewhere the normals of some nearly vanish.
     std::mt19937 random(11);
     const auto any = [&random] { return static_cast<int>(random() % 33) / 16.0 - 1; };
-    l3d_patch_points patch{2, 2, {}, {}};
-    for (int i = 0; i < 9; ++i) {
-        const double x = i % 3 + any(), y = i / 3 + any();
-        patch.points.push_back({x, y, any()});
-        patch.weights.push_back(std::exp2(std::round(3 * any())));
+    int without = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        l3d_patch_points patch{2, 2, {}, {}};
+        for (int i = 0; i < 9; ++i) {
+            const double x = i % 3 + any(), y = i / 3 + any();
+            patch.points.push_back({x, y, any()});
+            patch.weights.push_back(std::exp2(std::round(3 * any())));
+        }
+        std::string why;
+        const auto model = l3d_patch_model::from_patches(std::vector{patch}, "cusp", why);
+        ASSERT_TRUE(model);
+        EXPECT_LE(model->patches().size(), 4096u);
+        EXPECT_LE(model->surface_error(), place_target(*model, 0));
+        without += model->normal_error() > model->normal_target(0) ? 1 : 0;
     }
-    std::string why;
-    const auto model = l3d_patch_model::from_patches(std::vector{patch}, "cusp", why);
-    ASSERT_TRUE(model);
-    EXPECT_LE(model->patches().size(), 4096u);
-    EXPECT_LE(model->surface_error(), place_target(*model, 0));
-    EXPECT_GT(model->normal_error(), model->normal_target(0));
+    EXPECT_GT(without, 4);
 }
 
 TEST(curved_model, refuses_what_is_no_piece) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_bicubic_approximation: Hermite interpolation at corners, and its error in Bernstein form.
+// l3d_bicubic_approximation, l3d_normal_approximation: interpolation between places of a piece, and
+// its error in Bernstein form.
 #include "geom/nurbs/bicubic_approximation.h"
 
 #include <algorithm>
@@ -16,6 +17,10 @@ using bicubic = l3d_bezier_patch<double, 3>;
 using point = l3d_rational_piece::point;
 
 constexpr double unit = 0x1p-53; // the relative rounding of a double
+
+/// The rounding of coefficients of products, by the sizes of their factors: sums of up to 16 by 16
+/// products, made twice.
+constexpr double sums_rounding = 0x1p10 * unit;
 
 vector place_of(const point& p) {
     return {p[0], p[1], p[2]};
@@ -51,6 +56,22 @@ template <class V> struct net {
                 result.at(r, k) = (at(r + 1, k) - at(r, k)) * double(n);
         return result;
     }
+    /// The same polynomial over both halves of u or of v. Source: de Casteljau.
+    std::array<net, 2> halves(bool along_u) const {
+        std::array<net, 2> result{*this, *this};
+        const int degree = along_u ? m : n, lines = along_u ? n : m;
+        for (int line = 0; line <= lines; ++line) {
+            const auto in = [&](net& half, int i) -> V& {
+                return along_u ? half.at(line, i) : half.at(i, line);
+            };
+            for (int level = 0; level <= degree; ++level) {
+                in(result[0], level) = in(result[1], 0);
+                for (int i = 0; i < degree - level; ++i)
+                    in(result[1], i) = (in(result[1], i) + in(result[1], i + 1)) * 0.5;
+            }
+        }
+        return result;
+    }
     /// The quotient by v of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
@@ -76,8 +97,18 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-/// Binomial coefficients n over k, for products of pieces and cubics: exact in a double.
-constexpr int most_degree = 15, most_product = most_degree + 3;
+/// The same by the coefficients of parts, after some halvings in turns. Errors of interpolation
+/// change signs: over the whole, their coefficients are some four times as large as they are.
+double bound_of_parts(const net<vector>& of, int halvings) {
+    if (halvings == 0)
+        return bound_of(of);
+    const auto [first, second] = of.halves(halvings % 2 == 0);
+    return std::max(bound_of_parts(first, halvings - 1), bound_of_parts(second, halvings - 1));
+}
+
+/// Binomial coefficients n over k, for products of a piece's normals, of three times its degree at
+/// most, and their quintic: exact in a double.
+constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 constexpr auto binomials = [] {
     std::array<std::array<double, most_product + 1>, most_product + 1> result{};
     for (std::size_t n = 0; n <= most_product; ++n)
@@ -92,226 +123,275 @@ double binomial(int n, int k) {
 
 /// Weights of the products a_i b_j in Bernstein coefficient i + j of a product of degrees m and n,
 /// j fastest. The weights of one coefficient add up to 1.
-struct product_weights {
-    std::array<double, (most_degree + 1) * 4> of{}; ///< one of the degrees is 3 at most
-
-    product_weights(int m, int n) {
-        std::size_t next = 0;
-        for (int i = 0; i <= m; ++i)
-            for (int j = 0; j <= n; ++j)
-                of[next++] = binomial(m, i) * binomial(n, j) / binomial(m + n, i + j);
-    }
-};
-
-net<double> along_axis(const net<vector>& of, const vector& axis) {
-    net<double> result(of.m, of.n);
-    std::ranges::transform(of.c, result.c.begin(),
-                           [&](const vector& value) { return l3d_dot(value, axis); });
+std::vector<double> product_weights(int m, int n) {
+    std::vector<double> result;
+    result.reserve(static_cast<std::size_t>((m + 1) * (n + 1)));
+    for (int i = 0; i <= m; ++i)
+        for (int j = 0; j <= n; ++j)
+            result.push_back(binomial(m, i) * binomial(n, j) / binomial(m + n, i + j));
     return result;
 }
 
 /// The Bernstein net of a product of two polynomials; `times` multiplies two coefficients.
 template <class V, class A, class B, class Times>
 net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
-    const product_weights in_u(a.m, b.m), in_v(a.n, b.n);
+    const std::vector<double> in_u = product_weights(a.m, b.m), in_v = product_weights(a.n, b.n);
     net<V> result(a.m + b.m, a.n + b.n);
     for (int ra = 0; ra <= a.n; ++ra)
         for (int rb = 0; rb <= b.n; ++rb) {
-            const double of_row = in_v.of[static_cast<std::size_t>(ra * (b.n + 1) + rb)];
+            const double of_row = in_v[static_cast<std::size_t>(ra * (b.n + 1) + rb)];
             for (int ca = 0; ca <= a.m; ++ca)
                 for (int cb = 0; cb <= b.m; ++cb)
                     result.at(ra + rb, ca + cb) +=
                         times(a.at(ra, ca), b.at(rb, cb)) *
-                        (of_row * in_u.of[static_cast<std::size_t>(ca * (b.m + 1) + cb)]);
+                        (of_row * in_u[static_cast<std::size_t>(ca * (b.m + 1) + cb)]);
         }
     return result;
 }
 
-/// A piece's control net, with rows and columns counted from one of its four corners.
-struct corner_view {
-    const l3d_rational_piece& piece;
-    bool from_right, from_top;
-    const point& at(int row, int column) const {
-        return piece.at(from_top ? piece.degree_v - row : row,
-                        from_right ? piece.degree_u - column : column);
+vector cross(const vector& a, const vector& b) {
+    return l3d_cross(a, b);
+}
+
+/// The places, in both directions of a patch, that it shares with its piece. With the zeros
+/// of Chebyshev's polynomial T4, stretched until the outer ones are 0 and 1, the quartic part of the
+/// piece is off by the least that a cubic with the same ends can be: 0.17 of Hermite's.
+constexpr double nearer_node = 1 - std::numbers::sqrt2 / 2, farther_node = std::numbers::sqrt2 / 2;
+
+/// The value at a node of a polynomial of this degree; point(i) is its control point i.
+/// The same bit for bit if the control points and the node are counted from the other end.
+/// Source: de Casteljau.
+template <class Point> point at_node(int degree, std::size_t node, const Point& control) {
+    if (node == 0 || node == 3)
+        return control(node == 0 ? 0 : degree);
+    const double first = node == 1 ? farther_node : nearer_node;
+    const double second = node == 1 ? nearer_node : farther_node;
+    std::array<point, l3d_bpt_largest_degree + 1> p{};
+    for (int i = 0; i <= degree; ++i)
+        p[static_cast<std::size_t>(i)] = control(i);
+    for (int level = degree; level > 0; --level)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i)
+            p[i] = p[i] * first + p[i + 1] * second;
+    return p[0];
+}
+
+/// The second control point of the cubic through values at the nodes. From the other end it is the
+/// third one. Expects: the values in the order of nodes.
+vector second_point(const vector& at_0, const vector& at_a, const vector& at_b, const vector& at_1) {
+    constexpr double a = nearer_node, b = farther_node;
+    constexpr double near = 3 * a * b * b, far = 3 * a * a * b; // B1 and B2 at a, B2 and B1 at b
+    constexpr double of_a = near / (near * near - far * far);
+    constexpr double of_b = far / (near * near - far * far);
+    const vector end = at_1 - at_0;
+    return at_0 + (at_a - at_0 - end * (a * a * a)) * of_a - (at_b - at_0 - end * (b * b * b)) * of_b;
+}
+
+bicubic interpolated(const l3d_rational_piece& piece) {
+    bicubic result;
+    for (std::size_t column = 0; column < 4; ++column) {
+        std::array<point, l3d_bpt_largest_degree + 1> rows{};
+        for (int r = 0; r <= piece.degree_v; ++r)
+            rows[static_cast<std::size_t>(r)] = at_node(
+                piece.degree_u, column, [&](int c) -> const point& { return piece.at(r, c); });
+        for (std::size_t row = 0; row < 4; ++row) {
+            const point p = at_node(piece.degree_v, row, [&](int r) -> const point& {
+                return rows[static_cast<std::size_t>(r)];
+            });
+            result.points[4 * row + column] = place_of(p) / p[3];
+        }
+    }
+    const auto through = [&](std::size_t first, std::size_t step) {
+        vector* const p = result.points.data() + first;
+        const std::array<vector, 4> values{p[0], p[step], p[2 * step], p[3 * step]};
+        p[step] = second_point(values[0], values[1], values[2], values[3]);
+        p[2 * step] = second_point(values[3], values[2], values[1], values[0]);
+    };
+    for (std::size_t line = 0; line < 4; ++line)
+        through(4 * line, 1);
+    for (std::size_t line = 0; line < 4; ++line)
+        through(line, 4);
+    return result;
+}
+
+/// A piece as P and W around a place of it, with bounds of their rounding: `noise` of P's length.
+struct centred_piece {
+    net<vector> p;
+    net<double> w;
+    double noise = 0, weight_noise = 0;
+
+    centred_piece(const l3d_rational_piece& piece, const vector& centre)
+        : p(piece.degree_u, piece.degree_v), w(piece.degree_u, piece.degree_v) {
+        double size = 0, most_w = 0;
+        for (const point& q : piece.points)
+            most_w = std::max(most_w, q[3]);
+        // Products of three small weights would be too small for a double.
+        const double scale = std::exp2(-std::ilogb(most_w));
+        for (std::size_t i = 0; i < piece.points.size(); ++i) {
+            const point q = piece.points[i] * scale;
+            w.c[i] = q[3];
+            p.c[i] = place_of(q) - centre * q[3];
+            size = std::max(size, largest(place_of(q)));
+        }
+        const double away = largest(centre);
+        weight_noise = piece.weight_noise * scale;
+        noise = std::numbers::sqrt3 * (piece.noise * scale + away * weight_noise +
+                                       4 * unit * (size + away * bound_of(w)));
     }
 };
 
-/// Sets the four control points at a corner S. With d = P - S w, the derivatives there are
-/// S_u = m d_10 / w, S_v = n d_01 / w,
-/// and S_uv = (m n (d_11 - d_10 - d_01) - w_u S_v - w_v S_u) / w.
-/// A derivative along a boundary depends on the boundary's points alone.
-///
-/// A neighbour of a far larger weight would move control points far away, so it counts as at most
-/// four times as heavy as the corner. Small enough cells have no such neighbour.
-void fill_corner(const corner_view& of, bicubic& patch) {
-    const double m = of.piece.degree_u, n = of.piece.degree_v;
-    const point& p = of.at(0, 0);
-    const double w = p[3];
-    const vector s = place_of(p) / w;
-    const auto weight = [w](const point& q) { return std::min(q[3], 4 * w); };
-    const auto beside = [&](const point& q) {
-        return (place_of(q) - s * q[3]) * (weight(q) / q[3]);
-    };
-    const point &pu = of.at(0, 1), &pv = of.at(1, 0), &puv = of.at(1, 1);
-    const vector du = beside(pu), dv = beside(pv);
-    const vector su = du * (m / w), sv = dv * (n / w);
-    const vector suv = ((beside(puv) - du - dv) * (m * n) - sv * (m * (weight(pu) - w)) -
-                        su * (n * (weight(pv) - w))) /
-                       w;
-    const int row = of.from_top ? 3 : 0, column = of.from_right ? 3 : 0;
-    const int in_row = of.from_top ? 2 : 1, in_column = of.from_right ? 2 : 1;
-    patch.at(row, column) = s;
-    patch.at(row, in_column) = s + du * (m / (3 * w));
-    patch.at(in_row, column) = s + dv * (n / (3 * w));
-    patch.at(in_row, in_column) = s + su / 3.0 + sv / 3.0 + suv / 9.0;
-}
-
-/// A piece and its patch, turned so that v = 0 is an edge collapsed to a point, if there is one.
+/// A piece, turned so that v = 0 is an edge collapsed to a point, if there is one.
 struct turned {
     l3d_rational_piece piece;
-    bicubic patch;
     bool has_pole = false;
+    int turns = 0;
 
-    turned(const l3d_rational_piece& of, const bicubic& by) : piece(of), patch(by) {
-        for (int turn = 0; turn < 4; ++turn) {
-            if (begins_in_a_point()) {
-                has_pole = true;
-                return;
-            }
+    explicit turned(const l3d_rational_piece& of) : piece(of) {
+        for (; turns < 4 && !(has_pole = begins_in_a_point()); ++turns)
             turn_right();
-        }
     }
+
+    vector corner() const { return place_of(piece.at(0, 0)) / piece.at(0, 0)[3]; }
 
     /// Whether all control points of the row v = 0 coincide, up to rounding.
     bool begins_in_a_point() const {
         double size = 0, away = 0;
-        for (const vector& p : patch.points)
-            size = std::max(size, largest(p));
-        const vector first = place_of(piece.at(0, 0)) / piece.at(0, 0)[3];
+        for (const point& p : piece.points)
+            size = std::max(size, largest(place_of(p) / p[3]));
         for (int k = 1; k <= piece.degree_u; ++k)
-            away = std::max(away, largest(place_of(piece.at(0, k)) / piece.at(0, k)[3] - first));
+            away = std::max(away, largest(place_of(piece.at(0, k)) / piece.at(0, k)[3] - corner()));
         return away <= 16 * unit * size;
     }
 
     /// (u, v) becomes (v, 1 - u): a quarter turn, in which normals keep lengths and directions.
     void turn_right() {
         const l3d_rational_piece old = piece;
-        const bicubic old_patch = patch;
         std::swap(piece.degree_u, piece.degree_v);
         for (int r = 0; r <= piece.degree_v; ++r)
             for (int c = 0; c <= piece.degree_u; ++c)
                 piece.points[static_cast<std::size_t>(r * (piece.degree_u + 1) + c)] =
                     old.at(c, old.degree_u - r);
-        for (int r = 0; r < 4; ++r)
-            for (int c = 0; c < 4; ++c)
-                patch.at(r, c) = old_patch.at(c, 3 - r);
+    }
+
+    /// Normals, turned as often.
+    static l3d_normal_polynomial right(l3d_normal_polynomial normals, int times) {
+        constexpr std::size_t order = l3d_normal_polynomial::order;
+        for (int i = 0; i < times; ++i) {
+            const l3d_normal_polynomial old = normals;
+            for (std::size_t r = 0; r < order; ++r)
+                for (std::size_t c = 0; c < order; ++c)
+                    normals.points[order * r + c] = old.points[order * c + order - 1 - r];
+        }
+        return normals;
     }
 };
 
-/// The bounds of docs/NUMERICS.md, section 25.
-struct bounds {
-    explicit bounds(const turned& of);
-
-    double error = 0, normal_error = std::numeric_limits<double>::infinity();
-
-private:
-    void find_normal_error(const turned& of, const net<double>& w, const net<vector>& b,
-                           const net<vector>& d);
-
-    double noise_ = 0, least_w_ = 0, weight_noise_ = 0, size_b_ = 0;
-};
-
-bounds::bounds(const turned& of) {
-    const l3d_rational_piece& piece = of.piece;
-    const vector centre = of.patch.points[0];
-    net<double> w(piece.degree_u, piece.degree_v);
-    net<point> p(piece.degree_u, piece.degree_v);
-    net<vector> b(3, 3);
-    double size_p = 0, size_q = 0;
-    least_w_ = std::numeric_limits<double>::infinity();
-    weight_noise_ = piece.weight_noise;
-    for (std::size_t i = 0; i < piece.points.size(); ++i) {
-        const point& whole = piece.points[i];
-        const vector q = place_of(whole) - centre * whole[3];
-        p.c[i] = {q[0], q[1], q[2], whole[3]};
-        w.c[i] = whole[3];
-        least_w_ = std::min(least_w_, whole[3] - weight_noise_);
-        size_p = std::max(size_p, largest(place_of(whole)));
-        size_q = std::max(size_q, largest(q));
+/// Bernstein's basis of degree 5 at the places that normals are taken from: the zeros of T6,
+/// stretched as those of T4 above. The inverse gives control vectors by values.
+constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
+using quintic_matrix = std::array<std::array<double, quintic_order>, quintic_order>;
+constexpr double outer_node = 1 - std::numbers::sqrt3 / 2, inner_node = (std::numbers::sqrt3 - 1) / 2;
+constexpr std::array<double, quintic_order> quintic_nodes{
+    0, outer_node, inner_node, 1 - inner_node, 1 - outer_node, 1};
+constexpr quintic_matrix by_values = [] {
+    quintic_matrix left{}, right{};
+    for (std::size_t i = 0; i < quintic_order; ++i) {
+        const double t = quintic_nodes[i];
+        for (std::size_t k = 0; k < quintic_order; ++k) {
+            left[i][k] = binomials[quintic_order - 1][k];
+            for (std::size_t n = 0; n + 1 < quintic_order; ++n)
+                left[i][k] *= n < k ? t : 1 - t;
+        }
+        right[i][i] = 1;
     }
-    for (std::size_t i = 0; i < 16; ++i) {
-        b.c[i] = of.patch.points[i] - centre;
-        size_b_ = std::max(size_b_, largest(b.c[i]));
+    // Gauss' and Jordan's elimination: the diagonal is largest.
+    for (std::size_t pivot = 0; pivot < quintic_order; ++pivot) {
+        const double by = 1 / left[pivot][pivot];
+        for (std::size_t k = 0; k < quintic_order; ++k) {
+            left[pivot][k] *= by;
+            right[pivot][k] *= by;
+        }
+        for (std::size_t i = 0; i < quintic_order; ++i) {
+            const double factor = i == pivot ? 0 : left[i][pivot];
+            for (std::size_t k = 0; k < quintic_order; ++k) {
+                left[i][k] -= factor * left[pivot][k];
+                right[i][k] -= factor * right[pivot][k];
+            }
+        }
     }
-    net<vector> d = product<vector>(
-        p, b, [](const point& q, const vector& by) { return place_of(q) - by * q[3]; });
-    const double most_w = bound_of(w), away = largest(centre);
-    noise_ = std::numbers::sqrt3 *
-             (piece.noise + (away + size_b_) * weight_noise_ + 4 * unit * (size_p + away * most_w) +
-              64 * unit * (size_q + most_w * size_b_));
-    if (!(least_w_ > 0)) {
-        error = std::numeric_limits<double>::infinity();
-        return;
-    }
-    error = (bound_of(d) + noise_) / least_w_;
-    if (of.has_pole) // D is 0 there, up to rounding
-        for (int k = 0; k <= d.m; ++k)
-            d.at(0, k) = vector(0.0);
-    find_normal_error(of, w, b, d);
-}
+    return right;
+}();
 
-/// Where the edge v = 0 is a point, B_u, D and E_u have a factor v. Dividing by v keeps the
-/// direction of normals.
-void bounds::find_normal_error(const turned& of, const net<double>& w, const net<vector>& b,
-                               const net<vector>& d) {
-    net<vector> bu = b.by_u();
-    if (of.has_pole) {
-        for (int k = 0; k <= bu.m; ++k)
-            bu.at(0, k) = vector(0.0);
-        bu = bu.over_v();
-    }
-    const net<vector> bv = b.by_v();
-    const net<vector> normals =
-        product<vector>(bu, bv, [](const vector& along_u, const vector& along_v) {
-            return l3d_cross(along_u, along_v);
-        });
-    vector mean(0.0);
-    for (const vector& n : normals.c)
-        mean += n;
-    const double length = l3d_length(mean);
-    if (!(length > 0))
-        return;
-    const vector axis = mean / length;
-    double least = length, across = 0;
-    for (const vector& n : normals.c) {
-        const double along = l3d_dot(n, axis);
-        least = std::min(least, along);
-        across = std::max(across, l3d_length(n - axis * along));
-    }
-    const double size_u = bound_of(bu), size_v = bound_of(bv);
-    least -= 64 * unit * (size_u + size_b_) * (size_v + size_b_); // rounding
-    const double factor = of.has_pole ? d.n : 1;
-    const double wu = bound_of(w.by_u()) + 2 * w.m * weight_noise_;
-    const double wv = bound_of(w.by_v()) + 2 * w.n * weight_noise_;
-    // Bounds of the u and v derivatives of the error E = D / w, or of its component along an axis.
-    const auto slopes = [&](const auto& of_u, const auto& of_v) {
-        const double e_u = (bound_of(of_u) + factor * noise_) / least_w_;
-        const double e_v = (bound_of(of_v) + noise_) / least_w_;
-        return std::array{(bound_of(of_u.by_u()) + 2 * d.m * factor * noise_ + e_u * wu) / least_w_,
-                          (bound_of(of_v.by_v()) + 2 * d.n * noise_ + e_v * wv) / least_w_};
+/// The values of a polynomial at the nodes of both directions, u fastest. Source: de Casteljau.
+template <class V>
+std::array<V, quintic_order * quintic_order> at_quintic_nodes(const net<V>& of) {
+    const auto collapsed = [](std::vector<V> p, double t) {
+        for (std::size_t left = p.size() - 1; left > 0; --left)
+            for (std::size_t i = 0; i < left; ++i)
+                p[i] = p[i] * (1 - t) + p[i + 1] * t;
+        return p[0];
     };
-    const net<vector> of_u = of.has_pole ? d.over_v() : d;
-    const auto [du, dv] = slopes(of_u, d);
-    const auto [up_u, up_v] = slopes(along_axis(of_u, axis), along_axis(d, axis));
-    const double off = size_u * dv + du * size_v + du * dv;
-    if (!(least > 0 && off < least))
-        return;
-    const double turn = (across + 64 * unit * size_u * size_v) / least;
-    const double tilt = size_u * (up_v + turn * dv) + size_v * (up_u + turn * du) + du * dv;
-    const double angle = std::min(std::asin(off / least), std::atan(tilt / (least - off)));
-    normal_error = 2 * std::sin(angle / 2) * (1 + 8 * unit);
+    std::array<V, quintic_order * quintic_order> result{};
+    for (std::size_t column = 0; column < quintic_order; ++column) {
+        std::vector<V> rows;
+        for (auto row = of.c.begin(); row != of.c.end(); row += of.m + 1)
+            rows.push_back(
+                collapsed(std::vector<V>(row, row + of.m + 1), quintic_nodes[column]));
+        for (std::size_t row = 0; row < quintic_order; ++row)
+            result[quintic_order * row + column] = collapsed(rows, quintic_nodes[row]);
+    }
+    return result;
 }
+
+/// The quintic in both directions through these values.
+l3d_normal_polynomial through(const std::array<vector, quintic_order * quintic_order>& values) {
+    l3d_normal_polynomial along_u, result;
+    for (std::size_t i = 0; i < quintic_order; ++i)
+        for (std::size_t k = 0; k < quintic_order; ++k)
+            for (std::size_t j = 0; j < quintic_order; ++j)
+                along_u.points[quintic_order * i + k] +=
+                    values[quintic_order * i + j] * by_values[k][j];
+    for (std::size_t i = 0; i < quintic_order; ++i)
+        for (std::size_t k = 0; k < quintic_order; ++k)
+            for (std::size_t j = 0; j < quintic_order; ++j)
+                result.points[quintic_order * k + i] +=
+                    along_u.points[quintic_order * j + i] * by_values[k][j];
+    return result;
+}
+
+/// A polynomial in the direction of the piece's normals, where these are not 0: W^3 S_u x S_v.
+/// An edge v = 0 that is a point leaves a factor v, by which it is divided.
+struct exact_normals {
+    net<vector> of{0, 0};
+    double noise = 0; ///< bound of the rounding of coefficients
+
+    exact_normals(const centred_piece& piece, bool has_pole) {
+        const net<vector> pu = piece.p.by_u(), pv = piece.p.by_v();
+        const net<double> wu = piece.w.by_u(), wv = piece.w.by_v();
+        const auto times = [](double a, const vector& b) { return b * a; };
+        of = product<vector>(piece.w, product<vector>(pu, pv, cross), times);
+        const net<vector> by_wv = product<vector>(wv, product<vector>(pu, piece.p, cross), times);
+        const net<vector> by_wu = product<vector>(wu, product<vector>(piece.p, pv, cross), times);
+        for (std::size_t i = 0; i < of.c.size(); ++i)
+            of.c[i] = of.c[i] - by_wv.c[i] - by_wu.c[i];
+        // Three factors, each with its own rounding.
+        struct factor {
+            double size, noise;
+        };
+        const auto product_noise = [](const factor& a, const factor& b, const factor& c) {
+            return (a.size + a.noise) * (b.size + b.noise) * (c.size + c.noise) * (1 + sums_rounding) -
+                   a.size * b.size * c.size;
+        };
+        const factor p{bound_of(piece.p), piece.noise}, w{bound_of(piece.w), piece.weight_noise};
+        const double m = 2 * piece.p.m, n = 2 * piece.p.n;
+        const factor du{bound_of(pu), m * p.noise}, dv{bound_of(pv), n * p.noise};
+        const factor dwu{bound_of(wu), m * w.noise}, dwv{bound_of(wv), n * w.noise};
+        noise = product_noise(w, du, dv) + product_noise(dwv, du, p) + product_noise(dwu, p, dv);
+        if (!has_pole)
+            return;
+        noise *= of.n;
+        of = of.over_v();
+    }
+};
 
 } // namespace
 
@@ -358,11 +438,55 @@ std::pair<l3d_rational_piece, l3d_rational_piece> l3d_rational_piece::halves(boo
     return result;
 }
 
-l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& piece) {
-    for (const bool from_top : {false, true})
-        for (const bool from_right : {false, true})
-            fill_corner({piece, from_right, from_top}, patch);
-    const bounds found(turned(piece, patch));
-    error = found.error;
-    normal_error = found.normal_error;
+l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& piece)
+    : patch(interpolated(piece)), error(std::numeric_limits<double>::infinity()) {
+    const vector centre = patch.points[0];
+    const centred_piece of(piece, centre);
+    const double least_w = std::ranges::min(of.w.c) - of.weight_noise;
+    if (!(least_w > 0))
+        return;
+    net<point> p(of.w.m, of.w.n);
+    for (std::size_t i = 0; i < p.c.size(); ++i)
+        p.c[i] = point(of.p.c[i], of.w.c[i]);
+    net<vector> b(3, 3);
+    for (std::size_t i = 0; i < b.c.size(); ++i)
+        b.c[i] = patch.points[i] - centre;
+    const net<vector> d = product<vector>(
+        p, b, [](const point& q, const vector& by) { return place_of(q) - by * q[3]; });
+    const double size_b = bound_of(b);
+    const double rounding = 128 * unit * (bound_of(of.p) + bound_of(of.w) * size_b);
+    constexpr int halvings = 4; // 16 parts
+    error = (bound_of_parts(d, halvings) + of.noise + size_b * of.weight_noise + rounding) / least_w;
+}
+
+/// N is the quintic and T the exact polynomial. The tangent of their angle is |N x T| / N.T.
+l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& piece)
+    : error(std::numeric_limits<double>::infinity()) {
+    const turned of(piece);
+    const centred_piece centred(of.piece, of.corner());
+    const exact_normals exact(centred, of.has_pole);
+    if (!(bound_of(exact.of) > exact.noise))
+        return;
+    auto values = at_quintic_nodes(exact.of);
+    const auto weights = at_quintic_nodes(centred.w);
+    constexpr double least_weight = 0x1p-100; // whose third power a double still has
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double w = std::max(weights[i], least_weight);
+        values[i] /= w * w * w;
+    }
+    net = l3d_normal_net(turned::right(through(values), 4 - of.turns));
+    ::net<vector> drawn(quintic_order - 1, quintic_order - 1);
+    std::ranges::copy(turned::right(net.polynomial(), of.turns).points, drawn.c.begin());
+    const ::net<point> products =
+        product<point>(drawn, exact.of, [](const vector& n, const vector& t) {
+            return point(l3d_cross(n, t), l3d_dot(n, t));
+        });
+    double across = 0, along = std::numeric_limits<double>::infinity();
+    for (const point& p : products.c) {
+        across = std::max(across, l3d_length(place_of(p)));
+        along = std::min(along, p[3]);
+    }
+    const double off = bound_of(drawn) * (exact.noise + sums_rounding * bound_of(exact.of));
+    if (along > off)
+        error = 2 * std::sin(std::atan((across + off) / (along - off)) / 2) * (1 + 8 * unit);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// l3d_bicubic_approximation: a bicubic patch in the place of a rational one of any degree.
+// l3d_bicubic_approximation, l3d_normal_approximation: a bicubic patch and its normals in the place
+// of a rational patch of any degree.
 #ifndef L3D_GEOM_BICUBIC_APPROXIMATION_H
 #define L3D_GEOM_BICUBIC_APPROXIMATION_H
 
 #include "geom/bezier_patch.h"
 #include "geom/files/patch_file.h"
+#include "geom/normal_net.h"
 
 #include <cstddef>
 #include <utility>
@@ -35,8 +37,8 @@ struct l3d_rational_piece {
     std::pair<l3d_rational_piece, l3d_rational_piece> halves(bool along_u) const;
 };
 
-/// A bicubic patch in the place of a rational piece, with bounds of its error (docs/NUMERICS.md,
-/// section 25). At the corners it has the piece's points, first derivatives and mixed derivatives.
+/// A bicubic patch in the place of a rational piece, with a bound of its error (docs/NUMERICS.md,
+/// section 25). It has the piece's points at 4 by 4 places, the corners among them.
 ///
 /// A boundary of the patch depends on the same boundary of the piece alone. It is the same bit for
 /// bit whichever way the piece runs along it.
@@ -45,11 +47,19 @@ struct l3d_bicubic_approximation {
     /// Bound of the distance between points of the patch and of the piece at the same parameters.
     /// Units: those of the points.
     double error = 0;
-    /// Bound of the distance between unit normals at the same parameters; infinite if there is
-    /// none.
-    double normal_error = 0;
 
     explicit l3d_bicubic_approximation(const l3d_rational_piece& piece);
+};
+
+/// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of its error. It
+/// has the piece's normals at 6 by 6 places, the corners among them.
+struct l3d_normal_approximation {
+    l3d_normal_net net;
+    /// Bound of the distance between unit normals at the same parameters; infinite if there is
+    /// none.
+    double error = 0;
+
+    explicit l3d_normal_approximation(const l3d_rational_piece& piece);
 };
 
 #endif

@@ -258,7 +258,7 @@ void l3d_surface_rasterizer_sw::draw_band(int index, std::size_t worker) {
 void l3d_surface_rasterizer_sw::finish_band(int index, const fill_band& band) {
     coarse_depth& coarse = work_->coarse;
     const bool wanted = depth_ && depth_ != &work_->kept_depth;
-    if (!drawn_ && wanted && part_.empty())
+    if (!drawn_ && wanted && part_.empty() && leaves_depth())
         coarse.open_others(band);
     if (wanted)
         coarse.refresh(band); // several threads may ask `hidden`, so it updates nothing itself

@@ -48,6 +48,7 @@ constexpr double share_of_cells = 0.25;
 /// A cell of a piece.
 struct cell {
     patch of;
+    l3d_normal_net normals;
     l3d_parameter_range range;
     double error, allowed; ///< errors of places
 };
@@ -146,33 +147,46 @@ struct verdict {
     bool cut_u = false, cut_v = false;
 };
 
-/// Judges a cell. If it is off, its halves tell which way it is to be cut.
-/// Shape: found(part) is what stands for a part.
-template <class Found>
-verdict judged(const ranged_part& cell, double allowed, double allowed_normal, const Found& found) {
+/// The part of a piece, by the halvings of for_each_cell in their order.
+l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_range& at) {
+    ranged_part result{l3d_rational_piece(piece)};
+    for (const bool along_u : {true, false}) {
+        const auto size = [along_u](const l3d_parameter_range& of) {
+            return along_u ? of.u1 - of.u0 : of.v1 - of.v0;
+        };
+        while (size(result.range) > size(at)) {
+            const l3d_parameter_range first = result.range.half(along_u, false);
+            result = result.half(along_u, along_u ? at.u0 >= first.u1 : at.v0 >= first.v1);
+        }
+    }
+    return result.part;
+}
+
+/// Judges a cell of a piece. If it is off, its halves tell which way it is to be cut.
+verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_parameter_range& at,
+               double allowed, double allowed_normal, l3d_found_cells& found) {
     // Where normals have no bound, as at a cusp, cutting may never give one. Lines are cut for one
     // only if 16 by 16 parts of the cell all have one.
     constexpr int most_without_bound = 4;
     // Rounding, or a cusp, is reached where halving no longer gains a tenth.
     constexpr double gain = 0.9;
-    const l3d_bicubic_approximation& by = found(cell);
-    verdict result{by.error};
-    const bool is_off = by.error > allowed;
-    const double now = is_off ? by.error : by.normal_error;
+    const auto error_of = [&](const l3d_parameter_range& of, bool of_places) {
+        const auto make = [&] { return part_of(piece, of); };
+        return of_places ? found.patch(index, of, make).error : found.normals(index, of, make).error;
+    };
+    verdict result{error_of(at, true)};
+    const bool is_off = result.error > allowed;
+    const double now = error_of(at, is_off);
     if (!is_off && !(now > allowed_normal))
         return result;
     const auto left_by = [&](int m, int n) {
+        const double u = std::ldexp(at.u1 - at.u0, -m), v = std::ldexp(at.v1 - at.v0, -n);
         double most = 0;
-        for_each_cell(
-            cell,
-            [&](bool along_u, double from, double to) {
-                return to - from > (along_u ? std::ldexp(cell.range.u1 - cell.range.u0, -m)
-                                            : std::ldexp(cell.range.v1 - cell.range.v0, -n));
-            },
-            [](const l3d_rational_piece&) { return false; },
-            [&](const ranged_part& of) {
-                most = std::max(most, is_off ? found(of).error : found(of).normal_error);
-            });
+        for (int i = 0; i < 1 << n; ++i)
+            for (int k = 0; k < 1 << m; ++k)
+                most = std::max(most, error_of({at.u0 + k * u, at.u0 + (k + 1) * u, at.v0 + i * v,
+                                                at.v0 + (i + 1) * v},
+                                               is_off));
         return most;
     };
     const double by_u = left_by(1, 0), by_v = left_by(0, 1);
@@ -292,7 +306,7 @@ void l3d_curved_pieces::unite_common_boundaries() {
 }
 
 double l3d_curved_pieces::place_target(int level) const {
-    return std::ldexp(l3d_length(most_ - least_), -10 - 2 * level);
+    return std::ldexp(l3d_length(most_ - least_), -10 - level);
 }
 
 double l3d_curved_pieces::normal_target(int level) {
@@ -363,11 +377,8 @@ l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted,
             const l3d_parameter_range& at = of.range;
             const auto [place, is_new] = known.try_emplace(l3d_cell_key(i, at));
             if (is_new)
-                place->second =
-                    judged(of, of_cells * wanted.allowed(of.part.points), wanted.normals_of(at),
-                           [&](const ranged_part& part) -> const l3d_bicubic_approximation& {
-                               return found.of(i, part.range, part.part);
-                           });
+                place->second = judged(i, pieces_[i], at, of_cells * wanted.allowed(of.part.points),
+                                       wanted.normals_of(at), found);
             const verdict& v = place->second;
             ++result.count;
             result.error = std::max(result.error, v.error);
@@ -417,13 +428,17 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_w
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         all.clear();
         visit_cells(i, by, wanted, [&](const ranged_part& of) {
-            const l3d_bicubic_approximation& one = found.of(i, of.range, of.part);
-            all.push_back({one.patch, of.range, one.error, wanted.allowed(of.part.points)});
-            result.normal_error = std::max(result.normal_error, one.normal_error);
+            const auto make = [&]() -> const l3d_rational_piece& { return of.part; };
+            const l3d_bicubic_approximation& one = found.patch(i, of.range, make);
+            const l3d_normal_approximation& normals = found.normals(i, of.range, make);
+            all.push_back({one.patch, normals.net, of.range, one.error,
+                           wanted.allowed(of.part.points)});
+            result.normal_error = std::max(result.normal_error, normals.error);
         });
         l3d_flatness of_trims;
         const auto add = [&](const cell& one, l3d_trim_region region) {
             result.patches.push_back(one.of);
+            result.normals.push_back(one.normals);
             result.ranges.push_back(one.range);
             result.pieces.push_back(static_cast<std::uint32_t>(i));
             result.errors.push_back(one.error + of_trims.off);

@@ -46,25 +46,43 @@ inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter
 template <class T>
 using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
 
-/// The bicubic patches that stand for cells, kept from one search to the next.
+/// The bicubic patches and the normals that stand for cells, kept from one search to the next.
 class l3d_found_cells {
 public:
-    /// The patch for a part of a piece. Lives: until forget_if_many().
-    const l3d_bicubic_approximation& of(std::size_t piece, const l3d_parameter_range& at,
-                                        const l3d_rational_piece& part) {
-        const auto [place, is_new] = kept_.try_emplace(l3d_cell_key(piece, at));
-        if (is_new)
-            place->second.emplace(part);
-        return *place->second;
+    /// The patch for a part of a piece, which make() makes if nothing is known of it.
+    /// Expects: parts are the same bit for bit whenever they are made.
+    /// Lives:   until forget_if_many().
+    template <class Make>
+    const l3d_bicubic_approximation& patch(std::size_t piece, const l3d_parameter_range& at,
+                                           const Make& make) {
+        return of(patches_, piece, at, make);
     }
-    /// Forgets all if they are more than 2^15, which take some 15 MB.
+    /// Its normals, which take longer to find. Expects, Lives: as patch().
+    template <class Make>
+    const l3d_normal_approximation& normals(std::size_t piece, const l3d_parameter_range& at,
+                                            const Make& make) {
+        return of(normals_, piece, at, make);
+    }
+    /// Forgets all if they are more than 2^15, which take some 50 MB.
     void forget_if_many() {
-        if (kept_.size() > std::size_t{1} << 15)
-            kept_.clear();
+        if (patches_.size() > std::size_t{1} << 15) {
+            patches_.clear();
+            normals_.clear();
+        }
     }
 
 private:
-    l3d_by_cell<std::optional<l3d_bicubic_approximation>> kept_;
+    template <class T, class Make>
+    static const T& of(l3d_by_cell<std::optional<T>>& kept, std::size_t piece,
+                       const l3d_parameter_range& at, const Make& make) {
+        const auto [place, is_new] = kept.try_emplace(l3d_cell_key(piece, at));
+        if (is_new)
+            place->second.emplace(make());
+        return *place->second;
+    }
+
+    l3d_by_cell<std::optional<l3d_bicubic_approximation>> patches_;
+    l3d_by_cell<std::optional<l3d_normal_approximation>> normals_;
 };
 
 /// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
@@ -95,9 +113,9 @@ public:
     /// Levels of places and of normals are from 0 to this. The finest level of places asks for
     /// errors of 2^-42 of the box's diagonal; rounding of doubles would leave little of a finer
     /// one.
-    static constexpr int most_level = 16;
+    static constexpr int most_level = 32;
     /// The bound of errors of places that a level asks for. Cells keep it if there are no more than
-    /// most_cells. Each level asks for a quarter of the bound before, which takes twice the cells.
+    /// most_cells. Two levels more ask for a quarter of the bound, which takes twice the cells.
     double place_target(int level) const;
     /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
     /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are not halved for it more
@@ -110,6 +128,7 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
+        std::vector<l3d_normal_net> normals;     ///< the piece's, for each patch
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
         /// The region of each patch, from 0 to 1, that is there; empty where all of it is.

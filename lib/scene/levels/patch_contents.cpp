@@ -43,29 +43,33 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 /// Boxes grow by what edges are off that a patch follows.
 void l3d_patch_model::contents::learn(const contents* like,
                                       std::span<const std::size_t> places_in_like) {
+    const bool has_normals = !normals.empty(); // those of pieces, not of patches
     normals.reserve(patches.size());
     for (const patch& p : patches) {
-        const std::size_t index = normals.size();
+        const std::size_t index = facing.size();
         const std::size_t i = places_in_like.empty() ? index : places_in_like[index];
-        if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points) {
-            normals.push_back(like->normals[i]);
+        if (like != nullptr && i < like->patches.size() && like->patches[i].points == p.points &&
+            (!has_normals ||
+             like->normals[i].polynomial().points == normals[index].polynomial().points)) {
+            if (!has_normals)
+                normals.push_back(like->normals[i]);
             facing.push_back(like->facing[i]);
             bends.push_back(like->bends[i]);
         } else {
-            normals.emplace_back(p);
-            facing.emplace_back(p, normals.back());
+            if (!has_normals)
+                normals.emplace_back(p);
+            facing.emplace_back(p, has_normals ? l3d_normal_net(p) : normals.back());
             bends.push_back(std::make_shared<bends_on_demand>());
         }
         reaches.push_back(reach_of(p));
         auto [lowest, highest] = p.bounds();
-        if (const std::size_t last = normals.size() - 1;
-            last < edges_off.size() && edges_off[last] > 0)
+        if (index < edges_off.size() && edges_off[index] > 0)
             for (int k = 0; k < 3; ++k) {
-                lowest[k] -= edges_off[last];
-                highest[k] += edges_off[last];
+                lowest[k] -= edges_off[index];
+                highest[k] += edges_off[index];
             }
         boxes.add(upright_box(lowest, highest));
-        if (normals.size() == 1) {
+        if (index == 0) {
             least = lowest;
             most = highest;
         }
@@ -90,8 +94,9 @@ l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
 }
 
 l3d_patch_model::contents::contents(l3d_curved_pieces::cells of, const contents* like)
-    : patches(std::move(of.patches)), pieces(std::move(of.pieces)), ranges(std::move(of.ranges)),
-      trims(std::move(of.trims)), edges_off(std::move(of.edges_off)) {
+    : patches(std::move(of.patches)), normals(std::move(of.normals)), pieces(std::move(of.pieces)),
+      ranges(std::move(of.ranges)), trims(std::move(of.trims)),
+      edges_off(std::move(of.edges_off)) {
     constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places_in_like;
     if (like != nullptr) {
@@ -120,8 +125,8 @@ const l3d_curved_pieces::cuts& l3d_patch_model::source::cuts_at(int places, int 
     const l3d_curved_pieces::cuts& from = places > 0    ? cuts_at(places - 1, normals)
                                           : normals > 0 ? cuts_at(0, normals - 1)
                                                         : none;
-    l3d_found_cells found;
-    return cuts_[{places, normals}] = pieces.cuts_for(wish(places, normals), from, found);
+    found_.forget_if_many();
+    return cuts_[{places, normals}] = pieces.cuts_for(wish(places, normals), from, found_);
 }
 
 std::shared_ptr<const l3d_patch_model::contents>
@@ -137,9 +142,8 @@ l3d_patch_model::source::at_level(int places, int normals) const {
         if (same)
             return kept = same;
         const auto like = like_.find({places, normals});
-        l3d_found_cells found;
         kept = same =
-            std::make_shared<const contents>(pieces.cut(by, wish(places, normals), found),
+            std::make_shared<const contents>(pieces.cut(by, wish(places, normals), found_),
                                              like == like_.end() ? nullptr : like->second.get());
     }
     return kept;

@@ -108,7 +108,7 @@ private:
     /// Levels with the same cuts are one.
     mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
     mutable kept_levels levels_;
-    mutable l3d_found_cells found_; ///< for the wishes of seen_
+    mutable l3d_found_cells found_;
     /// By wishes with regions; the one that was asked for last comes first.
     mutable std::list<std::pair<l3d_cell_wish, std::shared_ptr<const contents>>> seen_;
     const kept_levels like_;
