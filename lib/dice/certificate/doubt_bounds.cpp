@@ -226,6 +226,7 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     b.may_be_missing = of.one_sided && b.facing * of.back >= 0;
     b.w_margin = w_margin_of(view, facing, b.w.most);
     const linear_picture picture(piece.net, w.least, w.most);
+    b.point_off = pad;
     b.picture_off = picture.off + pad;
     b.at_x = picture.x.middle + x;
     b.at_y = picture.y.middle + y;

@@ -131,6 +131,7 @@ struct l3d_doubt_bounds {
     std::array<double, 4> parameters{};
     double u_off = 0, v_off = 0; ///< largest error of the parameters; infinite: not known
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
+    double point_off = 0; ///< the part of that by which points err, however small the piece is
 
     /// Whether the piece may reach into a box.
     bool touches(const l3d_image_box& other) const;

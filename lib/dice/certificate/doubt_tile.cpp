@@ -152,7 +152,7 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
     const double size = std::max(b.box.width(), b.box.height());
     return size <= of_cell || (size <= largest_plain && b.facing != 0 && !b.may_end &&
                                b.level.off <= std::ldexp(plain_levels, fineness_) &&
-                               b.picture_off <= plain_part * of_cell);
+                               b.picture_off <= std::max(plain_part * of_cell, 2 * b.point_off));
 }
 
 /// Whether a piece that reaches past the eye lies outside the tile. Most of such a piece is far
