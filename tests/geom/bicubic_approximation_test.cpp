@@ -32,8 +32,9 @@ struct measured {
                 const oracle::place_3 n_drawn{n[0], n[1], n[2]};
                 // At a pole, long double has nothing but rounding.
                 if (oracle::length(exact.by_u) * h > 1e-12L * (1 + oracle::length(exact.place)))
-                    normal_error = std::max(normal_error, oracle::distance(oracle::unit(exact.normal()),
-                                                                           oracle::unit(n_drawn)));
+                    normal_error =
+                        std::max(normal_error, oracle::distance(oracle::unit(exact.normal()),
+                                                                oracle::unit(n_drawn)));
             }
     }
 };
@@ -112,7 +113,10 @@ TEST(bicubic_approximation, keeps_its_bounds_for_weights_and_places_of_any_size)
         if (!std::isfinite(by.error))
             continue;
         ++finite;
-        ASSERT_LE(measured(patch, by, l3d_normal_approximation(of.piece), of.a, of.b, of.h, 6).error, by.error) << trial;
+        ASSERT_LE(
+            measured(patch, by, l3d_normal_approximation(of.piece), of.a, of.b, of.h, 6).error,
+            by.error)
+            << trial;
     }
     EXPECT_GT(finite, 200);
 }

@@ -153,9 +153,9 @@ vector cross(const vector& a, const vector& b) {
     return l3d_cross(a, b);
 }
 
-/// The places, in both directions of a patch, that it shares with its piece. With the zeros
-/// of Chebyshev's polynomial T4, stretched until the outer ones are 0 and 1, the quartic part of the
-/// piece is off by the least that a cubic with the same ends can be: 0.17 of Hermite's.
+/// The places, in both directions of a patch, that it shares with its piece, beside the ends: zeros
+/// of Chebyshev's polynomial T4, stretched until the outer ones are 0 and 1. No cubic with the same
+/// ends is closer to a quartic. It is off by 0.17 of what Hermite's cubic is.
 constexpr double nearer_node = 1 - std::numbers::sqrt2 / 2, farther_node = std::numbers::sqrt2 / 2;
 
 /// The value at a node of a polynomial of this degree; point(i) is its control point i.
@@ -177,13 +177,15 @@ template <class Point> point at_node(int degree, std::size_t node, const Point& 
 
 /// The second control point of the cubic through values at the nodes. From the other end it is the
 /// third one. Expects: the values in the order of nodes.
-vector second_point(const vector& at_0, const vector& at_a, const vector& at_b, const vector& at_1) {
+vector second_point(const vector& at_0, const vector& at_a, const vector& at_b,
+                    const vector& at_1) {
     constexpr double a = nearer_node, b = farther_node;
     constexpr double near = 3 * a * b * b, far = 3 * a * a * b; // B1 and B2 at a, B2 and B1 at b
     constexpr double of_a = near / (near * near - far * far);
     constexpr double of_b = far / (near * near - far * far);
     const vector end = at_1 - at_0;
-    return at_0 + (at_a - at_0 - end * (a * a * a)) * of_a - (at_b - at_0 - end * (b * b * b)) * of_b;
+    return at_0 + (at_a - at_0 - end * (a * a * a)) * of_a -
+           (at_b - at_0 - end * (b * b * b)) * of_b;
 }
 
 bicubic interpolated(const l3d_rational_piece& piece) {
@@ -289,7 +291,8 @@ struct turned {
 /// stretched as those of T4 above. The inverse gives control vectors by values.
 constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
 using quintic_matrix = std::array<std::array<double, quintic_order>, quintic_order>;
-constexpr double outer_node = 1 - std::numbers::sqrt3 / 2, inner_node = (std::numbers::sqrt3 - 1) / 2;
+constexpr double outer_node = 1 - std::numbers::sqrt3 / 2,
+                 inner_node = (std::numbers::sqrt3 - 1) / 2;
 constexpr std::array<double, quintic_order> quintic_nodes{
     0, outer_node, inner_node, 1 - inner_node, 1 - outer_node, 1};
 constexpr quintic_matrix by_values = [] {
@@ -322,8 +325,7 @@ constexpr quintic_matrix by_values = [] {
 }();
 
 /// The values of a polynomial at the nodes of both directions, u fastest. Source: de Casteljau.
-template <class V>
-std::array<V, quintic_order * quintic_order> at_quintic_nodes(const net<V>& of) {
+template <class V> std::array<V, quintic_order * quintic_order> at_quintic_nodes(const net<V>& of) {
     const auto collapsed = [](std::vector<V> p, double t) {
         for (std::size_t left = p.size() - 1; left > 0; --left)
             for (std::size_t i = 0; i < left; ++i)
@@ -334,8 +336,7 @@ std::array<V, quintic_order * quintic_order> at_quintic_nodes(const net<V>& of) 
     for (std::size_t column = 0; column < quintic_order; ++column) {
         std::vector<V> rows;
         for (auto row = of.c.begin(); row != of.c.end(); row += of.m + 1)
-            rows.push_back(
-                collapsed(std::vector<V>(row, row + of.m + 1), quintic_nodes[column]));
+            rows.push_back(collapsed(std::vector<V>(row, row + of.m + 1), quintic_nodes[column]));
         for (std::size_t row = 0; row < quintic_order; ++row)
             result[quintic_order * row + column] = collapsed(rows, quintic_nodes[row]);
     }
@@ -378,7 +379,8 @@ struct exact_normals {
             double size, noise;
         };
         const auto product_noise = [](const factor& a, const factor& b, const factor& c) {
-            return (a.size + a.noise) * (b.size + b.noise) * (c.size + c.noise) * (1 + sums_rounding) -
+            return (a.size + a.noise) * (b.size + b.noise) * (c.size + c.noise) *
+                       (1 + sums_rounding) -
                    a.size * b.size * c.size;
         };
         const factor p{bound_of(piece.p), piece.noise}, w{bound_of(piece.w), piece.weight_noise};
@@ -456,7 +458,8 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
     const double size_b = bound_of(b);
     const double rounding = 128 * unit * (bound_of(of.p) + bound_of(of.w) * size_b);
     constexpr int halvings = 4; // 16 parts
-    error = (bound_of_parts(d, halvings) + of.noise + size_b * of.weight_noise + rounding) / least_w;
+    error =
+        (bound_of_parts(d, halvings) + of.noise + size_b * of.weight_noise + rounding) / least_w;
 }
 
 /// N is the quintic and T the exact polynomial. The tangent of their angle is |N x T| / N.T.

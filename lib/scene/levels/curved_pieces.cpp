@@ -172,7 +172,8 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     constexpr double gain = 0.9;
     const auto error_of = [&](const l3d_parameter_range& of, bool of_places) {
         const auto make = [&] { return part_of(piece, of); };
-        return of_places ? found.patch(index, of, make).error : found.normals(index, of, make).error;
+        return of_places ? found.patch(index, of, make).error
+                         : found.normals(index, of, make).error;
     };
     verdict result{error_of(at, true)};
     const bool is_off = result.error > allowed;
@@ -431,8 +432,8 @@ l3d_curved_pieces::cells l3d_curved_pieces::cut(const cuts& by, const l3d_cell_w
             const auto make = [&]() -> const l3d_rational_piece& { return of.part; };
             const l3d_bicubic_approximation& one = found.patch(i, of.range, make);
             const l3d_normal_approximation& normals = found.normals(i, of.range, make);
-            all.push_back({one.patch, normals.net, of.range, one.error,
-                           wanted.allowed(of.part.points)});
+            all.push_back(
+                {one.patch, normals.net, of.range, one.error, wanted.allowed(of.part.points)});
             result.normal_error = std::max(result.normal_error, normals.error);
         });
         l3d_flatness of_trims;

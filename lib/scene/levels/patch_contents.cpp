@@ -95,8 +95,7 @@ l3d_patch_model::contents::contents(std::vector<patch> of, const contents* like)
 
 l3d_patch_model::contents::contents(l3d_curved_pieces::cells of, const contents* like)
     : patches(std::move(of.patches)), normals(std::move(of.normals)), pieces(std::move(of.pieces)),
-      ranges(std::move(of.ranges)), trims(std::move(of.trims)),
-      edges_off(std::move(of.edges_off)) {
+      ranges(std::move(of.ranges)), trims(std::move(of.trims)), edges_off(std::move(of.edges_off)) {
     constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places_in_like;
     if (like != nullptr) {
