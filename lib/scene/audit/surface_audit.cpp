@@ -340,8 +340,10 @@ void divide(const l3d_trim_region& region, const l3d_trim_box& box, int depth,
 
 struct l3d_surface_audit::contents {
     contents(const l3d_patch_model& of, double tolerance) : model(of) {
+        // Patches as near as this are small, so that the search needs fewer cuts.
+        constexpr double share = 1.0 / 32;
         int level = 0;
-        while (level < of.most_level() && of.error_at_level(level, 0) > tolerance / 4)
+        while (level < of.most_level() && of.error_at_level(level, 0) > share * tolerance)
             ++level;
         model = of.at_level(level, 0);
         error = model.surface_error();
