@@ -287,76 +287,119 @@ struct turned {
     }
 };
 
-/// Bernstein's basis of degree 5 at the places that normals are taken from: the zeros of T6,
-/// stretched as those of T4 above. The inverse gives control vectors by values.
-constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
-using quintic_matrix = std::array<std::array<double, quintic_order>, quintic_order>;
-constexpr double outer_node = 1 - std::numbers::sqrt3 / 2,
-                 inner_node = (std::numbers::sqrt3 - 1) / 2;
-constexpr std::array<double, quintic_order> quintic_nodes{
-    0, outer_node, inner_node, 1 - inner_node, 1 - outer_node, 1};
-constexpr quintic_matrix by_values = [] {
-    quintic_matrix left{}, right{};
-    for (std::size_t i = 0; i < quintic_order; ++i) {
-        const double t = quintic_nodes[i];
-        for (std::size_t k = 0; k < quintic_order; ++k) {
-            left[i][k] = binomials[quintic_order - 1][k];
-            for (std::size_t n = 0; n + 1 < quintic_order; ++n)
-                left[i][k] *= n < k ? t : 1 - t;
+/// Values of a polynomial at Order by Order nodes, u fastest, or the control points of one.
+template <class V, std::size_t Order> using square = std::array<V, Order * Order>;
+
+/// Interpolation by polynomials at nodes from 0 to 1.
+template <std::size_t Order> struct interpolation {
+    std::array<double, Order> nodes;
+    std::array<std::array<double, Order>, Order> control_by_value{};
+
+    /// Inverts the matrix of Bernstein's basis at the nodes. Source: Gauss and Jordan; the diagonal
+    /// is largest.
+    constexpr explicit interpolation(const std::array<double, Order>& at) : nodes(at) {
+        auto left = control_by_value;
+        auto& right = control_by_value;
+        for (std::size_t i = 0; i < Order; ++i) {
+            for (std::size_t k = 0; k < Order; ++k) {
+                left[i][k] = binomials[Order - 1][k];
+                for (std::size_t n = 0; n + 1 < Order; ++n)
+                    left[i][k] *= n < k ? nodes[i] : 1 - nodes[i];
+            }
+            right[i][i] = 1;
         }
-        right[i][i] = 1;
-    }
-    // Gauss' and Jordan's elimination: the diagonal is largest.
-    for (std::size_t pivot = 0; pivot < quintic_order; ++pivot) {
-        const double by = 1 / left[pivot][pivot];
-        for (std::size_t k = 0; k < quintic_order; ++k) {
-            left[pivot][k] *= by;
-            right[pivot][k] *= by;
-        }
-        for (std::size_t i = 0; i < quintic_order; ++i) {
-            const double factor = i == pivot ? 0 : left[i][pivot];
-            for (std::size_t k = 0; k < quintic_order; ++k) {
-                left[i][k] -= factor * left[pivot][k];
-                right[i][k] -= factor * right[pivot][k];
+        for (std::size_t pivot = 0; pivot < Order; ++pivot) {
+            const double by = 1 / left[pivot][pivot];
+            for (std::size_t k = 0; k < Order; ++k) {
+                left[pivot][k] *= by;
+                right[pivot][k] *= by;
+            }
+            for (std::size_t i = 0; i < Order; ++i) {
+                const double factor = i == pivot ? 0 : left[i][pivot];
+                for (std::size_t k = 0; k < Order; ++k) {
+                    left[i][k] -= factor * left[pivot][k];
+                    right[i][k] -= factor * right[pivot][k];
+                }
             }
         }
     }
-    return right;
-}();
 
-/// The values of a polynomial at the nodes of both directions, u fastest. Source: de Casteljau.
-template <class V> std::array<V, quintic_order * quintic_order> at_quintic_nodes(const net<V>& of) {
-    const auto collapsed = [](std::vector<V> p, double t) {
-        for (std::size_t left = p.size() - 1; left > 0; --left)
-            for (std::size_t i = 0; i < left; ++i)
-                p[i] = p[i] * (1 - t) + p[i + 1] * t;
-        return p[0];
-    };
-    std::array<V, quintic_order * quintic_order> result{};
-    for (std::size_t column = 0; column < quintic_order; ++column) {
-        std::vector<V> rows;
-        for (auto row = of.c.begin(); row != of.c.end(); row += of.m + 1)
-            rows.push_back(collapsed(std::vector<V>(row, row + of.m + 1), quintic_nodes[column]));
-        for (std::size_t row = 0; row < quintic_order; ++row)
-            result[quintic_order * row + column] = collapsed(rows, quintic_nodes[row]);
+    /// Source: de Casteljau.
+    template <class V> square<V, Order> values_of(const net<V>& of) const {
+        const auto collapsed = [](std::vector<V> p, double t) {
+            for (std::size_t left = p.size() - 1; left > 0; --left)
+                for (std::size_t i = 0; i < left; ++i)
+                    p[i] = p[i] * (1 - t) + p[i + 1] * t;
+            return p[0];
+        };
+        square<V, Order> result{};
+        for (std::size_t column = 0; column < Order; ++column) {
+            std::vector<V> rows;
+            for (auto row = of.c.begin(); row != of.c.end(); row += of.m + 1)
+                rows.push_back(collapsed(std::vector<V>(row, row + of.m + 1), nodes[column]));
+            for (std::size_t row = 0; row < Order; ++row)
+                result[Order * row + column] = collapsed(rows, nodes[row]);
+        }
+        return result;
     }
-    return result;
-}
 
-/// The quintic in both directions through these values.
-l3d_normal_polynomial through(const std::array<vector, quintic_order * quintic_order>& values) {
-    l3d_normal_polynomial along_u, result;
-    for (std::size_t i = 0; i < quintic_order; ++i)
-        for (std::size_t k = 0; k < quintic_order; ++k)
-            for (std::size_t j = 0; j < quintic_order; ++j)
-                along_u.points[quintic_order * i + k] +=
-                    values[quintic_order * i + j] * by_values[k][j];
-    for (std::size_t i = 0; i < quintic_order; ++i)
-        for (std::size_t k = 0; k < quintic_order; ++k)
-            for (std::size_t j = 0; j < quintic_order; ++j)
-                result.points[quintic_order * k + i] +=
-                    along_u.points[quintic_order * j + i] * by_values[k][j];
-    return result;
+    /// The control points of the polynomial with these values.
+    template <class V> square<V, Order> through(const square<V, Order>& values) const {
+        square<V, Order> along_u{}, result{};
+        for (std::size_t i = 0; i < Order; ++i)
+            for (std::size_t k = 0; k < Order; ++k)
+                for (std::size_t j = 0; j < Order; ++j)
+                    along_u[Order * i + k] += values[Order * i + j] * control_by_value[k][j];
+        for (std::size_t i = 0; i < Order; ++i)
+            for (std::size_t k = 0; k < Order; ++k)
+                for (std::size_t j = 0; j < Order; ++j)
+                    result[Order * k + i] += along_u[Order * j + i] * control_by_value[k][j];
+        return result;
+    }
+};
+
+/// The places that normals are taken from: the zeros of T6, stretched as those of T4 above.
+constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
+constexpr double outer_node = 1 - std::numbers::sqrt3 / 2;
+constexpr double inner_node = (std::numbers::sqrt3 - 1) / 2;
+constexpr interpolation<quintic_order> quintic(
+    {0, outer_node, inner_node, 1 - inner_node, 1 - outer_node, 1});
+
+/// Normals of a piece of degree m take some m^4 operations. From degree 8 on they are those of a
+/// piece of degree 7, through places (1 - cos(k pi / 7)) / 2. What it is off counts as rounding.
+constexpr int most_exact_degree = 7;
+constexpr interpolation<most_exact_degree + 1> septic(
+    {0, 0.0495155660487904, 0.188255099070633, 0.388739533021843, 0.611260466978157,
+     0.811744900929367, 0.9504844339512096, 1});
+
+l3d_rational_piece reduced(l3d_rational_piece piece) {
+    const int m = std::max(piece.degree_u, most_exact_degree);
+    const int n = std::max(piece.degree_v, most_exact_degree);
+    if (m == most_exact_degree && n == most_exact_degree)
+        return piece;
+    // Both as polynomials of degree m by n.
+    const auto raised = [m, n](const net<point>& of) {
+        net<double> one(m - of.m, n - of.n);
+        std::ranges::fill(one.c, 1.0);
+        return product<point>(of, one, [](const point& p, double by) { return p * by; });
+    };
+    net<point> whole(piece.degree_u, piece.degree_v), low(most_exact_degree, most_exact_degree);
+    whole.c = piece.points;
+    std::ranges::copy(septic.through(septic.values_of(whole)), low.c.begin());
+    const net<point> exact = raised(whole), drawn = raised(low);
+    double size = 0, weight = 0, off = 0, weight_off = 0;
+    for (std::size_t i = 0; i < exact.c.size(); ++i) {
+        const point d = exact.c[i] - drawn.c[i];
+        size = std::max(size, largest(place_of(exact.c[i])));
+        weight = std::max(weight, exact.c[i][3]);
+        off = std::max(off, largest(place_of(d)));
+        weight_off = std::max(weight_off, std::abs(d[3]));
+    }
+    piece.degree_u = piece.degree_v = most_exact_degree;
+    piece.points = low.c;
+    piece.noise += off + sums_rounding * size;
+    piece.weight_noise += weight_off + sums_rounding * weight;
+    return piece;
 }
 
 /// A polynomial in the direction of the piece's normals, where these are not 0: W^3 S_u x S_v.
@@ -365,7 +408,8 @@ struct exact_normals {
     net<vector> of{0, 0};
     double noise = 0; ///< bound of the rounding of coefficients
 
-    exact_normals(const centred_piece& piece, bool has_pole) {
+    /// `m` and `n` are the degrees of what the piece's noise is part of.
+    exact_normals(const centred_piece& piece, int m, int n, bool has_pole) {
         const net<vector> pu = piece.p.by_u(), pv = piece.p.by_v();
         const net<double> wu = piece.w.by_u(), wv = piece.w.by_v();
         const auto times = [](double a, const vector& b) { return b * a; };
@@ -384,13 +428,14 @@ struct exact_normals {
                    a.size * b.size * c.size;
         };
         const factor p{bound_of(piece.p), piece.noise}, w{bound_of(piece.w), piece.weight_noise};
-        const double m = 2 * piece.p.m, n = 2 * piece.p.n;
-        const factor du{bound_of(pu), m * p.noise}, dv{bound_of(pv), n * p.noise};
-        const factor dwu{bound_of(wu), m * w.noise}, dwv{bound_of(wv), n * w.noise};
+        m = std::max(m, piece.p.m);
+        n = std::max(n, piece.p.n);
+        const factor du{bound_of(pu), 2 * m * p.noise}, dv{bound_of(pv), 2 * n * p.noise};
+        const factor dwu{bound_of(wu), 2 * m * w.noise}, dwv{bound_of(wv), 2 * n * w.noise};
         noise = product_noise(w, du, dv) + product_noise(dwv, du, p) + product_noise(dwu, p, dv);
         if (!has_pole)
             return;
-        noise *= of.n;
+        noise *= 2 * 3 * n; // what is left of the row v = 0 is noise, too
         of = of.over_v();
     }
 };
@@ -466,18 +511,19 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
 l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& piece)
     : error(std::numeric_limits<double>::infinity()) {
     const turned of(piece);
-    const centred_piece centred(of.piece, of.corner());
-    const exact_normals exact(centred, of.has_pole);
+    const centred_piece centred(reduced(of.piece), of.corner());
+    const exact_normals exact(centred, of.piece.degree_u, of.piece.degree_v, of.has_pole);
     if (!(bound_of(exact.of) > exact.noise))
         return;
-    auto values = at_quintic_nodes(exact.of);
-    const auto weights = at_quintic_nodes(centred.w);
+    auto values = quintic.values_of(exact.of);
+    const auto weights = quintic.values_of(centred.w);
     constexpr double least_weight = 0x1p-100; // whose third power a double still has
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double w = std::max(weights[i], least_weight);
         values[i] /= w * w * w;
     }
-    net = l3d_normal_net(turned::right(through(values), 4 - of.turns));
+    net = l3d_normal_net(
+        turned::right(l3d_normal_polynomial{quintic.through(values)}, 4 - of.turns));
     ::net<vector> drawn(quintic_order - 1, quintic_order - 1);
     std::ranges::copy(turned::right(net.polynomial(), of.turns).points, drawn.c.begin());
     const ::net<point> products =

@@ -180,14 +180,17 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     const double now = error_of(at, is_off);
     if (!is_off && !(now > allowed_normal))
         return result;
+    // Ends with the first part that gains too little.
     const auto left_by = [&](int m, int n) {
         const double u = std::ldexp(at.u1 - at.u0, -m), v = std::ldexp(at.v1 - at.v0, -n);
+        const auto part = [&](int i) -> l3d_parameter_range {
+            const int row = i >> m, column = i & ((1 << m) - 1);
+            return {at.u0 + column * u, at.u0 + (column + 1) * u, at.v0 + row * v,
+                    at.v0 + (row + 1) * v};
+        };
         double most = 0;
-        for (int i = 0; i < 1 << n; ++i)
-            for (int k = 0; k < 1 << m; ++k)
-                most = std::max(most, error_of({at.u0 + k * u, at.u0 + (k + 1) * u, at.v0 + i * v,
-                                                at.v0 + (i + 1) * v},
-                                               is_off));
+        for (int i = 0; i < 1 << (m + n) && most < gain * now; ++i)
+            most = std::max(most, error_of(part(i), is_off));
         return most;
     };
     const double by_u = left_by(1, 0), by_v = left_by(0, 1);
