@@ -257,6 +257,7 @@ void judge_views(const char* name, const shape& of, int views) {
         settings.tolerance = i % 2 == 0 ? 0.25 : 0.05;
         settings.depth = true;
         settings.threads = 1;
+        settings.most_samples = 1 << 20; // patches that reach far past the eye need many
         l3d_pipeline_afd pipeline(l3d_memory_canvas(rays.size), of.model, rays.camera, settings);
         pipeline.draw_event();
         most = std::max(most, pipeline.report().dice.bound_px / settings.tolerance);
