@@ -362,15 +362,15 @@ template <std::size_t Order> struct interpolation {
 constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
 constexpr double outer_node = 1 - std::numbers::sqrt3 / 2;
 constexpr double inner_node = (std::numbers::sqrt3 - 1) / 2;
-constexpr interpolation<quintic_order> quintic(
-    {0, outer_node, inner_node, 1 - inner_node, 1 - outer_node, 1});
+constexpr interpolation<quintic_order> quintic({0, outer_node, inner_node, 1 - inner_node,
+                                                1 - outer_node, 1});
 
 /// Normals of a piece of degree m take some m^4 operations. From degree 8 on they are those of a
-/// piece of degree 7, through places (1 - cos(k pi / 7)) / 2. What it is off counts as rounding.
+/// piece of degree 7, through places (1 - cos(k pi / 7)) / 2. Their difference counts as rounding.
 constexpr int most_exact_degree = 7;
-constexpr interpolation<most_exact_degree + 1> septic(
-    {0, 0.0495155660487904, 0.188255099070633, 0.388739533021843, 0.611260466978157,
-     0.811744900929367, 0.9504844339512096, 1});
+constexpr interpolation<most_exact_degree + 1> septic({0, 0.0495155660487904, 0.188255099070633,
+                                                       0.388739533021843, 0.611260466978157,
+                                                       0.811744900929367, 0.9504844339512096, 1});
 
 l3d_rational_piece reduced(l3d_rational_piece piece) {
     const int m = std::max(piece.degree_u, most_exact_degree);
@@ -435,7 +435,7 @@ struct exact_normals {
         noise = product_noise(w, du, dv) + product_noise(dwv, du, p) + product_noise(dwu, p, dv);
         if (!has_pole)
             return;
-        noise *= 2 * 3 * n; // what is left of the row v = 0 is noise, too
+        noise *= 2 * 3 * n; // the row v = 0 is noise, too
         of = of.over_v();
     }
 };
@@ -522,8 +522,8 @@ l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& pie
         const double w = std::max(weights[i], least_weight);
         values[i] /= w * w * w;
     }
-    net = l3d_normal_net(
-        turned::right(l3d_normal_polynomial{quintic.through(values)}, 4 - of.turns));
+    net =
+        l3d_normal_net(turned::right(l3d_normal_polynomial{quintic.through(values)}, 4 - of.turns));
     ::net<vector> drawn(quintic_order - 1, quintic_order - 1);
     std::ranges::copy(turned::right(net.polynomial(), of.turns).points, drawn.c.begin());
     const ::net<point> products =
