@@ -344,8 +344,8 @@ TEST(pipeline_afd, draws_what_the_slow_twins_draw) {
                     static_cast<int>(view.name.size()), view.name.data(), covered, outline,
                     far_off);
         EXPECT_LE(outline, 20 + covered / 2000) << view.name;
-        // The slow one interpolates normals, the fast one levels.
-        EXPECT_LE(far_off, 30 + covered / 100) << view.name;
+        // The slow one interpolates normals, the fast one levels, which may be two levels off.
+        EXPECT_LE(far_off, 30 + covered / 80) << view.name;
     }
 }
 

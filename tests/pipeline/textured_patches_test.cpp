@@ -199,7 +199,7 @@ TEST(textured_patches, show_one_picture_on_all_patches_that_stand_for_a_piece) {
     l3d_camera camera;
     camera.eye = {1.6, 1.2, 3.6};
     const l3d_patch_model model = sphere();
-    EXPECT_GT(model.at_level(1, 1).patches().size(), model.patches().size());
+    EXPECT_GT(model.at_level(8, 8).patches().size(), model.patches().size());
     l3d_afd_settings settings = by_levels();
     const auto coarse = drawn(scene_of(model, places()), settings, camera);
     settings.tolerance = 0.02;
