@@ -14,19 +14,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ints = hn::CappedTag<std::int32_t, 16>;
-using floats = hn::RebindToFloat<ints>;
-using int_vec = hn::Vec<ints>;
-using float_vec = hn::Vec<floats>;
 
 /// The rounding of a product of differences, relative to it. The product of two is rounded, and
 /// each difference if it exceeds 2^24.
@@ -62,7 +56,7 @@ template <class Visit>
 HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& visit) {
     const ints d;
     const std::size_t above = grid.index(row, 0), below = grid.index(row + 1, 0);
-    const auto quads = static_cast<std::size_t>(grid.columns - 1), lanes = hn::Lanes(d);
+    const auto quads = static_cast<std::size_t>(grid.columns - 1);
     // Behind the last row there may be no more numbers, so the last vector of a row overlaps the
     // one before. A row of fewer quads is copied.
     const auto corner = [&](const auto& of, std::size_t at) HWY_ATTR {
@@ -86,9 +80,7 @@ HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& vis
         turns.take(cd, bd);
         const auto zero = hn::Zero(floats());
         const auto both = hn::And(hn::Lt(turns.least, zero), hn::Gt(turns.most, zero));
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(floats(), both, bytes);
-        for (unsigned bits = bytes[0] | static_cast<unsigned>(bytes[1]) << 8; bits != 0;
+        for (std::uint64_t bits = bits_of(hn::RebindMask(ints(), both)); bits != 0;
              bits &= bits - 1)
             visit(i + static_cast<std::size_t>(std::countr_zero(bits)));
     }

@@ -30,7 +30,7 @@ public:
     /// order.
     const std::array<std::vector<stretch>, 4>& sides() const { return sides_; }
 
-    /// A side of a triangle, which is on its left if u runs to the right and v upwards.
+    /// A side of a triangle. If u runs to the right and v upwards, the triangle is on its left.
     struct border_side {
         l3d_trim_place from, to;
         std::size_t triangle;
@@ -52,7 +52,8 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid with at most two corners below and two above, which are equal where it is one.
+    /// A trapezoid. It has two corners below and two above; two corners of a side that is a point
+    /// are equal.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< left and right
         std::array<l3d_trim_use, 2> use;         ///< the left one, and the right one; upwards

@@ -29,8 +29,9 @@ struct band_edge {
     l3d_point_2d from, to;           ///< its ends, which may lie beyond the band
     double x, y, end_x, end_y;       ///< its part in the band
     bool begins = true, ends = true; ///< whether its ends lie in the band
-    double slope = 0;                ///< x by y, if it is needed
-    double least = 0, most = 0;      ///< bounds of x, if they are needed
+
+    /// For a cut edge: the change of x for one row, and the least and most x of both ends.
+    double slope = 0, least = 0, most = 0;
 
     band_edge(const l3d_point_2d& first, const l3d_point_2d& last)
         : from(first), to(last), x(from.x), y(from.y), end_x(to.x), end_y(to.y) {}

@@ -35,12 +35,13 @@ struct edge_cell {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// Where no two visits cross, windings on either side of each are known, and the visits that part
-/// inside from outside tell the area. Else the pixel is cut at the ends and crossings of edges.
-/// Between two cuts edges have an order from left to right. Edges count only if one side is inside
-/// and the other outside.
-/// Cost:    the square of the edges' number. If visits cross, n log n for n edges, times the number
-///          of their ends, and some more for each crossing.
+/// Where no two visits cross, the winding on either side of each visit is known. The area is the
+/// sum over the visits that have inside on one side and outside on the other.
+///
+/// Where visits cross, the pixel is cut into slabs at the ends and crossings of edges. Within a
+/// slab edges have an order from left to right, which tells the windings between them.
+/// Cost:    the square of the number of edges. Where visits cross, n log n for n edges, times the
+///          number of slabs.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
