@@ -30,7 +30,8 @@ struct band_edge {
     double x, y, end_x, end_y;       ///< its part in the band
     bool begins = true, ends = true; ///< whether its ends lie in the band
 
-    /// For a cut edge: the change of x for one row, and the least and most x of both ends.
+    /// For an edge that borders of rows cut: the change of x from row to row, and the least and
+    /// the most x of its ends.
     double slope = 0, least = 0, most = 0;
 
     band_edge(const l3d_point_2d& first, const l3d_point_2d& last)

@@ -35,13 +35,15 @@ struct edge_cell {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// Where no two visits cross, the winding on either side of each visit is known. The area is the
-/// sum over the visits that have inside on one side and outside on the other.
+/// The range of windings may tell that all of the pixel is inside, or none. If not, and a few
+/// visits do not cross, the winding on either side of each is known. The area is then a sum over
+/// the visits that have inside on one side and outside on the other.
 ///
-/// Where visits cross, the pixel is cut into slabs at the ends and crossings of edges. Within a
-/// slab edges have an order from left to right, which tells the windings between them.
-/// Cost:    the square of the number of edges. Where visits cross, n log n for n edges, times the
-///          number of slabs.
+/// Other pixels are cut into slabs at the ends and crossings of edges. Within a slab edges have an
+/// order from left to right, which tells the windings between them. Where many visits meet under
+/// the nonzero rule, only those fields of the pixel are cut that may have places outside.
+/// Cost:    the square of the number of edges, where visits do not cross. A cut takes n log n for n
+///          edges, times the number of slabs.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
