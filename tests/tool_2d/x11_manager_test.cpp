@@ -50,15 +50,18 @@ public:
 
     int asked() const { return asked_; }
 
+    /// The window that shows that it lives.
+    Window check() const { return check_; }
+
 private:
     Display* display() const { return eyes_.display(); }
     Atom atom(const char* name) const { return eyes_.atom(name); }
 
     void show_that_it_lives() {
-        const Window check = XCreateSimpleWindow(display(), eyes_.root(), -9, -9, 1, 1, 0, 0, 0);
-        for (const Window window : {eyes_.root(), check})
+        check_ = XCreateSimpleWindow(display(), eyes_.root(), -9, -9, 1, 1, 0, 0, 0);
+        for (const Window window : {eyes_.root(), check_})
             XChangeProperty(display(), window, atom("_NET_SUPPORTING_WM_CHECK"), XA_WINDOW, 32,
-                            PropModeReplace, reinterpret_cast<const unsigned char*>(&check), 1);
+                            PropModeReplace, reinterpret_cast<const unsigned char*>(&check_), 1);
     }
 
     void run() {
@@ -104,6 +107,7 @@ private:
 
     onlooker eyes_;
     Atom state_, fullscreen_;
+    Window check_ = 0;
     XErrorHandler handler_;
     std::atomic<bool> over_ = false;
     std::atomic<int> asked_ = 0;
@@ -193,6 +197,23 @@ TEST(x11_fullscreen, the_window_manager_may_change_its_mind) {
     XSync(other.display(), False);
     next(*screen, l3d_event_type::resize);
     EXPECT_TRUE(comes_to_be(*screen, false));
+}
+
+/// The news may come while a picture is drawn, which is then asked whether it is still wanted.
+TEST(x11_fullscreen, the_end_of_its_window_manager_does_not_close_a_window) {
+    const xvfb server("301x207x24");
+    L3D_REQUIRE_SERVER(server);
+    const manager theirs;
+    const auto screen = make();
+    screen->set_fullscreen(true);
+    EXPECT_EQ(next(*screen, l3d_event_type::resize)->size, whole);
+    const onlooker other;
+    XDestroyWindow(other.display(), theirs.check());
+    XSync(other.display(), False);
+    EXPECT_FALSE(screen->is_to_close());
+    XDestroyWindow(other.display(), other.window());
+    XSync(other.display(), False);
+    EXPECT_TRUE(screen->is_to_close());
 }
 
 TEST(x11_fullscreen, hides_a_pointer_that_rests) {

@@ -334,12 +334,14 @@ bool x11_events::has_close() {
     // Xlib shows the waiting events to a function that may choose one. This one only looks, and
     // chooses none.
     struct question {
+        Window window;
         Atom message, protocol;
         bool found;
-    } close{window_.atoms().wm_protocols, window_.atoms().wm_delete_window, false};
+    } close{window_.id(), window_.atoms().wm_protocols, window_.atoms().wm_delete_window, false};
     const auto look = [](Display*, XEvent* event, XPointer context) -> Bool {
         question& asked = *reinterpret_cast<question*>(context);
-        asked.found |= event->type == DestroyNotify;
+        // A manager that ends takes its own window with it, whose events come here, too.
+        asked.found |= event->type == DestroyNotify && event->xany.window == asked.window;
         asked.found |= event->type == ClientMessage && event->xclient.format == 32 &&
                        event->xclient.message_type == asked.message &&
                        static_cast<Atom>(event->xclient.data.l[0]) == asked.protocol;
