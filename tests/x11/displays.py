@@ -18,7 +18,7 @@ import sys
 import time
 
 import harness
-from harness import await_motion, environment, expect, expect_equal, started, wait_for
+from harness import await_heard, await_motion, environment, expect, expect_equal, started, wait_for
 from harness import window_size, xdotool
 from onlooker import Onlooker
 from servers import MANAGERS, SERVERS, Unable, managed
@@ -52,11 +52,10 @@ class Cell:
             # The server may be gone, and Xlib would end this program.
 
     def focus(self):
-        if self.manager == "none":
-            xdotool(self.display, "windowfocus", self.window)
-        else:
-            xdotool(self.display, "windowactivate", self.window)
-            xdotool(self.display, "windowfocus", self.window)
+        """Gives the window the keys. This fails while a manager moves the window into its frame."""
+        xdotool(self.display, "windowactivate", self.window)  # nobody hears this without a manager
+        focus = "windowfocus", self.window, "getwindowfocus", "-f"
+        wait_for(lambda: xdotool(self.display, *focus).split() == [str(self.window)], "the focus")
 
     def picture(self):
         size = window_size(self)
@@ -91,6 +90,7 @@ class Cell:
 
     def await_whole(self, whole):
         wait_for(lambda: self.is_whole() == whole, "the size of the screen: %s" % whole)
+        await_heard(self, whole)
 
 
 def maps_and_takes_keys(cell):
@@ -128,7 +128,7 @@ def fullscreen_by_us(cell):
             await_motion(cell)
             cell.key(back)
             cell.await_whole(False)
-            await_motion(cell)  # and the manager's word is heard
+            await_motion(cell)
         cell.key("Escape")
         expect_equal(harness.ended(cell.process)[0], 0)
 
@@ -207,7 +207,7 @@ def outlives_managers(display, name):
             stack.close()
             wait_for(lambda: not cell.eyes.has_manager(), "the manager's end")
             await_motion(cell)
-            xdotool(display, "windowfocus", cell.window)
+            cell.focus()
             was_whole = cell.is_whole()
             cell.key("F11")
             if not was_whole:
@@ -216,6 +216,7 @@ def outlives_managers(display, name):
                 cell.key("Escape")
                 cell.await_whole(False)
             with managed(display, "openbox"):
+                wait_for(lambda: cell.eyes.has_frame(cell.window), "a frame by the new manager")
                 await_motion(cell)
                 cell.focus()
                 cell.key("F11")

@@ -13,7 +13,7 @@ import tempfile
 import time
 import traceback
 
-from onlooker import Onlooker
+from onlooker import POINTER, Onlooker
 from x_proxy import Proxy
 
 BIN = os.path.abspath(os.environ["L3D_BIN"])
@@ -292,6 +292,11 @@ def await_motion(it):
     """Returns when pictures come."""
     mark = it.proxy.mark()
     wait_for(lambda: (it.proxy.mark() - mark).requests.count("PutImage") > 2, "pictures")
+
+
+def await_heard(it, on):
+    """Returns when the program knows whether it covers the screen: it watches the pointer as long as it does."""
+    wait_for(lambda: it.eyes.is_watched(it.window, POINTER) == on, "the program to hear of its size: %s" % on)
 
 
 def settle(it):

@@ -8,8 +8,8 @@ import signal
 import sys
 
 import harness
-from harness import COUNTED, Checks, Session, await_motion, await_rest, environment, expect
-from harness import expect_equal, started, wait_for, window_size, xdotool
+from harness import COUNTED, Checks, Session, await_heard, await_motion, await_rest, environment
+from harness import expect, expect_equal, started, wait_for, window_size, xdotool
 
 TEAPOT = harness.PROGRAMS[-1]
 WHOLE = (800, 600)
@@ -45,8 +45,20 @@ def await_size(it, size):
     it.await_picture(harness.has_picture, size)
 
 
-def press(it, key):
-    xdotool(it.display, "key", key)
+def await_fullscreen(it, on):
+    """Comes or goes, and the program has heard of it."""
+    wait_for(lambda: (window_size(it) == WHOLE) == on, "the whole screen: %s" % on)
+    await_heard(it, on)
+
+
+def end_manager(it):
+    it.manager.close()
+    wait_for(lambda: not it.eyes.has_manager(), "the manager's end")
+    xdotool(it.display, "windowfocus", it.window)
+
+
+def press(it, *keys):
+    xdotool(it.display, "key", *keys)
 
 
 def state_is(it, *names):
@@ -56,11 +68,9 @@ def state_is(it, *names):
 def escape_leaves_what_the_manager_began():
     with Managed(counted=True) as it:
         it.eyes.ask_manager(it.window, "_NET_WM_STATE_FULLSCREEN", 1)
-        await_size(it, WHOLE)
-        await_rest(it)
+        await_fullscreen(it, True)
         press(it, "Escape")
-        wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
-        await_rest(it)
+        await_fullscreen(it, False)
         press(it, "Escape")
         it.expect_end(0)
 
@@ -69,15 +79,13 @@ def f11_goes_by_what_the_manager_says():
     """The manager's way back is noticed, so the next F11 leads there again."""
     with Managed(counted=True) as it:
         press(it, "F11")
-        await_size(it, WHOLE)
+        await_fullscreen(it, True)
         it.eyes.ask_manager(it.window, "_NET_WM_STATE_FULLSCREEN", 0)
-        wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
-        await_rest(it)
+        await_fullscreen(it, False)
         press(it, "F11")
-        await_size(it, WHOLE)
-        await_rest(it)
+        await_fullscreen(it, True)
         press(it, "F11")
-        wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
+        await_fullscreen(it, False)
 
 
 def escape_right_after_f11_leaves_fullscreen():
@@ -91,17 +99,10 @@ def escape_right_after_f11_leaves_fullscreen():
         press(it, "Escape")
         await_rest(it)
         it.managing.send_signal(signal.SIGCONT)
-        await_rest(it)
-        expect_own_size(it)
+        await_rest(it, 2)
+        await_fullscreen(it, False)
         press(it, "Escape")
         it.expect_end(0)
-
-
-def expect_own_size(it):
-    """Comes, and the program goes on."""
-    wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
-    await_rest(it, 2)
-    expect(it.process.poll() is None, "the program ended")
 
 
 def escape_goes_by_what_came_before_it():
@@ -112,23 +113,19 @@ def escape_goes_by_what_came_before_it():
         it.eyes.ask_manager(it.window, "_NET_WM_STATE_FULLSCREEN", 1)
         wait_for(lambda: window_size(it) == WHOLE, "the size of the screen")
         press(it, "Escape")
-        expect_own_size(it)
+        await_fullscreen(it, False)
         press(it, "Escape")
         it.expect_end(0)
 
 
 def f11_works_after_the_manager_has_gone():
     with Managed(counted=True) as it:
-        await_rest(it)
-        it.manager.close()
-        await_rest(it)
-        xdotool(it.display, "windowfocus", it.window)
+        end_manager(it)
         press(it, "F11")
-        await_size(it, WHOLE)
-        await_rest(it)
+        await_fullscreen(it, True)
         press(it, "Escape")
         await_size(it, TEAPOT.size)
-        await_rest(it)
+        await_fullscreen(it, False)
         press(it, "Escape")
         it.expect_end(0)
 
@@ -136,11 +133,8 @@ def f11_works_after_the_manager_has_gone():
 def a_manager_that_goes_leaves_fullscreen_to_us():
     with Managed(counted=True) as it:
         press(it, "F11")
-        await_size(it, WHOLE)
-        await_rest(it)
-        it.manager.close()
-        await_rest(it)
-        xdotool(it.display, "windowfocus", it.window)
+        await_fullscreen(it, True)
+        end_manager(it)
         press(it, "Escape")
         await_size(it, TEAPOT.size)
 
@@ -149,14 +143,12 @@ def f11_asks_a_manager_that_came_later():
     with Session(TEAPOT, counted=True) as it:
         await_rest(it)
         with managed(it.display):
-            await_rest(it)
             press(it, "F11")
-            await_size(it, WHOLE)
             wait_for(lambda: "_NET_WM_STATE_FULLSCREEN" in it.eyes.atoms(it.window, "_NET_WM_STATE"),
                      "the manager's word")
-            await_rest(it)
+            await_fullscreen(it, True)
             press(it, "Escape")
-            wait_for(lambda: window_size(it) != WHOLE, "the window's own size")
+            await_fullscreen(it, False)
 
 
 @contextlib.contextmanager

@@ -7,7 +7,7 @@ import struct
 import time
 
 # What others may be told, or asked: masks of events.
-STRUCTURE, NOTIFY, REDIRECT, PROPERTY = 1 << 17, 1 << 19, 1 << 20, 1 << 22
+POINTER, STRUCTURE, NOTIFY, REDIRECT, PROPERTY = (1 << bit for bit in (6, 17, 19, 20, 22))
 
 
 class ClientMessage(ctypes.Structure):
@@ -157,10 +157,10 @@ class Onlooker:
         layout = "<%d%s" % (width, {1: "B", 2: "H", 4: "I"}[size])
         return [list(struct.unpack_from(layout, data, at)) for at in range(0, len(data), pitch)]
 
-    def image(self, window, width, height):
-        """Of a window: bytes of a row, bytes of a pixel, all rows; None if it is not that large."""
+    def image(self, window, width, height, left=0, top=0):
+        """Of a part of a window: bytes of a row, bytes of a pixel, all rows; None if it has no such part."""
         at = self.x.XGetImage(
-            self.display, ctypes.c_ulong(window), 0, 0, width, height,
+            self.display, ctypes.c_ulong(window), left, top, width, height,
             ctypes.c_ulong(self.ALL_PLANES), self.Z_PIXMAP,
         )
         if not at:
@@ -212,10 +212,23 @@ class Onlooker:
 
     def has_manager(self):
         """Whether somebody redirects the requests of windows."""
+        return self.is_watched(self.root, REDIRECT)
+
+    def is_watched(self, window, mask):
+        """Whether somebody wants to hear of such events of a window."""
         found = WindowAttributes()
-        self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(self.root), ctypes.byref(found))
+        self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(window), ctypes.byref(found))
         # Of the rest: whether it is installed, its state, and all masks of events.
-        return bool(found.rest[1] & REDIRECT)
+        return bool(found.rest[1] & mask)
+
+    def has_frame(self, window):
+        """Whether a window manager has put a window into one of its own."""
+        root, parent, count = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_uint()
+        children = ctypes.c_void_p()
+        found = map(ctypes.byref, (root, parent, children, count))
+        self.x.XQueryTree(self.display, ctypes.c_ulong(window), *found)
+        self.x.XFree(children)
+        return parent.value != root.value
 
     def set_numbers(self, window, name, kind, values):
         """A property that is a list of 32-bit numbers, as a window manager would set it."""
