@@ -280,7 +280,7 @@ void comparison::seek_equal_time() {
 
 comparison::subjects comparison::now() {
     const auto of = [this](const l3d_afd_settings& half) {
-        return subject{
+        return live_subject{
             {shown()}, camera(), screen().pixels().size(), half.tolerance, half.method.name()};
     };
     return {of(settings()), of(other_.settings())};

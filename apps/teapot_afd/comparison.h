@@ -85,19 +85,8 @@ public:
     bool is_at_rest() const override;
 
 private:
-    /// The settings for which the errors of a half were measured.
-    struct subject {
-        shown_model model;
-        l3d_camera camera;
-        l3d_size size;
-        double tolerance = 0;
-        std::string method;
-
-        friend bool operator==(const subject&, const subject&) = default;
-    };
-
     struct subjects {
-        subject left, right;
+        live_subject left, right;
 
         friend bool operator==(const subjects&, const subjects&) = default;
     };

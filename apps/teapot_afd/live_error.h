@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -38,6 +39,17 @@ struct shown_model {
 
 private:
     const void* identity() const { return model ? model->identity() : nullptr; }
+};
+
+/// The settings for which the error of a picture is measured.
+struct live_subject {
+    shown_model model;
+    l3d_camera camera;
+    l3d_size size;
+    double tolerance = 0;
+    std::string method;
+
+    friend bool operator==(const live_subject&, const live_subject&) = default;
 };
 
 /// Pictures of one view, drawn in several ways.

@@ -25,7 +25,7 @@ bool method_viewer::measures_error() {
            has_exact_picture(scene().instances()[0].model(), camera(), settings());
 }
 
-method_viewer::subject method_viewer::now() {
+live_subject method_viewer::now() {
     return {{scene().instances()[0].model()},
             camera(),
             screen().pixels().size(),

@@ -37,20 +37,9 @@ protected:
     std::string error_scale_title() const override;
 
 private:
-    /// The settings for which an error was measured.
-    struct subject {
-        shown_model model;
-        l3d_camera camera;
-        l3d_size size;
-        double tolerance = 0;
-        std::string method;
-
-        friend bool operator==(const subject&, const subject&) = default;
-    };
-
     void take_next_method();
     bool measures_error();
-    subject now();
+    live_subject now();
     void measure();
     void take_errors();
     void paint_errors();
@@ -65,10 +54,10 @@ private:
     /// The error's measurement, made at its first use.
     std::optional<live_error> live_;
     /// The subject of the running or last measurement.
-    subject begun_;
+    live_subject begun_;
     std::optional<reference::error_map> errors_;
     /// The subject that errors_ were measured for.
-    subject measured_;
+    live_subject measured_;
     /// Whether the picture shows errors_ in place of bounds.
     bool shows_errors_ = false;
 };

@@ -2,7 +2,6 @@
 // decoded_jpeg: reads by libjpeg, whose errors end in jumps.
 #include "tool_2d/jpeg_image_p.h"
 
-#include "base/error.h"
 #include "tool_2d/screen_info.h"
 
 #include <array>
@@ -91,13 +90,7 @@ l3d_image decoded_jpeg(const std::string& bytes, const std::string& path,
                        std::int64_t most_pixels) {
     constexpr std::size_t rgb_bytes = 3;
     jpeg_reader reader(bytes);
-    const auto must = [&](bool is_done) {
-        if (!is_done)
-            throw l3d_error(l3d_exit::bad_input, path + ": " + reader.why());
-    };
-    must(reader.read_header());
-    check_image_size(path, reader.width(), reader.height(), most_pixels);
-    must(reader.start());
+    const auto must = begun(reader, path, most_pixels);
     l3d_image image({reader.width(), reader.height()}, reader.width());
     std::vector<std::uint8_t> row(rgb_bytes * static_cast<std::size_t>(reader.width()));
     for (int y = 0; y < reader.height(); ++y) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// decoded_jpeg: the picture of a JPEG file; and a check that readers of pictures share.
+// decoded_jpeg: the picture of a JPEG file; and the first steps that readers of pictures share.
 #ifndef L3D_TOOL_2D_JPEG_IMAGE_P_H
 #define L3D_TOOL_2D_JPEG_IMAGE_P_H
 
+#include "base/error.h"
 #include "tool_2d/image.h"
 
 #include <cstdint>
@@ -14,6 +15,21 @@ namespace l3d_detail {
 /// Errors:  l3d_error(bad_input) that names the path, if width * height exceeds `most_pixels`.
 void check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
                       std::int64_t most_pixels);
+
+/// Lets a reader of steps begin to decode: the header, whose size is checked, then the start.
+/// Returns a check for the results of further steps. Reader and path must outlive it.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, also from that check.
+template <class Reader>
+auto begun(Reader& reader, const std::string& path, std::int64_t most_pixels) {
+    const auto must = [&reader, &path](bool is_done) {
+        if (!is_done)
+            throw l3d_error(l3d_exit::bad_input, path + ": " + reader.why());
+    };
+    must(reader.read_header());
+    check_image_size(path, reader.width(), reader.height(), most_pixels);
+    must(reader.start());
+    return must;
+}
 
 /// The picture of a JPEG file's bytes, grey or in colour, as l3d_read_image gives it.
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also for what the decoder only

@@ -3,7 +3,6 @@
 // takes them for linear light.
 #include "tool_2d/png_levels_p.h"
 
-#include "base/error.h"
 #include "tool_2d/jpeg_image_p.h"
 
 #include <array>
@@ -92,13 +91,7 @@ private:
 png_levels decoded_png_levels(const std::string& bytes, const std::string& path,
                               std::int64_t most_pixels) {
     png_reader reader(bytes);
-    const auto must = [&](bool is_done) {
-        if (!is_done)
-            throw l3d_error(l3d_exit::bad_input, path + ": " + reader.why());
-    };
-    must(reader.read_header());
-    check_image_size(path, reader.width(), reader.height(), most_pixels);
-    must(reader.start());
+    const auto must = begun(reader, path, most_pixels);
     const std::size_t height = reader.height(), row_bytes = reader.row_bytes();
     std::vector<png_byte> pixels(row_bytes * height);
     std::vector<png_bytep> rows;

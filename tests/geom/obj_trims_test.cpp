@@ -3,6 +3,8 @@
 #include "geom/files/model_file.h"
 #include "geom/trims/trim_region.h"
 
+#include "model_text.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,9 +29,7 @@ l3d_trim_region region_of(const l3d_patch_points& patch) {
 }
 
 std::string complaint(const std::string& text) {
-    std::string why;
-    EXPECT_FALSE(read(text, why)) << text;
-    return why;
+    return model_text::complaint_of(l3d_read_obj, text, "name");
 }
 
 TEST(obj_trims, of_a_hole_leave_the_surface_around_it) {

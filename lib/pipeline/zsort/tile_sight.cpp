@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Floats that are not negative are ordered like their bits.
-HWY_INLINE int_vec set(float value) {
+HWY_INLINE int_vec order_of(float value) {
     return set(std::bit_cast<std::int32_t>(value));
 }
 
@@ -34,7 +34,7 @@ public:
             front_[v] = set(-1);
         }
         for (std::size_t i = 0; i < members.size(); ++i) {
-            const int_vec own = set(members[i].farthest);
+            const int_vec own = order_of(members[i].farthest);
             for (std::size_t v = 0; v < vectors; ++v) {
                 // Among equally far members, the one of the greater number is painted later.
                 const int_mask last =
@@ -61,10 +61,10 @@ public:
     /// The farthest depth of what is painted last in any cell; infinite if nothing is painted.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
-        int_vec least = set(none);
+        int_vec least = order_of(none);
         for (std::size_t v = 0; v < vectors; ++v)
-            least =
-                hn::Min(least, hn::IfThenElse(hn::Lt(front_[v], set(0)), set(none), farthest_[v]));
+            least = hn::Min(
+                least, hn::IfThenElse(hn::Lt(front_[v], set(0)), order_of(none), farthest_[v]));
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
@@ -72,7 +72,7 @@ public:
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)
-            bits |= bits_of(hn::Lt(farthest_[v], set(nearest))) << lanes * v;
+            bits |= bits_of(hn::Lt(farthest_[v], order_of(nearest))) << lanes * v;
         return bits;
     }
 

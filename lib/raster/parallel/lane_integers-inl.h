@@ -30,6 +30,10 @@ HWY_ATTR HWY_INLINE int_vec set(std::int32_t value) {
     return hn::Set(ints(), value);
 }
 
+HWY_ATTR HWY_INLINE float_vec set(float value) {
+    return hn::Set(floats(), value);
+}
+
 /// The mask of the lanes whose bits are set: lane i is bit i.
 HWY_ATTR HWY_INLINE int_mask lanes_of(std::uint64_t bits) {
     return hn::TestBit(set(static_cast<std::int32_t>(bits)), hn::Shl(set(1), hn::Iota(ints(), 0)));

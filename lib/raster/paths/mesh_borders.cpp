@@ -2,6 +2,7 @@
 // mesh_borders: finds parameters that run along common borders, the same way or the other way.
 #include "raster/paths/mesh_steps_p.h"
 
+#include "base/directed_sets_p.h"
 #include "base/number_hash_p.h"
 
 #include <algorithm>
@@ -23,57 +24,12 @@ border backwards(const border& of) {
     return {of[6], of[7], of[4], of[5], of[2], of[3], of[0], of[1]};
 }
 
-/// Disjoint sets of parameters. Each member runs in its set's direction or backwards.
-class parameter_sets {
-public:
-    struct place {
-        std::size_t set;
-        bool is_backwards;
-    };
-
-    explicit parameter_sets(std::size_t count) : parents_(count), runs_both_ways_(count, false) {
-        for (std::size_t i = 0; i < count; ++i)
-            parents_[i] = {i, false};
-    }
-
-    place find(std::size_t parameter) {
-        place result{parameter, false};
-        while (parents_[result.set].set != result.set) {
-            place& parent = parents_[result.set];
-            const place above = parents_[parent.set];
-            parent = {above.set, parent.is_backwards != above.is_backwards}; // halves the path
-            result = {parent.set, result.is_backwards != parent.is_backwards};
-        }
-        return result;
-    }
-
-    void join(const place& a, const place& b) {
-        const place of_a = find(a.set), of_b = find(b.set);
-        const bool other_way =
-            (a.is_backwards != of_a.is_backwards) != (b.is_backwards != of_b.is_backwards);
-        if (of_a.set == of_b.set) {
-            if (other_way)
-                runs_both_ways_[of_a.set] = true;
-            return;
-        }
-        parents_[of_b.set] = {of_a.set, other_way};
-        if (runs_both_ways_[of_b.set])
-            runs_both_ways_[of_a.set] = true;
-    }
-
-    bool runs_both_ways(std::size_t set) const { return runs_both_ways_[set]; }
-
-private:
-    std::vector<place> parents_;
-    std::vector<bool> runs_both_ways_;
-};
-
 } // namespace
 
 void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings) {
     // Parameter 2 i is u of patch i, and parameter 2 i + 1 is v of patch i.
-    parameter_sets sets(2 * patches.size());
-    std::unordered_map<border, parameter_sets::place, number_hash> first_with;
+    directed_sets sets(2 * patches.size());
+    std::unordered_map<border, directed_sets::place, number_hash> first_with;
     first_with.reserve(4 * patches.size());
     const auto add = [&](std::size_t parameter, const border& of) {
         const border other = backwards(of);
@@ -83,7 +39,7 @@ void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_di
             }))
             return; // one point, which needs no steps
         const bool is_backwards = other < of;
-        const parameter_sets::place here{parameter, is_backwards};
+        const directed_sets::place here{parameter, is_backwards};
         sets.join(first_with.try_emplace(is_backwards ? other : of, here).first->second, here);
         if (other == of)
             sets.join(here, {parameter, !is_backwards});
@@ -107,7 +63,7 @@ void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_di
         needed[set].cover(is_backwards ? steps_of(i).backwards() : steps_of(i));
     }
     for (std::size_t i = 0; i < needed.size(); ++i)
-        if (sets.find(i).set == i && sets.runs_both_ways(i))
+        if (sets.find(i).line == i && sets.runs_both_ways(i))
             needed[i].cover(needed[i].backwards());
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const auto [set, is_backwards] = sets.find(i);

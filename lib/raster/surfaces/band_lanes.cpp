@@ -7,6 +7,7 @@
 
 #include "raster/surfaces/band_cells_p.h"
 #include "raster/shapes/scan_edge_p.h"
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
 #include <algorithm>
@@ -16,22 +17,14 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<float, 16> floats;
-constexpr hn::RebindToSigned<decltype(floats)> integers;
-using float_lanes = hn::Vec<decltype(floats)>;
-using integer_lanes = hn::Vec<decltype(integers)>;
-
 struct lane_bounds {
-    integer_lanes left, top, right, bottom;
-    float_lanes nearest;
+    int_vec left, top, right, bottom;
+    float_vec nearest;
 };
 
 HWY_INLINE lane_bounds nothing() {
     constexpr std::int32_t most = 0x7fffffff;
-    return {hn::Set(integers, most), hn::Set(integers, most), hn::Set(integers, -most),
-            hn::Set(integers, -most), hn::Zero(floats)};
+    return {set(most), set(most), set(-most), set(-most), hn::Zero(floats())};
 }
 
 /// Takes `count` elements from `begin` on into account, and masks the lanes of others. If the
@@ -39,35 +32,33 @@ HWY_INLINE lane_bounds nothing() {
 /// Expects: size >= 16.
 HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
                      const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {
-    const std::size_t lanes = hn::Lanes(integers);
-    const integer_lanes first = hn::Set(integers, static_cast<std::int32_t>(begin));
-    const integer_lanes end = hn::Set(integers, static_cast<std::int32_t>(begin + count));
+    const int_vec first = set(static_cast<std::int32_t>(begin));
+    const int_vec end = set(static_cast<std::int32_t>(begin + count));
     for (std::size_t i = begin; i < begin + count; i += lanes) {
         const std::size_t at = std::min(i, size - lanes);
-        const integer_lanes place =
-            hn::Add(hn::Iota(integers, 0), hn::Set(integers, static_cast<std::int32_t>(at)));
+        const int_vec place = hn::Add(hn::Iota(ints(), 0), set(static_cast<std::int32_t>(at)));
         const auto inside = hn::AndNot(hn::Lt(place, first), hn::Lt(place, end));
-        const integer_lanes xs = hn::LoadU(integers, x + at), ys = hn::LoadU(integers, y + at);
+        const int_vec xs = hn::LoadU(ints(), x + at), ys = hn::LoadU(ints(), y + at);
         b.left = hn::IfThenElse(inside, hn::Min(b.left, xs), b.left);
         b.right = hn::IfThenElse(inside, hn::Max(b.right, xs), b.right);
         b.top = hn::IfThenElse(inside, hn::Min(b.top, ys), b.top);
         b.bottom = hn::IfThenElse(inside, hn::Max(b.bottom, ys), b.bottom);
-        const float_lanes depths = hn::LoadU(floats, inv_w + at);
+        const float_vec depths = hn::LoadU(floats(), inv_w + at);
         b.nearest =
-            hn::IfThenElse(hn::RebindMask(floats, inside), hn::Max(b.nearest, depths), b.nearest);
+            hn::IfThenElse(hn::RebindMask(floats(), inside), hn::Max(b.nearest, depths), b.nearest);
     }
 }
 
-HWY_INLINE std::int32_t least(integer_lanes v) {
-    return hn::GetLane(hn::MinOfLanes(integers, v));
+HWY_INLINE std::int32_t least(int_vec v) {
+    return hn::GetLane(hn::MinOfLanes(ints(), v));
 }
-HWY_INLINE std::int32_t greatest(integer_lanes v) {
-    return hn::GetLane(hn::MaxOfLanes(integers, v));
+HWY_INLINE std::int32_t greatest(int_vec v) {
+    return hn::GetLane(hn::MaxOfLanes(ints(), v));
 }
 
 HWY_INLINE polygon_bounds reduced(const lane_bounds& b) {
     return {{least(b.left), least(b.top), greatest(b.right), greatest(b.bottom)},
-            hn::GetLane(hn::MaxOfLanes(floats, b.nearest))};
+            hn::GetLane(hn::MaxOfLanes(floats(), b.nearest))};
 }
 
 polygon_bounds bounds_of_cells(const l3d_micro_grid& grid, const grid_cells& cells,

@@ -25,10 +25,6 @@ HWY_INLINE float_vec load_float(const std::int32_t* p) {
     return hn::BitCast(floats(), load(p));
 }
 
-HWY_INLINE float_vec set(float value) {
-    return hn::Set(floats(), value);
-}
-
 HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }

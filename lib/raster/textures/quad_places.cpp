@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/lane_pairs-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
@@ -17,17 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<float, 16> floats;
-constexpr hn::RebindToSigned<decltype(floats)> integers;
-using float_vec = hn::Vec<decltype(floats)>;
-using int_vec = hn::Vec<decltype(integers)>;
-
-HWY_INLINE float_vec set(float number) {
-    return hn::Set(floats, number);
-}
 
 HWY_INLINE float_vec difference(float_vec a, float_vec b, float_vec c, float_vec d) {
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
@@ -62,8 +52,8 @@ struct lane_map {
         const float_vec area = difference(x_s, y_t, x_t, y_s);
         constexpr float least = 1e-20F; // square pixels: less is a line, as far as floats tell
         const auto has_area = hn::Gt(hn::Abs(area), set(least));
-        over =
-            hn::IfThenElseZero(has_area, hn::Div(set(1), hn::IfThenElse(has_area, area, set(1))));
+        over = hn::IfThenElseZero(has_area,
+                                  hn::Div(set(1.0F), hn::IfThenElse(has_area, area, set(1.0F))));
     }
 };
 
@@ -89,11 +79,12 @@ struct lane_quad {
                                  HWY_ATTR { return hn::Mul(of, hn::Div(inv_w[0], inv_w[k])); };
         const auto with = [&](float_vec at_s, float_vec at_t, float_vec at_both) HWY_ATTR {
             return bilinear{at_s, at_t,
-                            is_triangle ? hn::Zero(floats) : hn::Sub(hn::Sub(at_both, at_t), at_s)};
+                            is_triangle ? hn::Zero(floats())
+                                        : hn::Sub(hn::Sub(at_both, at_t), at_s)};
         };
         x = with(product(1, xs[1]), product(2, xs[2]), product(3, xs[3]));
         y = with(product(1, ys[1]), product(2, ys[2]), product(3, ys[3]));
-        const auto more = [&](int k) HWY_ATTR { return hn::Sub(product(k, set(1)), set(1)); };
+        const auto more = [&](int k) HWY_ATTR { return hn::Sub(product(k, set(1.0F)), set(1.0F)); };
         w = with(more(1), more(2), more(3));
     }
 };
@@ -106,13 +97,12 @@ struct place_rows {
 
 /// Finds the places that pixels show, and the changes to the next pixels. Those outside of `shown`
 /// get changes of 0.
-HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> shown,
-                           const place_rows& to) {
+HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);
     // The map is linear except for its terms in s t. The first step leaves an error in proportion
     // to these terms. Any other one leaves about these terms times the square of its length.
-    const auto step = [&](hn::Mask<decltype(floats)> moved) HWY_ATTR {
+    const auto step = [&](hn::Mask<floats> moved) HWY_ATTR {
         const lane_map map(x, y, quad.left, quad.top, s, t);
         constexpr float beside = 0.25F; // how far a step may go beyond the quad
         const float_vec down = hn::Mul(difference(map.y_t, map.dx, map.x_t, map.dy), map.over);
@@ -125,21 +115,21 @@ HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<decltype(floats)> sho
     step(all);
     // After a step of 1/16, the error is 1/256 of these terms, which are no more than some pixels.
     const auto is_rough = hn::Gt(step(all), set(1.0F / 16));
-    if (!hn::AllFalse(floats, is_rough))
+    if (!hn::AllFalse(floats(), is_rough))
         step(is_rough);
     s = between(s, 0, 1);
     t = between(t, 0, 1);
     // A step of 1 of the pixel changes w x or w y by w.
     const lane_map map(x, y, quad.left, quad.top, s, t);
     const float_vec per_pixel =
-        hn::IfThenElseZero(shown, hn::Mul(map.over, hn::Add(set(1), quad.w.at(s, t))));
+        hn::IfThenElseZero(shown, hn::Mul(map.over, hn::Add(set(1.0F), quad.w.at(s, t))));
     const auto put = [&](std::size_t axis, float* place, float* right, float* below) HWY_ATTR {
         const bilinear& of = quad.ways[axis];
         const float_vec of_s = hn::Mul(per_pixel, of.along_s(t));
         const float_vec of_t = hn::Mul(per_pixel, of.along_t(s));
-        hn::StoreU(hn::Add(quad.places[axis], of.at(s, t)), floats, place);
-        hn::StoreU(difference(of_s, map.y_t, of_t, map.y_s), floats, right);
-        hn::StoreU(difference(of_t, map.x_s, of_s, map.x_t), floats, below);
+        hn::StoreU(hn::Add(quad.places[axis], of.at(s, t)), floats(), place);
+        hn::StoreU(difference(of_s, map.y_t, of_t, map.y_s), floats(), right);
+        hn::StoreU(difference(of_t, map.x_s, of_s, map.x_t), floats(), below);
     };
     put(0, to.u, to.u_right, to.u_down);
     put(1, to.v, to.v_right, to.v_down);
@@ -155,13 +145,13 @@ public:
     /// The quads of some pixels. Expects: indices of the quads' first corners.
     HWY_INLINE lane_quad quad(int_vec index, float_vec x, float_vec y) const {
         const l3d_micro_grid& grid = part_.part->grid;
-        const int_vec begins[2] = {index, hn::Add(index, hn::Set(integers, pitch_))};
+        const int_vec begins[2] = {index, hn::Add(index, set(pitch_))};
         lane_quad result;
         float_vec xs[4], ys[4], inv_w[4];
         for (std::size_t k = 0; k < 4; k += 2) {
-            const lane_pairs of_x(integers, grid.x.data(), begins[k / 2]);
-            const lane_pairs of_y(integers, grid.y.data(), begins[k / 2]);
-            const lane_pairs of_inv_w(floats, grid.inv_w.data(), begins[k / 2]);
+            const lane_pairs of_x(ints(), grid.x.data(), begins[k / 2]);
+            const lane_pairs of_y(ints(), grid.y.data(), begins[k / 2]);
+            const lane_pairs of_inv_w(floats(), grid.inv_w.data(), begins[k / 2]);
             xs[k] = pixels_of(of_x.first);
             xs[k + 1] = pixels_of(of_x.second);
             ys[k] = pixels_of(of_y.first);
@@ -183,7 +173,7 @@ public:
 private:
     /// Converts places to pixels. They are less than 2^15 pixels, so floats hold them.
     static HWY_INLINE float_vec pixels_of(int_vec place) {
-        return hn::Mul(hn::ConvertTo(floats, place), set(1.0F / l3d_subpixel_one));
+        return hn::Mul(hn::ConvertTo(floats(), place), set(1.0F / l3d_subpixel_one));
     }
 
     /// Sets the places and changes of quads from the rows and columns of their first corners.
@@ -193,11 +183,11 @@ private:
     /// down to the right row for n below 2^20.
     HWY_INLINE void put_ways(int_vec index, lane_quad& to) const {
         const float_vec sixteenth =
-            hn::Add(hn::ConvertTo(floats, hn::ShiftRight<4>(index)), set(0.5F));
+            hn::Add(hn::ConvertTo(floats(), hn::ShiftRight<4>(index)), set(0.5F));
         const int_vec row =
-            hn::ConvertTo(integers, hn::Mul(sixteenth, set(16.0F / static_cast<float>(pitch_))));
-        const int_vec column = hn::Sub(index, hn::Mul(row, hn::Set(integers, pitch_)));
-        const lane_pairs us(floats, columns_, column), vs(floats, rows_, row);
+            hn::ConvertTo(ints(), hn::Mul(sixteenth, set(16.0F / static_cast<float>(pitch_))));
+        const int_vec column = hn::Sub(index, hn::Mul(row, set(pitch_)));
+        const lane_pairs us(floats(), columns_, column), vs(floats(), rows_, row);
         const float_vec u = us.first, du = hn::Sub(us.second, u);
         const float_vec v = vs.first, dv = hn::Sub(vs.second, v);
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -227,26 +217,24 @@ part_run find_quad_places(const painted_part& part, const float* parameters,
     for (result.end = begin; result.end < from.count;) {
         const std::size_t i = result.end;
         const int_vec name =
-            hn::LoadU(integers, reinterpret_cast<const std::int32_t*>(&from.names[i]));
-        const int_vec index =
-            hn::Sub(name, hn::Set(integers, static_cast<std::int32_t>(part.first)));
-        const int_vec zero = hn::Zero(integers);
-        const auto is_of_part =
-            hn::AndNot(hn::Lt(index, zero), hn::Lt(index, hn::Set(integers, all)));
-        const auto is_quad = hn::And(is_of_part, hn::Lt(index, hn::Set(integers, quads)));
+            hn::LoadU(ints(), reinterpret_cast<const std::int32_t*>(&from.names[i]));
+        const int_vec index = hn::Sub(name, set(static_cast<std::int32_t>(part.first)));
+        const int_vec zero = hn::Zero(ints());
+        const auto is_of_part = hn::AndNot(hn::Lt(index, zero), hn::Lt(index, set(all)));
+        const auto is_quad = hn::And(is_of_part, hn::Lt(index, set(quads)));
         const auto is_other = hn::Not(hn::Or(is_of_part, hn::Lt(name, zero)));
-        const float_vec x = hn::Add(hn::Iota(floats, static_cast<float>(i)), set(left));
+        const float_vec x = hn::Add(hn::Iota(floats(), static_cast<float>(i)), set(left));
         put_places(grid.quad(hn::IfThenElseZero(is_quad, index), x, set(y)),
-                   hn::RebindMask(floats, is_quad),
+                   hn::RebindMask(floats(), is_quad),
                    {&pixels.u[i], &pixels.v[i], &pixels.u_right[i], &pixels.v_right[i],
                     &pixels.u_down[i], &pixels.v_down[i]});
         result.has_triangles =
-            result.has_triangles || !hn::AllFalse(integers, hn::AndNot(is_quad, is_of_part));
-        if (!hn::AllFalse(integers, is_other)) {
-            result.end += static_cast<std::size_t>(hn::FindFirstTrue(integers, is_other));
+            result.has_triangles || !hn::AllFalse(ints(), hn::AndNot(is_quad, is_of_part));
+        if (!hn::AllFalse(ints(), is_other)) {
+            result.end += static_cast<std::size_t>(hn::FindFirstTrue(ints(), is_other));
             return result;
         }
-        result.end += hn::Lanes(integers);
+        result.end += hn::Lanes(ints());
     }
     result.end = std::min(result.end, from.count);
     return result;
@@ -268,12 +256,11 @@ void put_triangle_place(const seen_triangle& of, std::size_t pixel, painted_pixe
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const float at = of.places[0][axis];
         quad.places[axis] = set(at);
-        quad.ways[axis] = {set(of.places[1][axis] - at), set(of.places[2][axis] - at), set(0)};
+        quad.ways[axis] = {set(of.places[1][axis] - at), set(of.places[2][axis] - at), set(0.0F)};
     }
-    constexpr std::size_t lanes = 16; // the most that there are
     std::array<std::array<float, lanes>, 6> rows{};
     auto& [u, v, u_right, v_right, u_down, v_down] = rows;
-    put_places(quad, hn::Eq(set(0), set(0)),
+    put_places(quad, hn::Eq(set(0.0F), set(0.0F)),
                {u.data(), v.data(), u_right.data(), v_right.data(), u_down.data(), v_down.data()});
     pixels.u[pixel] = u[0];
     pixels.v[pixel] = v[0];

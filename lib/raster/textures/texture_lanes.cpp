@@ -9,6 +9,7 @@
 
 #include "geom/material.h"
 #include "raster/color/linear_light_p.h"
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/lane_pairs-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 
@@ -21,37 +22,23 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<float, 16> floats;
-constexpr hn::RebindToSigned<decltype(floats)> integers;
-using float_vec = hn::Vec<decltype(floats)>;
-using int_vec = hn::Vec<decltype(integers)>;
-
-HWY_INLINE float_vec set(float number) {
-    return hn::Set(floats, number);
-}
-HWY_INLINE int_vec set_int(int number) {
-    return hn::Set(integers, number);
-}
-
 /// The largest width of a footprint, in pixels of the texture. It is beyond any picture's, and its
 /// square is still a float.
 constexpr float widest = 0x1p60F;
 
 /// Wraps places along one axis, so that they lie from 0 to 1, the picture's borders.
 HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
-    const float_vec one = set(1);
+    const float_vec one = set(1.0F);
     switch (wrap) {
     case l3d_texture_wrap::repeat:
         return hn::Sub(place, hn::Floor(place));
     case l3d_texture_wrap::mirror: {
         const float_vec turned =
-            hn::Sub(place, hn::Mul(set(2), hn::Floor(hn::Mul(set(0.5F), place))));
+            hn::Sub(place, hn::Mul(set(2.0F), hn::Floor(hn::Mul(set(0.5F), place))));
         return hn::Sub(one, hn::Abs(hn::Sub(one, turned)));
     }
     default:
-        return hn::Min(hn::Max(place, hn::Zero(floats)), one);
+        return hn::Min(hn::Max(place, hn::Zero(floats())), one);
     }
 }
 
@@ -63,10 +50,10 @@ struct neighbours {
 
     HWY_INLINE neighbours(float_vec place, int_vec size, l3d_texture_wrap wrap) {
         const float_vec at =
-            hn::Sub(hn::Mul(held(place, wrap), hn::ConvertTo(floats, size)), set(0.5F));
+            hn::Sub(hn::Mul(held(place, wrap), hn::ConvertTo(floats(), size)), set(0.5F));
         const float_vec below = hn::Floor(at);
         share = hn::Sub(at, below);
-        first = hn::ConvertTo(integers, below);
+        first = hn::ConvertTo(ints(), below);
     }
 };
 
@@ -80,17 +67,17 @@ struct light_sums {
 
     HWY_INLINE light_sums() {
         for (float_vec& channel : of)
-            channel = hn::Zero(floats);
+            channel = hn::Zero(floats());
     }
 
     HWY_INLINE void add(int_vec words, float_vec weight) {
         static_assert(texture_view::bits == std::array{11, 11, 10});
-        const hn::RebindToUnsigned<decltype(integers)> bits;
-        const int_vec roots[3] = {
-            hn::BitCast(integers, hn::ShiftRight<21>(hn::BitCast(bits, words))),
-            hn::And(hn::ShiftRight<10>(words), set_int(0x7ff)), hn::And(words, set_int(0x3ff))};
+        const hn::RebindToUnsigned<ints> bits;
+        const int_vec roots[3] = {hn::BitCast(ints(), hn::ShiftRight<21>(hn::BitCast(bits, words))),
+                                  hn::And(hn::ShiftRight<10>(words), set(0x7ff)),
+                                  hn::And(words, set(0x3ff))};
         for (std::size_t c = 0; c < 3; ++c) {
-            const float_vec root = hn::ConvertTo(floats, roots[c]);
+            const float_vec root = hn::ConvertTo(floats(), roots[c]);
             of[c] = hn::Add(of[c], hn::Mul(hn::Mul(root, root), weight));
         }
     }
@@ -108,16 +95,15 @@ struct lane_levels {
 
     /// The level of the whole picture.
     HWY_INLINE explicit lane_levels(const texture_view& texture)
-        : width(set_int(texture.width)), height(set_int(texture.height)),
-          first(set_int(texture.first[0])) {}
+        : width(set(texture.width)), height(set(texture.height)), first(set(texture.first[0])) {}
 
     HWY_INLINE lane_levels(const texture_view& texture, int_vec level) {
-        width = hn::Max(hn::Shr(set_int(texture.width), level), set_int(1));
-        height = hn::Max(hn::Shr(set_int(texture.height), level), set_int(1));
-        first = hn::GatherIndex(integers, texture.first.data(), level);
+        width = hn::Max(hn::Shr(set(texture.width), level), set(1));
+        height = hn::Max(hn::Shr(set(texture.height), level), set(1));
+        first = hn::GatherIndex(ints(), texture.first.data(), level);
     }
 
-    HWY_INLINE int_vec pitch() const { return hn::Add(width, set_int(texture_view::pitch(0))); }
+    HWY_INLINE int_vec pitch() const { return hn::Add(width, set(texture_view::pitch(0))); }
 };
 
 HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of, float_vec u,
@@ -125,8 +111,8 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
     const neighbours across(u, of.width, texture.wrap_u), down(v, of.height, texture.wrap_v);
     const int_vec pitch = of.pitch();
     const int_vec place = hn::Add(of.first, hn::Add(hn::Mul(down.first, pitch), across.first));
-    const lane_pairs upper(integers, words_of(texture), place);
-    const lane_pairs lower(integers, words_of(texture), hn::Add(place, pitch));
+    const lane_pairs upper(ints(), words_of(texture), place);
+    const lane_pairs lower(ints(), words_of(texture), hn::Add(place, pitch));
     const float_vec below = hn::Mul(weight, down.share), above = hn::Sub(weight, below);
     const float_vec upper_right = hn::Mul(above, across.share);
     const float_vec lower_right = hn::Mul(below, across.share);
@@ -143,16 +129,16 @@ public:
     /// The exponent of a width is the number of the larger level, and its mantissa tells the share
     /// of the smaller one.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
-        const float_vec held_width = hn::Min(hn::Max(width, set(1)), set(widest));
-        const int_vec bits = hn::BitCast(integers, held_width), one = hn::BitCast(integers, set(1));
+        const float_vec held_width = hn::Min(hn::Max(width, set(1.0F)), set(widest));
+        const int_vec bits = hn::BitCast(ints(), held_width), one = hn::BitCast(ints(), set(1.0F));
         const int_vec number = hn::ShiftRight<23>(hn::Sub(bits, one));
-        const int_vec mantissa = hn::Or(hn::And(bits, set_int(0x7fffff)), one);
-        const int_vec last = set_int(texture.levels - 1);
+        const int_vec mantissa = hn::Or(hn::And(bits, set(0x7fffff)), one);
+        const int_vec last = set(texture.levels - 1);
         larger_ = lane_levels(texture, hn::Min(number, last));
-        smaller_ = lane_levels(texture, hn::Min(hn::Add(number, set_int(1)), last));
-        share_ = hn::IfThenElseZero(hn::RebindMask(floats, hn::Lt(number, last)),
-                                    hn::Sub(hn::BitCast(floats, mantissa), set(1)));
-        is_mixed_ = !hn::AllFalse(floats, hn::Gt(share_, hn::Zero(floats)));
+        smaller_ = lane_levels(texture, hn::Min(hn::Add(number, set(1)), last));
+        share_ = hn::IfThenElseZero(hn::RebindMask(floats(), hn::Lt(number, last)),
+                                    hn::Sub(hn::BitCast(floats(), mantissa), set(1.0F)));
+        is_mixed_ = !hn::AllFalse(floats(), hn::Gt(share_, hn::Zero(floats())));
     }
 
     HWY_INLINE void add(float_vec u, float_vec v, float_vec weight, light_sums& to) const {
@@ -172,13 +158,13 @@ private:
 HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec v, light_sums& to) {
     const auto pixel = [](float_vec place, int size) HWY_ATTR {
         const float_vec at = hn::Mul(place, set(static_cast<float>(size)));
-        return hn::Min(hn::ConvertTo(integers, at), set_int(size - 1));
+        return hn::Min(hn::ConvertTo(ints(), at), set(size - 1));
     };
     const int_vec x = pixel(held(u, texture.wrap_u), texture.width);
     const int_vec y = pixel(held(v, texture.wrap_v), texture.height);
-    const int_vec row = hn::Mul(y, set_int(texture_view::pitch(texture.width)));
-    const int_vec place = hn::Add(set_int(texture.first[0]), hn::Add(row, x));
-    to.add(hn::GatherIndex(integers, words_of(texture), place), set(1));
+    const int_vec row = hn::Mul(y, set(texture_view::pitch(texture.width)));
+    const int_vec place = hn::Add(set(texture.first[0]), hn::Add(row, x));
+    to.add(hn::GatherIndex(ints(), words_of(texture), place), set(1.0F));
 }
 
 /// How places change from a pixel to those on its right and below, in pixels of the texture.
@@ -188,10 +174,10 @@ struct footprint {
     HWY_INLINE footprint(const texture_view& texture, const painted_pixels& pixels, std::size_t i) {
         const float_vec width = set(static_cast<float>(texture.width));
         const float_vec height = set(static_cast<float>(texture.height));
-        right_u = hn::Mul(hn::LoadU(floats, &pixels.u_right[i]), width);
-        right_v = hn::Mul(hn::LoadU(floats, &pixels.v_right[i]), height);
-        down_u = hn::Mul(hn::LoadU(floats, &pixels.u_down[i]), width);
-        down_v = hn::Mul(hn::LoadU(floats, &pixels.v_down[i]), height);
+        right_u = hn::Mul(hn::LoadU(floats(), &pixels.u_right[i]), width);
+        right_v = hn::Mul(hn::LoadU(floats(), &pixels.v_right[i]), height);
+        down_u = hn::Mul(hn::LoadU(floats(), &pixels.u_down[i]), width);
+        down_v = hn::Mul(hn::LoadU(floats(), &pixels.v_down[i]), height);
     }
 
     static HWY_INLINE float_vec square(float_vec x, float_vec y) {
@@ -210,7 +196,7 @@ struct footprint {
 /// its transpose.
 HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of, float_vec u,
                                 float_vec v, light_sums& to) {
-    const float_vec zero = hn::Zero(floats), one = set(1), half = set(0.5F);
+    const float_vec zero = hn::Zero(floats()), one = set(1.0F), half = set(0.5F);
     const float_vec uu = footprint::square(of.right_u, of.down_u);
     const float_vec vv = footprint::square(of.right_v, of.down_v);
     const float_vec uv = hn::Add(hn::Mul(of.right_u, of.right_v), hn::Mul(of.down_u, of.down_v));
@@ -245,7 +231,7 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
         hn::IfThenElse(hn::Eq(count, one), longer, hn::Max(shorter, hn::Div(longer, count)));
     const level_pair levels(texture, width);
     const float_vec weight = hn::Div(one, count);
-    const float most_of_all = hn::GetLane(hn::MaxOfLanes(floats, count));
+    const float most_of_all = hn::GetLane(hn::MaxOfLanes(floats(), count));
     for (float i = 0; i < most_of_all; ++i) {
         const float_vec from_middle = hn::Sub(set(i), hn::Mul(half, hn::Sub(count, one)));
         levels.add(hn::Add(u, hn::Mul(from_middle, step_u)),
@@ -256,12 +242,12 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
 
 template <class Add>
 HWY_INLINE void light_pixels(const pixel_range& range, painted_pixels& pixels, const Add& add) {
-    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats)) {
+    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats())) {
         light_sums sums;
-        add(i, hn::LoadU(floats, &pixels.u[i]), hn::LoadU(floats, &pixels.v[i]), sums);
+        add(i, hn::LoadU(floats(), &pixels.u[i]), hn::LoadU(floats(), &pixels.v[i]), sums);
         for (std::size_t c = 0; c < 3; ++c) {
             float* const light = &pixels.light[c][i];
-            hn::StoreU(hn::Mul(hn::LoadU(floats, light), sums.light(c)), floats, light);
+            hn::StoreU(hn::Mul(hn::LoadU(floats(), light), sums.light(c)), floats(), light);
         }
     }
 }
@@ -276,13 +262,13 @@ void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
     case l3d_texture_filter::bilinear:
         return light_pixels(range, pixels,
                             [&](std::size_t, float_vec u, float_vec v, light_sums& to) HWY_ATTR {
-                                add_bilinear(texture, lane_levels(texture), u, v, set(1), to);
+                                add_bilinear(texture, lane_levels(texture), u, v, set(1.0F), to);
                             });
     case l3d_texture_filter::trilinear:
         return light_pixels(range, pixels,
                             [&](std::size_t i, float_vec u, float_vec v, light_sums& to) HWY_ATTR {
                                 level_pair(texture, footprint(texture, pixels, i).longer_way())
-                                    .add(u, v, set(1), to);
+                                    .add(u, v, set(1.0F), to);
                             });
     case l3d_texture_filter::anisotropic:
         return light_pixels(range, pixels,
@@ -293,34 +279,34 @@ void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
 }
 
 void encode_light(const level_steps& steps, const pixel_range& range, painted_pixels& pixels) {
-    const float_vec least = set(level_steps::least), one = set(1);
-    const int_vec first = hn::BitCast(integers, least);
+    const float_vec least = set(level_steps::least), one = set(1.0F);
+    const int_vec first = hn::BitCast(ints(), least);
     constexpr int lower = level_steps::lower_bits;
-    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats)) {
-        int_vec word = hn::Zero(integers);
+    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(floats())) {
+        int_vec word = hn::Zero(ints());
         for (const auto& channel : pixels.light) {
-            const float_vec light = hn::Min(hn::Max(hn::LoadU(floats, &channel[i]), least), one);
-            const int_vec bits = hn::BitCast(integers, light);
-            const int_vec step = hn::GatherIndex(integers, steps.level.data(),
+            const float_vec light = hn::Min(hn::Max(hn::LoadU(floats(), &channel[i]), least), one);
+            const int_vec bits = hn::BitCast(ints(), light);
+            const int_vec step = hn::GatherIndex(ints(), steps.level.data(),
                                                  hn::ShiftRight<lower>(hn::Sub(bits, first)));
             const auto is_below =
-                hn::Lt(hn::And(bits, set_int((1 << lower) - 1)), hn::ShiftRight<8>(step));
+                hn::Lt(hn::And(bits, set((1 << lower) - 1)), hn::ShiftRight<8>(step));
             const int_vec level =
-                hn::Add(hn::And(step, set_int(255)), hn::IfThenZeroElse(is_below, set_int(1)));
+                hn::Add(hn::And(step, set(255)), hn::IfThenZeroElse(is_below, set(1)));
             word = hn::Or(hn::ShiftLeft<8>(word), level);
         }
-        hn::StoreU(word, integers, reinterpret_cast<std::int32_t*>(&pixels.words[i]));
+        hn::StoreU(word, ints(), reinterpret_cast<std::int32_t*>(&pixels.words[i]));
     }
 }
 
 void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
                 named_pixels& to) {
-    const hn::RebindToUnsigned<decltype(integers)> names;
+    const hn::RebindToUnsigned<ints> names;
     to.count = count;
     std::fill(to.names.begin() + static_cast<std::ptrdiff_t>(count), to.names.end(), no_name);
     std::size_t i = 0;
     for (; i + hn::Lanes(names) <= count; i += hn::Lanes(names)) {
-        const auto filled = hn::Gt(hn::LoadU(floats, depths + i), hn::Zero(floats));
+        const auto filled = hn::Gt(hn::LoadU(floats(), depths + i), hn::Zero(floats()));
         hn::StoreU(hn::IfThenElse(hn::RebindMask(names, filled),
                                   hn::ShiftRight<8>(hn::LoadU(names, words + i)),
                                   hn::Set(names, no_name)),
@@ -333,25 +319,24 @@ void take_names(const std::uint32_t* words, const float* depths, std::size_t cou
 /// The product of a level and a channel, divided by 255 and rounded: with x the product plus 128,
 /// it is (x + floor(x / 256)) / 256.
 HWY_INLINE int_vec product_over_255(int_vec a, int_vec b) {
-    const int_vec x = hn::Add(hn::Mul(a, b), set_int(128));
+    const int_vec x = hn::Add(hn::Mul(a, b), set(128));
     return hn::ShiftRight<8>(hn::Add(x, hn::ShiftRight<8>(x)));
 }
 
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,
                   std::size_t count) {
-    const int_vec byte = set_int(0xff);
+    const int_vec byte = set(0xff);
     std::size_t i = 0;
-    for (; i + hn::Lanes(floats) <= count; i += hn::Lanes(floats)) {
+    for (; i + hn::Lanes(floats()) <= count; i += hn::Lanes(floats())) {
         auto* const at = reinterpret_cast<std::int32_t*>(words + i);
-        const int_vec word = hn::LoadU(integers, at), level = hn::And(word, byte);
-        const int_vec color =
-            hn::LoadU(integers, reinterpret_cast<const std::int32_t*>(colors + i));
+        const int_vec word = hn::LoadU(ints(), at), level = hn::And(word, byte);
+        const int_vec color = hn::LoadU(ints(), reinterpret_cast<const std::int32_t*>(colors + i));
         const int_vec red = product_over_255(hn::And(hn::ShiftRight<16>(color), byte), level);
         const int_vec green = product_over_255(hn::And(hn::ShiftRight<8>(color), byte), level);
         const int_vec blue = product_over_255(hn::And(color, byte), level);
         const int_vec shown = hn::Or(hn::ShiftLeft<16>(red), hn::Or(hn::ShiftLeft<8>(green), blue));
-        const auto filled = hn::Gt(hn::LoadU(floats, depths + i), hn::Zero(floats));
-        hn::StoreU(hn::IfThenElse(hn::RebindMask(integers, filled), shown, word), integers, at);
+        const auto filled = hn::Gt(hn::LoadU(floats(), depths + i), hn::Zero(floats()));
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(ints(), filled), shown, word), ints(), at);
     }
     for (; i < count; ++i)
         if (depths[i] > 0)

@@ -259,8 +259,6 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
             is_first = false;
         }
     }
-    for (std::size_t i = 0; i < alike_.size(); ++i)
-        alike_[i].other = i;
     unite_common_boundaries();
 }
 
@@ -274,37 +272,19 @@ double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     return result;
 }
 
-l3d_curved_pieces::line l3d_curved_pieces::root_of(std::size_t index) const {
-    bool is_turned = false;
-    while (alike_[index].other != index) {
-        is_turned ^= alike_[index].is_turned;
-        index = alike_[index].other;
-    }
-    return {index, is_turned, alike_[index].is_symmetric};
-}
-
 /// A line that meets itself the other way round, as on a Moebius band, is cut symmetrically.
 void l3d_curved_pieces::unite_common_boundaries() {
-    std::map<std::vector<double>, line> lines;
+    std::map<std::vector<double>, l3d_detail::directed_sets::place> lines;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const auto boundaries = boundaries_of(pieces_[i]);
         for (std::size_t side = 0; side < 4; ++side) {
             if (!boundaries[side])
                 continue;
             const auto& [numbers, is_turned, is_symmetric] = *boundaries[side];
-            const line here{2 * i + side / 2, is_turned};
-            const auto [there, is_new] = lines.try_emplace(numbers, here);
-            const line one = root_of(here.other), other = root_of(there->second.other);
-            const bool turns =
-                is_turned ^ there->second.is_turned ^ one.is_turned ^ other.is_turned;
-            line& root = alike_[one.other];
-            line& joined = alike_[other.other];
-            joined.is_symmetric = joined.is_symmetric || root.is_symmetric || is_symmetric ||
-                                  (one.other == other.other && turns);
-            if (one.other != other.other) {
-                root.other = other.other;
-                root.is_turned = turns;
-            }
+            const l3d_detail::directed_sets::place here{2 * i + side / 2, is_turned};
+            alike_.join(lines.try_emplace(numbers, here).first->second, here);
+            if (is_symmetric)
+                alike_.join(here, {here.line, !is_turned});
         }
     }
 }
@@ -329,10 +309,10 @@ double l3d_cell_wish::normals_of(const l3d_parameter_range& cell) const {
 }
 
 bool l3d_curved_pieces::is_cut(const cuts& by, std::size_t index, double from, double to) const {
-    const line root = root_of(index);
-    const std::vector<double>& places = by.of_lines[root.other];
-    const auto next = std::ranges::upper_bound(places, root.is_turned ? 1 - to : from);
-    return next != places.end() && *next < (root.is_turned ? 1 - from : to);
+    const auto [root, is_turned] = alike_.find(index);
+    const std::vector<double>& places = by.of_lines[root];
+    const auto next = std::ranges::upper_bound(places, is_turned ? 1 - to : from);
+    return next != places.end() && *next < (is_turned ? 1 - from : to);
 }
 
 template <class Visit>
@@ -349,16 +329,17 @@ void l3d_curved_pieces::visit_cells(std::size_t piece, const cuts& by, const l3d
         visit);
 }
 
-void l3d_curved_pieces::halve(cuts& by, const line& root, double place) const {
-    std::vector<double>& places = by.of_lines[root.other];
+void l3d_curved_pieces::halve(cuts& by, std::size_t index, double place) const {
+    const auto [root, is_turned] = alike_.find(index);
+    std::vector<double>& places = by.of_lines[root];
     const auto add = [&](double at) {
         const auto next = std::ranges::lower_bound(places, at);
         if (next == places.end() || *next != at)
             places.insert(next, at);
     };
-    if (!root.is_turned || root.is_symmetric)
+    if (!is_turned || alike_.runs_both_ways(root))
         add(place);
-    if (root.is_turned || root.is_symmetric)
+    if (is_turned || alike_.runs_both_ways(root))
         add(1 - place);
 }
 
@@ -394,17 +375,17 @@ l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted,
         return result;
     };
     cuts now = from;
-    now.of_lines.resize(alike_.size());
+    now.of_lines.resize(alike_.count());
     std::optional<cuts> before;
-    std::vector<bool> is_new(alike_.size(), true); // whether a line was halved, by its root
+    std::vector<bool> is_new(alike_.count(), true); // whether a line was halved, by its root
     for (bool goes_on = true; goes_on;) {
         goes_on = false;
         cuts next = now;
-        std::vector<bool> is_next_new(alike_.size(), false);
+        std::vector<bool> is_next_new(alike_.count(), false);
         now.cells = now.error = 0;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            const std::array<line, 2> lines{root_of(2 * i), root_of(2 * i + 1)};
-            if (is_new[lines[0].other] || is_new[lines[1].other])
+            const std::array roots{alike_.find(2 * i).line, alike_.find(2 * i + 1).line};
+            if (is_new[roots[0]] || is_new[roots[1]])
                 seen[i] = look(i, now);
             now.cells += seen[i].count;
             now.error = std::max(now.error, seen[i].error + of_trims);
@@ -412,8 +393,8 @@ l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted,
                 return *before;
             for (std::size_t along = 0; along < 2; ++along)
                 for (const double place : seen[i].halvings[along]) {
-                    halve(next, lines[along], place);
-                    is_next_new[lines[along].other] = goes_on = true;
+                    halve(next, 2 * i + along, place);
+                    is_next_new[roots[along]] = goes_on = true;
                 }
         }
         before = std::exchange(now, std::move(next));

@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_CURVED_PIECES_H
 #define L3D_SCENE_CURVED_PIECES_H
 
+#include "base/directed_sets_p.h"
 #include "base/number_hash_p.h"
 #include "geom/bezier_patch.h"
 #include "geom/nurbs/bicubic_approximation.h"
@@ -159,16 +160,9 @@ public:
 
 private:
     void unite_common_boundaries();
-    /// Another line that is cut alike, or the line itself.
-    struct line {
-        std::size_t other = 0;
-        bool is_turned = false;    ///< whether it runs the other way
-        bool is_symmetric = false; ///< whether it is cut alike both ways: asked of roots alone
-    };
-    line root_of(std::size_t index) const;
     double off_edges(const l3d_trim_region& region) const;
     bool is_cut(const cuts& by, std::size_t index, double from, double to) const;
-    void halve(cuts& by, const line& root, double place) const;
+    void halve(cuts& by, std::size_t index, double place) const;
     template <class Visit>
     void visit_cells(std::size_t piece, const cuts& by, const l3d_cell_wish& wanted,
                      const Visit& visit) const;
@@ -176,7 +170,7 @@ private:
     std::vector<l3d_patch_points> pieces_;
     std::vector<l3d_model_edge> file_edges_;
     std::vector<l3d_shared_edge> edges_;
-    std::vector<line> alike_; ///< for lines 2 i and 2 i + 1, along u and v of the piece i
+    l3d_detail::directed_sets alike_; ///< of lines 2 i and 2 i + 1, along u and v of the piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;
     double trim_bends_ = 0; ///< square roots of what trims are off the chords between their ends

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// directed_sets: borders of patches that are cut alike.
+#ifndef L3D_BASE_DIRECTED_SETS_P_H
+#define L3D_BASE_DIRECTED_SETS_P_H
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace l3d_detail {
+
+/// Disjoint sets of lines, which are numbered from 0. Each line runs in its set's direction or
+/// backwards.
+class directed_sets {
+public:
+    struct place {
+        std::size_t line;
+        bool is_backwards;
+    };
+
+    /// Puts each line into a set of its own.
+    explicit directed_sets(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            lines_.push_back({{i, false}});
+    }
+
+    std::size_t count() const { return lines_.size(); }
+
+    /// The line that stands for a line's set, and whether both run in opposite directions.
+    /// Cost: logarithmic, as the smaller set always joins the larger one.
+    place find(std::size_t line) const {
+        place result{line, false};
+        while (lines_[result.line].above.line != result.line) {
+            const place& above = lines_[result.line].above;
+            result = {above.line, result.is_backwards != above.is_backwards};
+        }
+        return result;
+    }
+
+    /// Unites the sets of two lines that run alike, if each is turned where its place says so.
+    void join(const place& a, const place& b) {
+        place root = find(a.line), other = find(b.line);
+        const bool turns =
+            (a.is_backwards != root.is_backwards) != (b.is_backwards != other.is_backwards);
+        if (lines_[root.line].size < lines_[other.line].size)
+            std::swap(root, other);
+        member &larger = lines_[root.line], &smaller = lines_[other.line];
+        if (root.line == other.line) {
+            larger.runs_both_ways = larger.runs_both_ways || turns;
+            return;
+        }
+        larger.size += smaller.size;
+        larger.runs_both_ways = larger.runs_both_ways || smaller.runs_both_ways;
+        smaller.above = {root.line, turns};
+    }
+
+    /// Whether some line was joined to itself the other way round, as on a Moebius band.
+    /// Expects: a line that stands for its set.
+    bool runs_both_ways(std::size_t line) const { return lines_[line].runs_both_ways; }
+
+private:
+    struct member {
+        place above; ///< another line of the set; the one that stands for it has itself
+        std::size_t size = 1;
+        bool runs_both_ways = false; ///< both are valid where the line stands for its set
+    };
+
+    std::vector<member> lines_;
+};
+
+} // namespace l3d_detail
+
+#endif
