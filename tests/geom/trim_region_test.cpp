@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -163,6 +164,7 @@ TEST(grid_trims, leave_of_quads_what_the_region_has) {
         EXPECT_TRUE(grid.is_for(u, v));
         EXPECT_FALSE(grid.is_for(u, u));
         real area = 0;
+        std::size_t whole = 0;
         for (const l3d_grid_trims::part& part : grid.parts()) {
             const auto corners = grid.corners(part.corners);
             const l3d_trim_place least{u[part.of.column], v[part.of.row]},
@@ -170,17 +172,40 @@ TEST(grid_trims, leave_of_quads_what_the_region_has) {
             for (const auto& [at, share] : corners)
                 for (std::size_t k = 0; k < 2; ++k)
                     EXPECT_NEAR(least[k] + share[k] * (most[k] - least[k]), at[k], 1e-15);
-            if (part.is_whole)
+            if (part.is_whole) {
                 area += (real{most[0]} - least[0]) * (real{most[1]} - least[1]);
+                whole += (part.of.end_row - part.of.row) * (part.of.end_column - part.of.column);
+                continue;
+            }
+            real here = 0, around = 0;
             for (const auto& [a, b, c] : grid.triangles(part.triangles))
-                area += turn(corners[a].at, corners[b].at, corners[c].at) / 2;
+                here += turn(corners[a].at, corners[b].at, corners[c].at) / 2;
+            area += here;
+            for (const auto& sides : {grid.sides(part.border), grid.sides(part.inner)})
+                for (const auto& side : sides)
+                    around += turn({0, 0}, corners[side.from].at, corners[side.to].at) / 2;
+            if (least[0] > 0 && least[1] > 0 && most[0] < 1 && most[1] < 1)
+                EXPECT_NEAR(double(around), double(here), 1e-12) << "by Green's theorem";
         }
+        EXPECT_EQ(whole + grid.cut().size(), (u.size() - 1) * (v.size() - 1));
         l3d_trim_triangles all;
         all.cut(region.within({}), {});
         real wanted = 0;
         for (const auto& [a, b, c] : all.triangles())
             wanted += turn(a, b, c) / 2;
         EXPECT_NEAR(double(area), double(wanted), 1e-12) << round;
+        const auto length = [](std::span<const l3d_grid_trims::stretch> of) {
+            double sum = 0;
+            for (const auto& [from, to] : of)
+                sum += to - from;
+            return sum;
+        };
+        for (std::size_t side = 0; side < 4; ++side) {
+            const std::vector<l3d_grid_trims::stretch>& kept = grid.kept()[side];
+            EXPECT_NEAR(length(kept), length(all.sides()[side]), 1e-12) << round;
+            for (std::size_t i = 1; i < kept.size(); ++i)
+                EXPECT_LT(kept[i - 1][1], kept[i][0]) << "they are joined where they meet";
+        }
         for (int i = 0; i < 20; ++i) {
             const l3d_trim_place p{any(random), any(random)};
             const auto index = [](const std::vector<double>& all_of, double at) {
@@ -195,6 +220,40 @@ TEST(grid_trims, leave_of_quads_what_the_region_has) {
         }
     }
     EXPECT_EQ(judged, 4000);
+}
+
+/// A region with an edge along lines of the grid, below whole quads, and one across quads.
+TEST(grid_trims, follow_edges_from_end_to_end) {
+    const std::vector<double> u{0, 0.125, 0.3, 0.5, 1}, v{0, 0.5, 0.61, 1};
+    l3d_trim_region region;
+    l3d_flat_trims(std::vector<l3d_trim_loop>{{{{{0.125, 0.5, 1}, {0.5, 0.5, 1}}, 7, 2, 4},
+                                               {{{0.5, 0.5, 1}, {0.8, 0.9, 1}}, 8, 0, 1},
+                                               {{{0.8, 0.9, 1}, {0.125, 0.9, 1}}},
+                                               {{{0.125, 0.9, 1}, {0.125, 0.5, 1}}}}},
+                   {1, 1}, 1e-3, region);
+    l3d_grid_trims grid;
+    l3d_grid_trims::workshop in;
+    grid.make(region, u, v, in);
+    double of_line = 0, of_quads = 0;
+    for (const l3d_grid_trims::part& part : grid.parts()) {
+        for (const l3d_grid_trims::grid_side& side : grid.grid_sides(part.grid_sides)) {
+            EXPECT_TRUE(part.is_whole);
+            EXPECT_EQ(side.use.edge, 7U);
+            EXPECT_EQ(side.from, (l3d_trim_place{u[side.column], v[side.row]}));
+            EXPECT_EQ(side.to, (l3d_trim_place{u[side.end_column], v[side.end_row]}));
+            EXPECT_EQ(side.row, 1U);
+            EXPECT_EQ(side.end_row, 1U);
+            EXPECT_EQ(side.quad_row, 1U);
+            EXPECT_EQ(side.quad_column, side.column);
+            of_line += side.use.to - side.use.from;
+        }
+        for (const l3d_grid_trims::corner_side& side : grid.sides(part.followed)) {
+            EXPECT_EQ(side.use.edge, 8U);
+            of_quads += side.use.to - side.use.from;
+        }
+    }
+    EXPECT_NEAR(of_line, 2, 1e-12);
+    EXPECT_NEAR(of_quads, 1, 1e-12);
 }
 
 /// A quarter of a circle and the way back, exact.
