@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -140,6 +141,37 @@ TEST(shared_edges, that_are_loose_move_no_tight_ones) {
     EXPECT_EQ(edges[0].ends[1], corner);
     EXPECT_NEAR(edges[0].off, 8e-4, 1e-12);
     EXPECT_EQ(edges[3].ends[0], beside);
+}
+
+TEST(shared_edges, meet_where_they_are_as_near_as_they_say) {
+    const auto are_joined = [](const vector& a, const vector& b, double tolerance) {
+        const vector far{0.0, 0.0, 9.0};
+        const auto edges = l3d_shared_edges(
+            std::array{l3d_model_edge{l3d_nurbs_curve::polyline({far, a}), tolerance},
+                       l3d_model_edge{l3d_nurbs_curve::polyline({b, -far}), tolerance}},
+            {});
+        return edges[0].ends[1] == edges[1].ends[0];
+    };
+    EXPECT_TRUE(are_joined({1.0, 0.0, 0.0}, {1.0015, 0.0, 0.0}, 1e-3)) << "each is off by 0.75";
+    EXPECT_FALSE(are_joined({1.0, 0.0, 0.0}, {1.0025, 0.0, 0.0}, 1e-3));
+    EXPECT_TRUE(are_joined({0.3, 0.0, 0.0}, {0.1 + 0.2, 0.0, 0.0}, 0)) << "files round";
+    EXPECT_FALSE(are_joined({0.3, 0.0, 0.0}, {0.3 + 1e-9, 0.0, 0.0}, 0));
+}
+
+/// An edge beside its face, as measured, is off as one whose file says so.
+TEST(shared_edges, meet_where_a_face_is_off) {
+    for (const double off : {0.0, 1e-3}) {
+        const vector from{0.0, 0.0, off}, to{1.0, 0.0, off};
+        l3d_patch_points face{1, 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+        face.trims = {{{{{0, 0, 1}, {1, 0, 1}}, 0, 0, 1}, {{{1, 0, 1}, {0, 0, 1}}}}};
+        const auto edges = l3d_shared_edges(
+            std::array{
+                l3d_model_edge{l3d_nurbs_curve::polyline({from, to}), 0},
+                l3d_model_edge{l3d_nurbs_curve::polyline({{1.0, 0.0, 5e-4}, from * 9.0}), 0}},
+            std::span(&face, 1));
+        EXPECT_NEAR(edges[0].off, off, 1e-12);
+        EXPECT_EQ(edges[0].ends[1] == edges[1].ends[0], off > 0);
+    }
 }
 
 /// A pipeline keeps what trims leave of grids, and draws as one that has kept nothing.
