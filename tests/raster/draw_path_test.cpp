@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // draw_path: exact areas of outlines that cross, fold and lie upon each other; curves; blending.
+#include "effort.h"
 #include "raster/canvas_2d.h"
 #include "raster/paths/flat_curve_p.h"
 #include "raster/paths/path.h"
@@ -213,7 +214,7 @@ void expect_exact_areas(canvas& c, const std::vector<slow_area::shape>& shapes) 
 TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
     std::mt19937 random(29);
     canvas c(width, height);
-    for (int n = 0; n < 60; ++n) {
+    for (int n = 0; n < (thorough ? 60 : 20); ++n) {
         std::vector<slow_area::shape> shapes(n % 4 == 0 ? 2 : 1);
         for (slow_area::shape& shape : shapes) {
             shape = random_shape(random);
