@@ -21,37 +21,27 @@ namespace {
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
 
-} // namespace
+/// The command line, and what is to be drawn by it.
+struct command {
+    explicit command(l3d_program& program)
+        : afd(program.options()),
+          method(methods(program.options()), "--method", "afd", "how surfaces are drawn: "),
+          compared(program.options(), "--compare", "",
+                   "draw the right half by this method (--report, --explain and --statistics tell "
+                   "of the left one): "),
+          parts(program.options()), common(program.options().common()) {
+        program.options().begin_group("Measurements");
+        program.options().add("--error-report", folder,
+                              "draw nothing; measure what accuracy costs with each method, and "
+                              "write the numbers there",
+                              "FOLDER");
+        program.options().has_result("--error-report");
+        program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
+        program.options().add_example("--compare tessellation:6", "two methods side by side");
+    }
 
-int main(int argc, char** argv) {
-    l3d_program program("teapot_afd",
-                        "Draws bicubic patches, the Utah teapot unless told otherwise, by adaptive "
-                        "forward differencing,\nwith a certified bound of the error in pixels. "
-                        "In the window, h lists the keys.",
-                        {1024, 768});
-    const l3d_afd_options afd(program.options());
-    program.options().begin_group("Methods");
-    const l3d_method_option method(program.options(), "--method", "afd",
-                                   "how surfaces are drawn: ");
-    const l3d_method_option compared(program.options(), "--compare", "",
-                                     "draw the right half by this method (--report, --explain and "
-                                     "--statistics tell of the left one): ");
-    const l3d_part_options parts(program.options());
-    program.options().begin_group("Measurements");
-    std::string folder;
-    bool quick = false;
-    program.options().add("--error-report", folder,
-                          "draw nothing; measure what accuracy costs with each method, and write "
-                          "the numbers there",
-                          "FOLDER");
-    program.options().has_result("--error-report");
-    program.options().add("--quick", quick, "a small --error-report, in half a minute or so");
-    program.options().add_example("--compare tessellation:6", "two methods side by side");
-    l3d_camera camera;
-    l3d_afd_settings settings;
-    l3d_patch_scene scene;
-    std::optional<l3d_method_choice> other;
-    program.after_command_line([&] {
+    /// Reads what the options say. Returns whether there is something to show.
+    bool take() {
         camera = afd.camera();
         settings = method.settings(afd);
         if (parts.lists()) {
@@ -59,7 +49,31 @@ int main(int argc, char** argv) {
             return false;
         }
         other = compared.choice();
-        const l3d_common_options& common = program.options().common();
+        refuse_what_does_not_go_together();
+        if (folder.empty())
+            return take_scene();
+        measure();
+        return false;
+    }
+
+    l3d_afd_options afd;
+    l3d_method_option method, compared;
+    l3d_part_options parts;
+    const l3d_common_options& common;
+    std::string folder;
+    bool quick = false;
+    l3d_camera camera;
+    l3d_afd_settings settings;
+    l3d_patch_scene scene;
+    std::optional<l3d_method_choice> other;
+
+private:
+    static l3d_options& methods(l3d_options& options) {
+        options.begin_group("Methods");
+        return options;
+    }
+
+    void refuse_what_does_not_go_together() const {
         const bool measures = !folder.empty(), compares = other.has_value();
         const bool keeps_depth = !afd.depth_output().empty(), bounds = !afd.error_output().empty();
         const bool is_kept = method.choice()->method == l3d_method::kept ||
@@ -90,17 +104,21 @@ int main(int argc, char** argv) {
                     {"--resume", is_kept && common.resume, follow},
                     {"--frames", is_kept && common.first_frame > 0, follow},
                     {"--quick", quick && !measures, "goes with --error-report"}});
-        if (folder.empty()) {
-            scene = parts.scene(afd.model());
-            afd.lay_picture(scene);
-            if (afd.write_svg(scene))
-                return false;
-            if (other && scene.transparent_count() > 0)
-                throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
-            if (other && scene.has_trims())
-                throw l3d_error(l3d_exit::usage, "--compare: not with trimmed surfaces");
-            return true;
-        }
+    }
+
+    bool take_scene() {
+        scene = parts.scene(afd.model());
+        afd.lay_picture(scene);
+        if (afd.write_svg(scene))
+            return false;
+        if (other && scene.transparent_count() > 0)
+            throw l3d_error(l3d_exit::usage, "--opacity: not with --compare");
+        if (other && scene.has_trims())
+            throw l3d_error(l3d_exit::usage, "--compare: not with trimmed surfaces");
+        return true;
+    }
+
+    void measure() {
         const l3d_size size = common.size;
         constexpr int least = 6; // so that half of a third is still a picture
         if (std::min(size.width, size.height) < least)
@@ -116,8 +134,19 @@ int main(int argc, char** argv) {
         });
         write_error_report(folder, scene.instances()[0].model(), camera, size,
                            {afd.shows_the_usual(), quick});
-        return false;
-    });
+    }
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    l3d_program program("teapot_afd",
+                        "Draws bicubic patches, the Utah teapot unless told otherwise, by adaptive "
+                        "forward differencing,\nwith a certified bound of the error in pixels. "
+                        "In the window, h lists the keys.",
+                        {1024, 768});
+    command given(program);
+    program.after_command_line([&] { return given.take(); });
     return program.run(argc, argv, [&] {                     // step 1: choose factories
         const auto dispatcher = program.create_dispatcher(); // step 3
         const auto show = [&](auto& pipeline, l3d_screen& screen) {
@@ -126,17 +155,18 @@ int main(int argc, char** argv) {
             pipeline.finish();
             return result;
         };
-        l3d_canvas canvas = program.create_canvas(afd.model_title());
-        if (other) {
-            comparing_pipeline pipeline(program, afd, std::move(canvas),
-                                        scene.instances()[0].model(), camera, settings, *other);
+        l3d_canvas canvas = program.create_canvas(given.afd.model_title());
+        if (given.other) {
+            comparing_pipeline pipeline(program, given.afd, std::move(canvas),
+                                        given.scene.instances()[0].model(), given.camera,
+                                        given.settings, *given.other);
             pipeline.controls().set_screenshot([&pipeline](const l3d_pixels&) {
                 return l3d_save_screenshot(pipeline.whole().pixels());
             });
             return show(pipeline, pipeline.whole());
         }
-        teapot_pipeline pipeline(program, afd, std::move(canvas), scene, camera, settings,
-                                 *method.choice());
+        teapot_pipeline pipeline(program, given.afd, std::move(canvas), given.scene, given.camera,
+                                 given.settings, *given.method.choice());
         return show(pipeline, pipeline.screen());
     });
 }

@@ -60,6 +60,40 @@ crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t
     return {};
 }
 
+/// The index of a face's first corner among all corners.
+std::ptrdiff_t first_corner(const l3d_polygon_mesh& of, std::size_t face) {
+    return of.face(face).data() - of.corners.data();
+}
+
+/// Adds the place where the sides of a face cross to the vertices, and its two triangles to `made`.
+void split_at(const crossing& at, std::size_t face, l3d_polygon_mesh& of, l3d_polygon_mesh& made) {
+    const auto corner = [&](std::size_t i) { return of.face(face)[(at.side + i) % 4]; };
+    const auto middle = static_cast<std::uint32_t>(of.vertices.size());
+    const std::uint32_t a = corner(0), b = corner(1);
+    of.vertices.push_back(at.place);
+    if (!of.vertex_normals.empty())
+        of.vertex_normals.push_back(of.vertex_normals[a] +
+                                    (of.vertex_normals[b] - of.vertex_normals[a]) * at.share);
+    if (!of.vertex_colors.empty())
+        of.vertex_colors.push_back(
+            l3d_detail::color_between(of.vertex_colors[a], of.vertex_colors[b], at.share));
+    made.add_face({{middle, corner(3), a}});
+    made.add_face({{middle, corner(2), b}});
+    if (of.picture_places.empty())
+        return;
+    const auto place = [&](std::size_t i) {
+        return of
+            .picture_places[static_cast<std::size_t>(first_corner(of, face)) + (at.side + i) % 4];
+    };
+    const auto between = [&](double from, double to) {
+        return static_cast<float>(from + (to - from) * at.share);
+    };
+    const l3d_polygon_mesh::picture_place p{between(place(0)[0], place(1)[0]),
+                                            between(place(0)[1], place(1)[1])};
+    made.picture_places.insert(made.picture_places.end(),
+                               {p, place(3), place(0), p, place(2), place(1)});
+}
+
 /// Appends another mesh's array to an optional array. A mesh without the array counts as having
 /// `missing` for each element.
 template <class T>
@@ -103,38 +137,12 @@ void l3d_polygon_mesh::uncross_faces() {
     for (std::size_t f = 0; f < faces(); ++f) {
         for (; part != parts.end() && part->first == f; ++part)
             part->first = index_of(made.faces());
-        if (next != crossed.end() && next->first == f) {
-            const auto corner = [&](std::size_t i) { return face(f)[(next->second.side + i) % 4]; };
-            const std::uint32_t a = corner(0), b = corner(1);
-            const auto place = [&](std::size_t i) {
-                return picture_places[(f == 0 ? 0 : face_ends[f - 1]) +
-                                      (next->second.side + i) % 4];
-            };
-            const auto between = [share = next->second.share](double from, double to) {
-                return from + (to - from) * share;
-            };
-            const auto middle = static_cast<std::uint32_t>(vertices.size());
-            vertices.push_back(next->second.place);
-            if (!vertex_normals.empty())
-                vertex_normals.push_back(vertex_normals[a] +
-                                         (vertex_normals[b] - vertex_normals[a]) *
-                                             next->second.share);
-            if (!vertex_colors.empty())
-                vertex_colors.push_back(l3d_detail::color_between(
-                    vertex_colors[a], vertex_colors[b], next->second.share));
-            made.add_face({{middle, corner(3), a}});
-            made.add_face({{middle, corner(2), b}});
-            if (!picture_places.empty()) {
-                const picture_place p{static_cast<float>(between(place(0)[0], place(1)[0])),
-                                      static_cast<float>(between(place(0)[1], place(1)[1]))};
-                made.picture_places.insert(made.picture_places.end(),
-                                           {p, place(3), place(0), p, place(2), place(1)});
-            }
-            ++next;
-        } else {
+        if (next != crossed.end() && next->first == f)
+            split_at((next++)->second, f, *this, made);
+        else {
             made.add_face(face(f));
             if (!picture_places.empty()) {
-                const auto begin = picture_places.begin() + (f == 0 ? 0 : face_ends[f - 1]);
+                const auto begin = picture_places.begin() + first_corner(*this, f);
                 made.picture_places.insert(made.picture_places.end(), begin,
                                            begin + static_cast<std::ptrdiff_t>(face(f).size()));
             }

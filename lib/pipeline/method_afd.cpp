@@ -49,8 +49,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     if (l3d_is_light(shading.mode))
         view.shading.paints = shading.paints =
             pictures_.begin(frame.scene, frame.filter, frame.materials.size());
-    const bool inspects = l3d_sees_patches(shading.mode);
-    if (inspects) {
+    if (l3d_sees_patches(shading.mode)) {
         inspected_.begin(frame.camera, view, shading);
         shading.inspected = &inspected_.patches();
     }
@@ -74,19 +73,7 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         surface.begin(frame.target, depth, shading, frame.untouched);
     times.transform += placing.milliseconds();
     while (!batch.empty()) {
-        const stopwatch dicing;
-        const auto parts = dicer_.dice(frame.scene, culling_, batch);
-        times.dice += dicing.milliseconds();
-        add_outlines(batch, times);
-
-        const stopwatch filling;
-        if (inspects)
-            inspected_.add(frame.scene, batch);
-        if (shading.paints)
-            pictures_.add(frame.scene, batch, dicer_);
-        surface.draw(parts);
-        times.raster += filling.milliseconds();
-
+        draw_batch(frame, shading, batch, times);
         const stopwatch going_on;
         batch = next_batch(surface);
         times.transform += going_on.milliseconds();
@@ -103,6 +90,23 @@ void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
         outlines_->finish(counts_.bound_px + frame.curved_px,
                           counts_.depth_bound_px + frame.curved_px, counts_.near_z);
     times.outlines += seeking.milliseconds();
+}
+
+template <class T>
+void l3d_method_afd<T>::draw_batch(const l3d_method_frame& frame, const l3d_shading& shading,
+                                   std::span<const l3d_placed_patch> batch,
+                                   l3d_stage_times& times) {
+    const stopwatch dicing;
+    const auto parts = dicer_.dice(frame.scene, culling_, batch);
+    times.dice += dicing.milliseconds();
+    add_outlines(batch, times);
+    const stopwatch filling;
+    if (shading.inspected)
+        inspected_.add(frame.scene, batch);
+    if (shading.paints)
+        pictures_.add(frame.scene, batch, dicer_);
+    used_->draw(parts);
+    times.raster += filling.milliseconds();
 }
 
 template <class T>

@@ -39,6 +39,8 @@ private:
 
     l3d_surface_rasterizer& surface_for(const l3d_shading& shading);
     std::span<const l3d_placed_patch> next_batch(const l3d_surface_rasterizer& surface);
+    void draw_batch(const l3d_method_frame& frame, const l3d_shading& shading,
+                    std::span<const l3d_placed_patch> batch, l3d_stage_times& times);
     void begin_outlines(const l3d_method_frame& frame, const l3d_dice_view& view,
                         l3d_stage_times& times);
     void add_outlines(std::span<const l3d_placed_patch> batch, l3d_stage_times& times);
@@ -46,7 +48,7 @@ private:
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
     std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< for inspection, if `surface_` cannot
-    const l3d_surface_rasterizer* used_;                ///< the rasterizer of the last frame
+    l3d_surface_rasterizer* used_;                      ///< the rasterizer of the last frame
     l3d_inspected_scene inspected_;
     l3d_detail::laid_pictures pictures_;
     l3d_scene_culling culling_;

@@ -29,7 +29,7 @@ void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_i
     const double near = view.unlifted().near;
     for (std::size_t first = 0; first < boxes.count() && result.area() <= enough;
          first += l3d_box_lanes::lanes) {
-        l3d_detail::cull_boxes(boxes, first, to_image, {}, view, view.margin(), culled);
+        l3d_detail::cull_boxes(boxes, first, {to_image, {}, view, view.margin()}, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             if (culled.most[i] <= near || culled.least[i] >= view.far || culled.inside[i] < 0)

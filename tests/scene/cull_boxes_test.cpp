@@ -62,7 +62,7 @@ TEST(cull_boxes, says_what_the_corners_say_with_the_same_bits_from_every_instruc
         ASSERT_TRUE(l3d_set_simd_target(target));
         for (std::size_t first = 0; first < boxes.count(); first += lanes) {
             l3d_detail::culled_boxes culled{};
-            l3d_detail::cull_boxes(boxes, first, to_image, {}, view, view.margin(), culled);
+            l3d_detail::cull_boxes(boxes, first, {to_image, {}, view, view.margin()}, culled);
             if (best.size() <= first / lanes) {
                 best.push_back(culled);
                 for (std::size_t i = 0; i < lanes && first + i < boxes.count(); ++i) {

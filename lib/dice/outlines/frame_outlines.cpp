@@ -44,8 +44,13 @@ void l3d_frame_outlines::finish(double bound_px, double depth_bound_px, double n
                 mask_.set(x, y);
     if (!std::isfinite(bound))
         return;
-    l3d_outline_search search(view_, focal_, depth_by_pixel_, bound_px, depth_bound, near, depths_,
-                              mask_);
+    l3d_outline_search search(view_,
+                              {.focal = focal_,
+                               .depth_by_pixel = depth_by_pixel_,
+                               .places = bound_px,
+                               .depth = depth_bound,
+                               .farthest_near = near},
+                              depths_, mask_);
     for (const l3d_patch_instance& instance : scene_->instances()) {
         const l3d_matrix<double> to_image = to_image_ * instance.placement();
         const l3d_patch_model& model = instance.model();

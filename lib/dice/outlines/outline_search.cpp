@@ -70,22 +70,19 @@ struct pixel_range {
 
 } // namespace
 
-l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, double focal,
-                                       double depth_by_pixel, double bound, double depth_bound,
-                                       double farthest_near, const l3d_two_layer_depths& depths,
-                                       l3d_pixel_bits& mask)
-    : whole_(view), view_(view), focal_(focal), depth_by_pixel_(depth_by_pixel), bound_(bound),
-      depth_bound_(depth_bound), farthest_near_(farthest_near),
-      allowed_(std::max(bound / 8, 1.0 / 64)), depths_(depths), mask_(mask) {}
+l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, const l3d_outline_reach& reach,
+                                       const l3d_two_layer_depths& depths, l3d_pixel_bits& mask)
+    : whole_(view), view_(view), reach_(reach), allowed_(std::max(reach.places / 8, 1.0 / 64)),
+      depths_(depths), mask_(mask) {}
 
 /// Sets errors and near planes for a patch's share of the view's errors. The near planes are no
 /// farther than these errors push them.
 void l3d_outline_search::take_share(double share) {
     view_.take_share(whole_, share);
-    radius_ = bound_ + view_.error_xy / std::max(view_.near, 1e-300);
-    fold_radius_ = radius_ + depth_bound_ / 2;
+    radius_ = reach_.places + view_.error_xy / std::max(view_.near, 1e-300);
+    fold_radius_ = radius_ + reach_.depth / 2;
     least_near_ = view_.camera_near > 0 ? std::min(view_.camera_near, view_.near) : view_.near;
-    most_near_ = std::max(std::min(farthest_near_, view_.near), least_near_);
+    most_near_ = std::max(std::min(reach_.farthest_near, view_.near), least_near_);
     window_ = view_.window().grown(fold_radius_ + 1);
 }
 
@@ -222,8 +219,9 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
         return is_parallel ? double{view_.depth_at(of_w)} : view_.depth_scale / of_w;
     };
     const double nearest = depth(w.least), farthest = depth(w.most);
-    const double limit = is_parallel ? 2 * nearest - farthest + 4 * bound_ * depth_by_pixel_
-                                     : (2 * nearest - farthest) * (1 + 4 * bound_ / focal_);
+    const double limit = is_parallel
+                             ? 2 * nearest - farthest + 4 * reach_.places * reach_.depth_by_pixel
+                             : (2 * nearest - farthest) * (1 + 4 * reach_.places / reach_.focal);
     const double margin = fold_radius_ + 1.5;
     const auto pixel = [](double at, int count) {
         return static_cast<int>(std::clamp(std::floor(at), 0.0, double(count)));

@@ -17,6 +17,14 @@ struct l3d_picture_place {
     double x = 0, y = 0;
 };
 
+/// How far a drawn frame may be off, in pixels.
+struct l3d_outline_reach {
+    double focal;          ///< pixels at a distance of 1
+    double depth_by_pixel; ///< the depth of a pixel in a parallel projection
+    double places, depth;  ///< bounds in the picture, and along the normal
+    double farthest_near;  ///< the farthest near plane in use, in the view's w
+};
+
 /// Marks the pixels near visible outlines in a mask.
 ///
 /// It halves patches until each piece certainly has no visible outline, or its outline is nearly
@@ -29,16 +37,14 @@ struct l3d_picture_place {
 /// Cost: some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Searches with these bounds of the drawn frame. At a fold, pixels up to half of `depth_bound`
+    /// Searches with these bounds of the drawn frame. At a fold, pixels up to half of `reach.depth`
     /// farther away are marked. So near to a fold, its two sheets are closer than their bounds of
     /// depth. The fold's picture is a parabola d = k t^2 / 2 over the depth t, and the normal's
     /// slope is k t. So the sheets, 2 t apart in depth, are 4 d apart along the normal, and each
     /// may err.
-    /// Units: pixels; `farthest_near` is the farthest near plane in use, in the view's w.
     /// Lives: borrows view, depths and mask.
-    l3d_outline_search(const l3d_dice_view& view, double focal, double depth_by_pixel, double bound,
-                       double depth_bound, double farthest_near, const l3d_two_layer_depths& depths,
-                       l3d_pixel_bits& mask);
+    l3d_outline_search(const l3d_dice_view& view, const l3d_outline_reach& reach,
+                       const l3d_two_layer_depths& depths, l3d_pixel_bits& mask);
 
     /// Marks the outlines of a patch. `sides` has bits for the sides that count as outlines
     /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of of the patch's own points: far
@@ -58,7 +64,7 @@ private:
         unsigned sides = 0;
         bool may_fold = true;
     };
-    /// A polynomial over a piece by its coefficients, whose values are known to `error`.
+    /// The Bernstein coefficients of a polynomial over a piece, and a bound of its values' error.
     template <std::size_t N> struct level_set {
         std::array<double, N * N> at;
         double error = 0;
@@ -78,7 +84,7 @@ private:
 
     const l3d_dice_view& whole_;
     l3d_dice_view view_; ///< view with the patch's share of errors; so are all down to window_
-    double focal_, depth_by_pixel_, bound_, depth_bound_, farthest_near_;
+    l3d_outline_reach reach_;
     double radius_ = 0, fold_radius_ = 0; ///< reach of the bounds around a side, or a fold
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};

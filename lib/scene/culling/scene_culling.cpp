@@ -129,7 +129,7 @@ void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<dou
     l3d_dice_view with_all = view_;
     with_all.keep.centreless = true;
     for (std::size_t first = 0; first < boxes.count(); first += l3d_box_lanes::lanes) {
-        l3d_detail::cull_boxes(boxes, first, to_image, terms, view_, margin_, culled);
+        l3d_detail::cull_boxes(boxes, first, {to_image, terms, view_, margin_}, culled);
         const std::size_t here = std::min(l3d_box_lanes::lanes, boxes.count() - first);
         for (std::size_t i = 0; i < here; ++i) {
             const bool is_followed = followed(first + i);

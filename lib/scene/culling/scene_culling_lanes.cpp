@@ -95,9 +95,9 @@ void judge_terms(const l3d_box_lanes& boxes, std::size_t first, const placing_te
     }
 }
 
-void cull_lanes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const placing_terms& terms, const l3d_dice_view& view, const l3d_image_box& margin,
+void cull_lanes(const l3d_box_lanes& boxes, std::size_t first, const box_placing& placing,
                 culled_boxes& result) {
+    const auto& [to_image, terms, view, margin] = placing;
     row share, near;
     judge_terms(boxes, first, terms, view, share, near);
     result.share = share;
@@ -134,10 +134,9 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(cull_lanes);
 
-void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const placing_terms& terms, const l3d_dice_view& view, const l3d_image_box& margin,
+void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const box_placing& placing,
                 culled_boxes& result) {
-    L3D_SIMD_CALL(cull_lanes)(boxes, first, to_image, terms, view, margin, result);
+    L3D_SIMD_CALL(cull_lanes)(boxes, first, placing, result);
 }
 
 } // namespace l3d_detail

@@ -34,14 +34,20 @@ struct culled_boxes {
     row left, right, top, bottom;
 };
 
+/// The way from boxes to the picture.
+/// Lives: borrows all.
+struct box_placing {
+    const l3d_matrix<double>& to_image; ///< from the boxes' space to (x, y, -, w) in view's units
+    const placing_terms& terms;
+    const l3d_dice_view& view;
+    const l3d_image_box& margin; ///< l3d_dice_view::margin of the part of the picture that matters
+};
+
 /// Places boxes [first, first + lanes); results from boxes.count() on mean nothing.
 ///
-/// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units; `margin` is
-///          l3d_dice_view::margin of the part of the picture that matters.
 /// Expects: first is a multiple of l3d_box_lanes::lanes.
 /// Cost:    some 190 operations a box, three of them divisions.
-void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const l3d_matrix<double>& to_image,
-                const placing_terms& terms, const l3d_dice_view& view, const l3d_image_box& margin,
+void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const box_placing& placing,
                 culled_boxes& result);
 
 /// The box in the picture that holds all drawn points of box i. The box in the scene holds the
