@@ -19,7 +19,7 @@ namespace {
 using l3d_detail::stopwatch;
 using vector = l3d_polygon_mesh::vector;
 
-/// A point (w = 1) or a direction (w = 0) by an affine matrix.
+/// Moves a point (w = 1) or a direction (w = 0) by an affine matrix.
 vector moved(const l3d_matrix<double>& by, const vector& v, double w) {
     const l3d_vector<double, 4> h = by * l3d_vector<double, 4>(v[0], v[1], v[2], w);
     return {h[0], h[1], h[2]};

@@ -6,7 +6,7 @@
 
 namespace {
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class camspikes_world final : public l3d_world {
 public:
     camspikes_world(l3d_size size, std::uint64_t seed) : l3d_world(size), random_(seed) {

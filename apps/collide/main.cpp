@@ -114,7 +114,7 @@ private:
     l3d_ticker ticker_;
 };
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class collide_world final : public l3d_world {
 public:
     collide_world(l3d_size size, std::uint64_t seed, int count, bool is_painted) : l3d_world(size) {

@@ -16,8 +16,8 @@ inline int dot_side(l3d_size picture) {
     return std::max(1, std::min(picture.width / 320, picture.height / 200));
 }
 
-/// The side of a smooth dot. A smooth dot of a single pixel is spread over four, and too dim to
-/// see.
+/// The side of a smooth dot: two pixels or more. A dot of one pixel would be spread over four, and
+/// be too dim to see.
 inline double smooth_dot_side(l3d_size picture) {
     return 2 * dot_side(picture);
 }

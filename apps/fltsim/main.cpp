@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Turns about the x axis, 10 degrees per update of the book.
+/// A pyramid that turns about the x axis, by 10 degrees in each update of the book.
 class pyramid final : public l3d_object {
 public:
     pyramid(double x, l3d_random& random) {
@@ -30,7 +30,7 @@ private:
     double degrees_ = 0;
 };
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class fltsim_world final : public l3d_world {
 public:
     fltsim_world(l3d_size size, std::uint64_t seed, const std::string& plugin) : l3d_world(size) {

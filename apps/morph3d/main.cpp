@@ -154,7 +154,7 @@ private:
     double degrees_ = 0;
 };
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class morph3d_world final : public l3d_world {
 public:
     morph3d_world(l3d_size size, bool is_painted) : l3d_world(size) {

@@ -39,7 +39,7 @@ private:
     double x_ = 0, speed_ = 0;
 };
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class objcopy_world final : public l3d_world {
 public:
     objcopy_world(l3d_size size, std::uint64_t seed, l3d_cut_end end) : l3d_world(size) {

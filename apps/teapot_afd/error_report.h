@@ -13,7 +13,7 @@ struct error_report_scope {
     /// Whether the project's five models are measured, in three views each, in place of the given
     /// view.
     bool project_models = false;
-    /// Whether pictures are small, and models, settings and frames are few.
+    /// A short report: small pictures of few models, settings and frames.
     bool quick = false;
 };
 

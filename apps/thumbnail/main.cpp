@@ -13,7 +13,7 @@ namespace {
 
 constexpr int largest_side = 1024; // freedesktop's xx-large
 
-/// Draws a model from above and beside, lit from the eye, on nothing.
+/// Draws a model as seen from above and beside, on a transparent ground. The light is at the eye.
 template <class Model>
 void draw(const Model& model, const std::string& name, int side, const std::string& picture) {
     using pipeline_for = l3d_pipeline_for<Model>;

@@ -14,8 +14,8 @@ double number(l3d_real x) {
     return l3d_to_double(x);
 }
 
-/// Prints four numbers. The last is 1 for points and 0 for vectors; in the library, types tell
-/// this.
+/// Prints a place with w = 1 or a direction with w = 0. The library tells them apart by types, not
+/// by w.
 std::ostream& print(std::ostream& out, const vector& v, int w) {
     return out << '(' << number(v[0]) << ", " << number(v[1]) << ", " << number(v[2]) << ", " << w
                << ')';

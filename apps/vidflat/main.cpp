@@ -6,7 +6,7 @@
 
 namespace {
 
-// Step 2 of 5: what the pipeline shows; the pipeline itself is l3d_pipeline_world.
+// Step 2 of 5: the world that l3d_pipeline_world shows.
 class vidflat_world final : public l3d_world {
 public:
     /// Errors: l3d_error(bad_input), naming the plug-in, or file and line.

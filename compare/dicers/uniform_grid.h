@@ -24,11 +24,11 @@ private:
 /// Expects: l3d_needs_no_clipping(net, view).
 l3d_vertex_accuracy l3d_evaluated_accuracy(const l3d_image_patch& net, const l3d_dice_view& view);
 
-/// The certified image error of nu x nv quads over the whole patch, whose vertices have this
-/// accuracy. Units: pixels.
+/// A bound of the error in the picture, if nu x nv quads cover the whole patch and their vertices
+/// have this accuracy. Units: pixels.
 ///
-/// Steps may be of any length. If they are so long that the w of a quad errs by more than an
-/// eighth, the corners' errors weigh more.
+/// Steps may be of any length. If they are so long that the w of a quad is off by more than an
+/// eighth, errors of corners count more.
 double l3d_uniform_bound(const l3d_image_patch& net, const l3d_dice_view& view, int nu, int nv,
                          const l3d_vertex_accuracy& accuracy);
 

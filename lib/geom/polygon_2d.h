@@ -99,7 +99,7 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
 
     l3d_point<T> original;    ///< its definition, before any transformation
     l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
-    /// Room for programs that need places between the two again, such as those in camera space.
+    /// Results of stages in between, such as places in camera space, for programs that keep them.
     std::array<l3d_point<T>, 2> transformed_intermediates;
     int transform_stage = 0; ///< the last stage done; 0 for none
 };

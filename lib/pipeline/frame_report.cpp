@@ -94,7 +94,7 @@ std::string l3d_frame_report::json() const {
     return line.dump();
 }
 
-/// Lines about what was left out of patches that were drawn.
+/// Lines about work that was left out for patches that were drawn.
 std::string l3d_frame_report::left_out_in_part() const {
     std::string text;
     if (dice.back_blocks > 0)

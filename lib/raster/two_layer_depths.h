@@ -47,8 +47,8 @@ public:
     /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
-    /// How far surfaces may be off before another sheet may be the nearest one at this pixel. They
-    /// are off in the picture, or along their normals.
+    /// The least error of surfaces, in the picture or along their normals, by which another sheet
+    /// may be the nearest one at this pixel.
     /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 

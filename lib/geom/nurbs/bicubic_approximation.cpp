@@ -106,9 +106,10 @@ double bound_of_parts(const net<vector>& of, int halvings) {
     return std::max(bound_of_parts(first, halvings - 1), bound_of_parts(second, halvings - 1));
 }
 
-/// Binomial coefficients n over k, for products of a piece's normals, of three times its degree at
-/// most, and their quintic: exact in a double.
+/// The largest degree of a product: that of a piece's normals, of at most three times its degree,
+/// and the quintic that approximates them.
 constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
+/// Binomial coefficients n over k, which are exact in a double.
 constexpr auto binomials = [] {
     std::array<std::array<double, most_product + 1>, most_product + 1> result{};
     for (std::size_t n = 0; n <= most_product; ++n)
