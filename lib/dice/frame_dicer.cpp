@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -98,10 +99,8 @@ template <class T> void l3d_frame_dicer<T>::begin(const l3d_dice_view& view) {
     next_slot_ = patches_before_ = 0;
     for (instance_edges& one : edges_)
         one.is_made = false;
-    for (instance_trims& one : trims_)
-        for (std::unique_ptr<patch_trims>& patch : one.patches)
-            if (patch && patch->frame != frame_)
-                patch.reset();
+    for (auto one = trims_.begin(); one != trims_.end();)
+        one = one->second.forget_all_but(frame_) ? std::next(one) : trims_.erase(one);
     ++frame_;
     counts_.near_z = view_.near;
     budget_left_ = view_.budget();
@@ -192,20 +191,12 @@ template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
     }
 }
 
-/// Makes room for what trims leave, and forgets what belongs to other models, or other levels.
+/// Makes room for what trims leave.
 template <class T> void l3d_frame_dicer<T>::prepare_trims(const task& of) {
     for (const l3d_placed_patch& p : of.batch) {
         const l3d_patch_model& model = of.scene.instances()[p.instance].model();
-        if (!model.has_trims())
-            continue;
-        if (trims_.size() <= p.instance)
-            trims_.resize(p.instance + 1);
-        instance_trims& one = trims_[p.instance];
-        if (one.model && one.model->identity() == model.identity())
-            continue;
-        one.model = model;
-        one.patches.clear();
-        one.patches.resize(model.patches().size());
+        if (model.has_trims())
+            trims_.try_emplace(model.identity(), model).first->second.take_frame(frame_);
     }
 }
 
@@ -269,7 +260,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     }
     dice_placed(i, of, budget, space);
     if (region)
-        trim(*region, of.batch[i], slot(i), keeps_parameters, space);
+        trim(model, of.batch[i].patch, slot(i), keeps_parameters, space);
     const std::uint32_t material =
         inspects ? static_cast<std::uint32_t>(patches_before_ + i)
                  : of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
@@ -419,26 +410,21 @@ unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
     return l3d_facing_cones::all & ~(facing.away_from(*eye, 1) | facing.away_from(*eye, -1));
 }
 
-template <class T> l3d_grid_trims& l3d_frame_dicer<T>::kept_trims(const l3d_placed_patch& of) {
-    std::unique_ptr<patch_trims>& kept = trims_[of.instance].patches[of.patch];
-    if (!kept)
-        kept = std::make_unique<patch_trims>();
-    kept->frame = frame_;
-    return kept->grid;
-}
-
 /// A patch is one grid, unless it is cut.
 template <class T>
-void l3d_frame_dicer<T>::trim(const l3d_trim_region& region, const l3d_placed_patch& of,
-                              l3d_piece_pool& out, bool keeps_parameters, worker_space& space) {
+void l3d_frame_dicer<T>::trim(const l3d_patch_model& model, std::size_t patch, l3d_piece_pool& out,
+                              bool keeps_parameters, worker_space& space) {
     l3d_trim_error error;
+    const l3d_trim_region& region = *model.trim(patch);
+    l3d_kept_trims& kept = trims_.find(model.identity())->second;
     const std::span<l3d_diced_piece> pieces = out.used();
     for (l3d_diced_piece& piece : pieces) {
-        if (pieces.size() > 1)
-            space.trims_of_piece = {};
-        error.add(space.trims.cut(region, space.view, piece,
-                                  pieces.size() > 1 ? space.trims_of_piece : kept_trims(of),
-                                  keeps_parameters));
+        const l3d_grid_trims* by = &space.trims_of_piece;
+        if (piece.part.grid.rows > 1 && pieces.size() == 1)
+            by = &kept.of(patch, piece.u, piece.v, space.workshop);
+        else if (piece.part.grid.rows > 1)
+            space.trims_of_piece.make(region, piece.u, piece.v, space.workshop);
+        error.add(space.trims.cut(region, space.view, piece, *by, keeps_parameters));
     }
     space.counts.bound_px += error.places_px;
     space.counts.depth_bound_px += error.places_px;

@@ -5,6 +5,7 @@
 
 #include "scene/counts.h"
 #include "scene/dice_view.h"
+#include "dice/kept_trims.h"
 #include "dice/piece_pool.h"
 #include "dice/edges/edge_polylines.h"
 #include "dice/edges/shared_polylines.h"
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -97,6 +99,7 @@ private:
         std::optional<l3d_surface_bends> own_bends; ///< where the placement is no similarity
         l3d_trim_cells trims;
         l3d_grid_trims trims_of_piece; ///< where a patch has several pieces
+        l3d_grid_trims::workshop workshop;
 
         void reserve_as(const worker_space& other) {
             general.reserve_as(other.general);
@@ -120,7 +123,6 @@ private:
 
     void make_polylines(const task& of);
     void prepare_trims(const task& of);
-    l3d_grid_trims& kept_trims(const l3d_placed_patch& of);
     void dice_slots(const task& of, std::int64_t share);
     void dice_short_ones(const task& of, std::int64_t allowance, std::int64_t share);
     void dice_slot(std::size_t i, const task& of, std::int64_t share, worker_space& space);
@@ -130,7 +132,7 @@ private:
                       std::size_t patch) const;
     unsigned folds_of(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                       std::size_t patch) const;
-    void trim(const l3d_trim_region& region, const l3d_placed_patch& of, l3d_piece_pool& out,
+    void trim(const l3d_patch_model& model, std::size_t patch, l3d_piece_pool& out,
               bool keeps_parameters, worker_space& space);
     void build_edges(const l3d_patch_instance& instance, const l3d_matrix<double>& to_image,
                      std::size_t patch, const l3d_image_patch& net, worker_space& space) const;
@@ -144,18 +146,6 @@ private:
         double off_px = 0; ///< the most that any is off its faces
     };
 
-    /// The quads of a patch that trims leave.
-    struct patch_trims {
-        l3d_grid_trims grid;
-        std::uint64_t frame = 0; ///< the last one that needed it
-    };
-    /// The same of an instance's patches. They live while frames need them: most grids have the
-    /// same lines as in the frame before.
-    struct instance_trims {
-        std::optional<l3d_patch_model> model;
-        std::vector<std::unique_ptr<patch_trims>> patches;
-    };
-
     l3d_workers& workers_;
     l3d_dice_way way_;
     bool keep_parameters_;
@@ -163,7 +153,7 @@ private:
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
     std::vector<instance_edges> edges_; ///< by the scene's instances
-    std::vector<instance_trims> trims_; ///< by the scene's instances
+    std::map<const void*, l3d_kept_trims> trims_; ///< by the models' identities
     std::uint64_t frame_ = 0;
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 

@@ -51,7 +51,7 @@ void l3d_trim_error::add(const l3d_trim_error& other) {
 }
 
 l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice_view& view,
-                                   l3d_diced_piece& piece, l3d_grid_trims& kept,
+                                   l3d_diced_piece& piece, const l3d_grid_trims& by,
                                    bool keeps_parameters) {
     view_ = &view;
     piece_ = &piece;
@@ -67,12 +67,9 @@ l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice
     trims_.clear();
     std::swap(border_, piece.part.border);
     std::swap(border_along_, piece.border_along);
-    if (piece.part.grid.rows > 1) {
-        if (!kept.is_for(piece.u, piece.v))
-            kept.make(region, piece.u, piece.v, workshop_);
-        cut_grid(kept);
-    }
-    cut_slits(region, kept);
+    if (piece.part.grid.rows > 1)
+        cut_grid(by);
+    cut_slits(region, by);
     piece.keep_parameters = true; // those of slits, when it is diced again
     return error_;
 }

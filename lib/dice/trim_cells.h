@@ -23,10 +23,9 @@
 class l3d_trim_cells {
 public:
     /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
-    /// Shape:   `kept` is what the region leaves of the last grid; it is made anew for another one.
-    /// Expects: `kept` was made for this region, if it was made.
+    /// Expects: `by` is what the region leaves of the grid, if the piece has one.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
-                       l3d_diced_piece& piece, l3d_grid_trims& kept, bool keeps_parameters);
+                       l3d_diced_piece& piece, const l3d_grid_trims& by, bool keeps_parameters);
 
 private:
     using stretch = std::array<double, 2>;
@@ -54,7 +53,6 @@ private:
     const l3d_dice_view* view_ = nullptr;
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
-    l3d_grid_trims::workshop workshop_;
     std::vector<quad_surface::point> points_; ///< the corners in a quad that is cut
     std::vector<bool> is_whole_;              ///< quads, by the index of their first corners
     std::vector<l3d_border_edge> border_;     ///< as it was

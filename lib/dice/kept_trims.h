@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// l3d_kept_trims: what trims leave of grids, for all instances of a model and for the next frame.
+#ifndef L3D_DICE_KEPT_TRIMS_H
+#define L3D_DICE_KEPT_TRIMS_H
+
+#include "geom/trims/grid_trims.h"
+#include "scene/patch_model.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+/// The quads of a model's patches that trims leave. Instances that dice a patch alike share them,
+/// and most grids have the same lines as in the frame before.
+///
+/// Lives: a grid's quads live while each frame needs them. It keeps its model.
+/// Cost:  no allocation for grids that the frame before had.
+class l3d_kept_trims {
+public:
+    explicit l3d_kept_trims(const l3d_patch_model& model)
+        : model_(model), patches_(model.patches().size()) {}
+
+    /// Tells that this frame draws the model.
+    void take_frame(std::uint64_t frame) { frame_ = frame; }
+
+    /// What trims leave of a grid of this patch with these lines. Threads may ask at once.
+    /// Lives: until forget() is called after a frame that does not ask for it.
+    const l3d_grid_trims& of(std::size_t patch, std::span<const double> u,
+                             std::span<const double> v, l3d_grid_trims::workshop& in) {
+        of_patch& all = patches_[patch];
+        const std::lock_guard lock(all.mutex);
+        auto one = std::ranges::find_if(
+            all.grids, [&](const auto& grid) { return grid->trims.is_for(u, v); });
+        if (one == all.grids.end()) {
+            one = all.grids.insert(one, std::make_unique<of_grid>());
+            (*one)->trims.make(*model_.trim(patch), u, v, in);
+        }
+        (*one)->frame = frame_;
+        return (*one)->trims;
+    }
+
+    /// Forgets the grids that this frame did not ask for. Returns whether it drew the model.
+    bool forget_all_but(std::uint64_t frame) {
+        for (of_patch& all : patches_)
+            std::erase_if(all.grids, [&](const auto& grid) { return grid->frame != frame; });
+        return frame_ == frame;
+    }
+
+private:
+    struct of_grid {
+        l3d_grid_trims trims;
+        std::uint64_t frame = 0; ///< the last one that asked for it
+    };
+    struct of_patch {
+        std::mutex mutex;
+        std::vector<std::unique_ptr<of_grid>> grids;
+    };
+
+    l3d_patch_model model_;
+    std::vector<of_patch> patches_;
+    std::uint64_t frame_ = 0;
+};
+
+#endif
