@@ -94,10 +94,9 @@ def escape_right_after_f11_leaves_fullscreen():
         await_rest(it)
         it.managing.send_signal(signal.SIGSTOP)
         mark = it.proxy.mark()
-        press(it, "F11")
-        wait_for(lambda: (it.proxy.mark() - mark).requests.count("SendEvent") > 1, "the request")
-        press(it, "Escape")
-        await_rest(it)
+        press(it, "F11", "Escape")
+        # For each, the program sends itself a question's end, and then the manager a message.
+        wait_for(lambda: (it.proxy.mark() - mark).requests.count("SendEvent") >= 4, "both requests")
         it.managing.send_signal(signal.SIGCONT)
         await_rest(it, 2)
         await_fullscreen(it, False)
