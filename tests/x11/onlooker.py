@@ -96,7 +96,10 @@ class WindowAttributes(ctypes.Structure):
         ("backing_pixel", ctypes.c_ulong),
         ("save_under", ctypes.c_int),
         ("colormap", ctypes.c_ulong),
-        ("rest", ctypes.c_long * 8),
+        ("is_installed", ctypes.c_int),
+        ("state", ctypes.c_int),
+        ("all_masks", ctypes.c_long),
+        ("rest", ctypes.c_long * 6),
     ]
 
 
@@ -115,8 +118,8 @@ class Onlooker:
     """An X client that looks at windows and does to them what a window manager does."""
 
     seen = None
-    settings = 0
-    CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 33, 2, ctypes.c_ulong(-1).value
+    settings = served = 0
+    VIEWABLE, CLIENT_MESSAGE, Z_PIXMAP, ALL_PLANES = 2, 33, 2, ctypes.c_ulong(-1).value
 
     def __init__(self, display):
         x = self.x = ctypes.CDLL("libX11.so.6")
@@ -177,8 +180,7 @@ class Onlooker:
 
     def visual(self, window):
         """Of a window: depth, class, masks; and the colours 0xRRGGBB of its map, if few."""
-        found = WindowAttributes()
-        self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(window), ctypes.byref(found))
+        found = self.attributes(window)
         kind = found.visual.contents
         masks = kind.red_mask, kind.green_mask, kind.blue_mask
         colours = []
@@ -214,12 +216,23 @@ class Onlooker:
         """Whether somebody redirects the requests of windows."""
         return self.is_watched(self.root, REDIRECT)
 
-    def is_watched(self, window, mask):
-        """Whether somebody wants to hear of such events of a window."""
+    def is_served(self):
+        """Whether a manager has put a window of ours on the screen. One that has just begun may miss the request,
+        so each call asks anew."""
+        if not self.has_manager():
+            return False
+        self.served = self.served or self.make_window(0, 0, 9, 9)
+        self.x.XMapWindow(self.display, ctypes.c_ulong(self.served))
+        return self.attributes(self.served).state == self.VIEWABLE
+
+    def attributes(self, window):
         found = WindowAttributes()
         self.x.XGetWindowAttributes(self.display, ctypes.c_ulong(window), ctypes.byref(found))
-        # Of the rest: whether it is installed, its state, and all masks of events.
-        return bool(found.rest[1] & mask)
+        return found
+
+    def is_watched(self, window, mask):
+        """Whether somebody wants to hear of such events of a window."""
+        return bool(self.attributes(window).all_masks & mask)
 
     def has_frame(self, window):
         """Whether a window manager has put a window into one of its own."""

@@ -6,7 +6,6 @@ import os
 import shutil
 import subprocess
 import tempfile
-import time
 
 from harness import environment, server_of, started, wait_for, x_server
 from onlooker import Onlooker
@@ -143,8 +142,7 @@ def managed(display, name):
         with started(command, env, stdout=subprocess.DEVNULL) as manager:
             with Onlooker(display) as eyes:
                 with contextlib.suppress(AssertionError):
-                    wait_for(lambda: eyes.has_manager() or manager.poll() is not None, name)
-                time.sleep(0.5)  # some give up once they have begun
-                if manager.poll() is not None or not eyes.has_manager():
+                    wait_for(lambda: eyes.is_served() or manager.poll() is not None, name)
+                if manager.poll() is not None or not eyes.is_served():
                     raise Unable(name + " does not start here")
             yield manager
