@@ -170,7 +170,7 @@ private:
     std::vector<l3d_patch_points> pieces_;
     std::vector<l3d_model_edge> file_edges_;
     std::vector<l3d_shared_edge> edges_;
-    l3d_detail::directed_sets alike_; ///< of lines 2 i and 2 i + 1, along u and v of the piece i
+    l3d_detail::directed_sets alike_; ///< lines 2 i and 2 i + 1 run along u and v of piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;
     double trim_bends_ = 0; ///< square roots of what trims are off the chords between their ends
