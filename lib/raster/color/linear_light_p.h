@@ -41,17 +41,6 @@ public:
                (held - static_cast<Real>(below)) * (light_[below + 1] - light_[below]);
     }
 
-    /// The inverse of light_at_level: the level, not rounded, that has this light.
-    Real level_at_light(Real light) const {
-        std::size_t below = level(light);
-        if (below > 0 && light < light_[below])
-            --below;
-        if (below + 1 == light_.size())
-            return Real(255);
-        return static_cast<Real>(below) +
-               (light - light_[below]) / (light_[below + 1] - light_[below]);
-    }
-
     /// The lights of all levels from 0 to 255.
     const std::array<Real, 256>& lights() const { return light_; }
 
@@ -67,9 +56,6 @@ public:
     /// The number of entries in the table of guesses. Near black a level spans 1 / (255 * 12.92) =
     /// 1 / 3295 of white, so a guess errs by less than two levels.
     static constexpr std::size_t guesses = 4096;
-
-    /// The level at which level() begins to search in step i of the table. Expects: i < guesses.
-    std::uint8_t first_guess(std::size_t i) const { return first_[i]; }
 
     /// The lights at which each level begins.
     const std::array<Real, 256>& begins() const { return begins_; }

@@ -60,16 +60,6 @@ public:
     /// An offset that makes columns positive, which begin at -2^15, so that truncation rounds down.
     static constexpr std::int32_t offset = 1 << 16;
 
-    /// The columns of an edge by one product: k rows below, the column is (first + k per_row)
-    /// inverse, rounded down, minus `offset`.
-    ///
-    /// This holds for the edge's whole line, not only between its ends, since all numbers stay
-    /// exact. per_row is below 2^34, so the 2^17 rows between corners add less than 2^51.
-    struct line {
-        double first = 0, per_row = 0, inverse = 0;
-    };
-    line from_there() const { return {m_, m_per_row_, inverse_}; }
-
 private:
     static constexpr std::int64_t pixel = l3d_subpixel_one, half_pixel = pixel / 2;
 
