@@ -184,8 +184,9 @@ TEST(grid_trims, leave_of_quads_what_the_region_has) {
             for (const auto& sides : {grid.sides(part.border), grid.sides(part.inner)})
                 for (const auto& side : sides)
                     around += turn({0, 0}, corners[side.from].at, corners[side.to].at) / 2;
-            if (least[0] > 0 && least[1] > 0 && most[0] < 1 && most[1] < 1)
+            if (least[0] > 0 && least[1] > 0 && most[0] < 1 && most[1] < 1) {
                 EXPECT_NEAR(double(around), double(here), 1e-12) << "by Green's theorem";
+            }
         }
         EXPECT_EQ(whole + grid.cut().size(), (u.size() - 1) * (v.size() - 1));
         l3d_trim_triangles all;
