@@ -38,26 +38,26 @@ constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_bal
 /// NUMERICS, section 3, Depth.
 class bend_planner {
 public:
-    explicit bend_planner(const l3d_block_needs& needs) : per_strip_(1.0 / needs.strips) {
-        const auto strips = static_cast<std::size_t>(needs.strips);
+    explicit bend_planner(const l3d_block_needs& needs)
+        : strips_(static_cast<std::size_t>(needs.strips)), per_strip_(1.0 / needs.strips) {
         const l3d_block_needs::normal_bends& of = needs.bends;
-        second_[along_u].take(of.uu, strips);
-        second_[along_v].take(of.vv, strips);
-        third_[along_u].take(of.uuu, strips);
-        third_[along_v].take(of.vvv, strips);
-        twist_.take(of.uv, strips);
-        turned_[along_u].take(of.uuv, strips);
-        turned_[along_v].take(of.uvv, strips);
-        rest_[along_u].take(of.uuuv, strips);
-        rest_[along_v].take(of.uvvv, strips);
-        fourth_.take(of.uuvv, strips);
+        second_[along_u].take(of.uu, strips_);
+        second_[along_v].take(of.vv, strips_);
+        third_[along_u].take(of.uuu, strips_);
+        third_[along_v].take(of.vvv, strips_);
+        twist_.take(of.uv, strips_);
+        turned_[along_u].take(of.uuv, strips_);
+        turned_[along_v].take(of.uvv, strips_);
+        rest_[along_u].take(of.uuuv, strips_);
+        rest_[along_v].take(of.uvvv, strips_);
+        fourth_.take(of.uuvv, strips_);
     }
 
     /// Largest second and third derivatives of each strip.
     HWY_INLINE void largest(direction d, double (&second)[most_strips],
                             double (&third)[most_strips]) const {
-        largest_in_strips(second_[d], d, second);
-        largest_in_strips(third_[d], d, third);
+        largest_in_strips(second_[d], d, strips_, second);
+        largest_in_strips(third_[d], d, strips_, third);
     }
 
     /// The errors of depth in a strip's blocks, from `lane` on. Units: budgets of depth.
@@ -121,6 +121,7 @@ private:
                      hn::Add(part(along_u, u, with_v), part(along_v, v, with_u)));
     }
 
+    std::size_t strips_;
     double per_strip_;
     block_numbers second_[2], third_[2], twist_, turned_[2], rest_[2], fourth_;
 };

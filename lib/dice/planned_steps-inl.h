@@ -9,6 +9,7 @@
 
 #include "dice/step_plan.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include <hwy/highway.h>
@@ -32,11 +33,13 @@ constexpr direction other(direction d) {
 }
 
 /// One number per block, in two orders: in `by[d]` the blocks of a strip of direction d lie side by
-/// side. Blocks of missing strips have 0.
+/// side. A single strip has 0 in the lanes of those that are missing; their own lanes are not set.
 struct block_numbers {
-    alignas(64) double by[2][most_strips * most_strips] = {};
+    alignas(64) double by[2][most_strips * most_strips];
 
     void take(const l3d_block_needs::per_block& of, std::size_t strips) {
+        for (double(&numbers)[most_strips * most_strips] : by)
+            std::fill_n(numbers, most_strips, 0.0);
         for (std::size_t b = 0; b < strips; ++b)
             for (std::size_t a = 0; a < strips; ++a)
                 by[along_v][most_strips * b + a] = by[along_u][most_strips * a + b] =
@@ -55,11 +58,11 @@ HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
 }
 
 /// The largest number of each strip of direction d, in lanes.
-HWY_INLINE void largest_in_strips(const block_numbers& of, direction d,
+HWY_INLINE void largest_in_strips(const block_numbers& of, direction d, std::size_t strips,
                                   double (&out)[most_strips]) {
     for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
         lane_vec most = hn::Zero(lane_tag());
-        for (std::size_t strip = 0; strip < most_strips; ++strip)
+        for (std::size_t strip = 0; strip < strips; ++strip)
             most = larger(most, of.in(other(d), strip, lane));
         hn::Store(most, lane_tag(), out + lane);
     }

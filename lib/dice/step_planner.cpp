@@ -173,11 +173,12 @@ private:
     HWY_INLINE void start_along(direction d, const l3d_block_needs::per_block& least) {
         block_numbers least_of;
         least_of.take(least, strips_);
-        alignas(64) double image[most_strips], depth[most_strips], few[most_strips];
+        alignas(64) double image[most_strips], few[most_strips], depth[most_strips] = {};
         alignas(64) double bend[most_strips] = {}, third[most_strips] = {};
-        largest_in_strips(second_[d], d, image);
-        largest_in_strips(depth_[d], d, depth);
-        largest_in_strips(least_of, d, few);
+        largest_in_strips(second_[d], d, strips_, image);
+        largest_in_strips(least_of, d, strips_, few);
+        if (needs_.keeps_depth)
+            largest_in_strips(depth_[d], d, strips_, depth);
         if (bends_)
             bends_->largest(d, bend, third);
         steps_along& here = steps_[d];
