@@ -152,7 +152,7 @@ private:
     l3d_dice_view view_; ///< the frame's, its near plane where the camera's is
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
-    std::vector<instance_edges> edges_; ///< by the scene's instances
+    std::vector<instance_edges> edges_;           ///< by the scene's instances
     std::map<const void*, l3d_kept_trims> trims_; ///< by the models' identities
     std::uint64_t frame_ = 0;
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }

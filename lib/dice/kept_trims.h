@@ -27,14 +27,14 @@ public:
     /// Tells that this frame draws the model.
     void take_frame(std::uint64_t frame) { frame_ = frame; }
 
-    /// What trims leave of a grid of this patch with these lines. Threads may ask at once.
-    /// Lives: until forget() is called after a frame that does not ask for it.
+    /// Finds or makes the trims of a grid of this patch with these lines. Threads may ask at once.
+    /// Lives: until forget_all_but() is called after a frame that does not ask for it.
     const l3d_grid_trims& of(std::size_t patch, std::span<const double> u,
                              std::span<const double> v, l3d_grid_trims::workshop& in) {
         of_patch& all = patches_[patch];
         const std::lock_guard lock(all.mutex);
-        auto one = std::ranges::find_if(
-            all.grids, [&](const auto& grid) { return grid->trims.is_for(u, v); });
+        auto one = std::ranges::find_if(all.grids,
+                                        [&](const auto& grid) { return grid->trims.is_for(u, v); });
         if (one == all.grids.end()) {
             one = all.grids.insert(one, std::make_unique<of_grid>());
             (*one)->trims.make(*model_.trim(patch), u, v, in);

@@ -194,6 +194,31 @@ TEST(shared_edges, are_drawn_alike_after_other_views) {
     }
 }
 
+/// Instances of a model share what trims leave of grids, those of two threads as well.
+TEST(shared_edges, of_instances_are_drawn_as_those_of_models_of_their_own) {
+    const solid of = flange(8);
+    const auto model = [&] { return l3d_patch_model::from_surfaces(of.faces, of.edges); };
+    const l3d_patch_model one = model();
+    l3d_patch_scene shared, own;
+    for (int i = 0; i < 6; ++i) {
+        const auto place = l3d_translation<double>(4.0 * i - 8, 0.5 * i, -5.0 * i);
+        shared.add(one, place);
+        own.add(model(), place);
+    }
+    l3d_camera camera;
+    camera.eye = {0.0, 6.0, 12.0};
+    for (l3d_afd_settings settings : {hard_edged(), l3d_afd_settings()}) {
+        settings.threads = 1;
+        l3d_pipeline_afd with_own(l3d_memory_canvas({160, 120}), own, camera, settings);
+        with_own.draw_event();
+        settings.threads = 2;
+        l3d_pipeline_afd with_shared(l3d_memory_canvas({160, 120}), shared, camera, settings);
+        with_shared.draw_event();
+        EXPECT_GT(with_own.report().surface.quads, 1000);
+        EXPECT_EQ(with_own.report().hash, with_shared.report().hash);
+    }
+}
+
 /// Lines along edges: each pixel of the exact rim that is in front is black.
 TEST(shared_edges, are_drawn_as_lines) {
     const solid of = capped_ball();
