@@ -76,38 +76,6 @@ struct row_part {
     std::int32_t column, end_column;
 };
 
-/// The part of an edge in a pixel that it reaches. `begin` tells how its outline comes to `from`.
-edge_cell cell_of(const l3d_point_2d* corners, std::uint32_t edge, std::int32_t row,
-                  std::int32_t column, std::size_t layer, cell_begin begin) {
-    band_edge e(corners[edge], corners[edge + 1]);
-    e.clip(row, row + 1);
-    const std::int32_t first = whole(e.x), last = whole(e.end_x);
-    const bool is_start = column == first && e.begins;
-    edge_cell result{{e.x - column, e.y - row},
-                     {e.end_x - column, e.end_y - row},
-                     edge,
-                     static_cast<std::uint8_t>(layer),
-                     0,
-                     is_start ? begin : cell_begin::enters};
-    if (first == last)
-        return result;
-    const double steepness = e.steepness();
-    const auto y_at = [&](double side) {
-        return std::clamp(e.y + (side - e.x) * steepness, std::min(e.y, e.end_y),
-                          std::max(e.y, e.end_y)) -
-               row;
-    };
-    const int right = first < last ? 1 : 0; // on this side of a column it leaves for the next one
-    if (column != first)
-        result.from = {1.0 - right, y_at(column + 1 - right)};
-    if (column != last)
-        result.to = {0.0 + right, y_at(column + right)};
-    // From left to right, an edge has this on its lower side, beyond what it has above.
-    if (column != std::min(first, last))
-        result.below_left = right == 1 ? 1 : -1;
-    return result;
-}
-
 } // namespace
 
 void band_cells::begin(const l3d_pixel_box& reached, const fill_rules& rules) {
@@ -154,36 +122,40 @@ struct band_cells::walk {
     std::uint32_t edges = 0;       ///< the number of its edges there
     std::uint32_t ways = 0;        ///< the directions in which they run, as bits of `way`
 
-    /// Adds an edge's part in a pixel. `x` is the part of the row on the right of its middle.
-    HWY_INLINE void put(cell& at, double height, double x, std::uint32_t edge) {
+    /// Adds an edge's part in a pixel. `right` is the part of the row on the right of its middle.
+    HWY_INLINE void put(cell& at, double x, double y, double end_x, double end_y, double right,
+                        std::uint32_t edge) {
+        const double height = y - end_y;
         at.cover += height;
-        at.area += height * x;
+        at.area += height * right;
         ++at.visits;
-        records[used] = {at.last, edge};
+        records[used] = {{x, y}, {end_x, end_y}, at.last, edge};
         at.last = used++;
     }
 
     /// Adds an edge's part in a row. `at` is the pixel of its begin.
     HWY_INLINE void add_part(cell* at, const row_part& p, double steepness, std::uint32_t edge) {
         if (p.column == p.end_column)
-            return put(*at, p.y - p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
+            return put(*at, p.x, p.y, p.end_x, p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
         double x = p.x, y = p.y;
         if (p.column < p.end_column) {
             for (double side = p.column + 1; side <= p.end_column; side += 1, ++at) {
                 const double next = p.y + (side - p.x) * steepness;
-                put(*at, y - next, (side - x) / 2, edge);
+                put(*at, x, y, side, next, (side - x) / 2, edge);
                 x = side;
                 y = next;
+                edge = (edge & ~record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
             }
-            put(*at, y - p.end_y, 1 - (p.end_x - x) / 2, edge);
+            put(*at, x, y, p.end_x, p.end_y, 1 - (p.end_x - x) / 2, edge);
         } else {
             for (double side = p.column; side > p.end_column; side -= 1, --at) {
                 const double next = p.y + (side - p.x) * steepness;
-                put(*at, y - next, 1 - (x - side) / 2, edge);
+                put(*at, x, y, side, next, 1 - (x - side) / 2, edge | record::leaves_left);
                 x = side;
                 y = next;
+                edge &= ~record::marks;
             }
-            put(*at, y - p.end_y, (x - p.end_x) / 2, edge);
+            put(*at, x, y, p.end_x, p.end_y, (x - p.end_x) / 2, edge);
         }
     }
 
@@ -252,7 +224,7 @@ struct band_cells::walk {
         row_part p{e.x, e.y, e.end_x, e.end_y, whole(e.x), end_column};
         std::ptrdiff_t pixel = (row - top) * stride + (p.column - left);
         const cell_begin begin = come_to(pixel, corner, is_first && e.begins);
-        const std::uint32_t edge = index << 2 | static_cast<std::uint32_t>(begin);
+        std::uint32_t edge = index << record::mark_bits | static_cast<std::uint32_t>(begin);
         const double steepness = p.column == end_column ? 0 : e.steepness();
         std::uint64_t* marks = groups + (row - top) * words;
         if (row != last_row) {
@@ -265,6 +237,7 @@ struct band_cells::walk {
                 p.end_column = whole(p.end_x);
                 mark(marks, p.column - left, p.end_column - left);
                 add_part(cells + pixel, p, steepness, edge);
+                edge &= ~record::marks;
                 pixel += next_row + (p.end_column - p.column);
                 marks += next_words;
                 border += step;
@@ -402,6 +375,23 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
     }
 }
 
+/// The part of the edge in its pixel, whose top left corner is `corner`. Rounding never puts it
+/// beyond the pixel.
+inline edge_cell band_cells::record::cell(const l3d_point_2d& corner, std::size_t layer) const {
+    const auto within = [&](const l3d_point_2d& p) {
+        return l3d_point_2d{p.x - corner.x, std::min(std::max(p.y - corner.y, 0.0), 1.0)};
+    };
+    const auto begin = static_cast<cell_begin>(edge & marks & ~leaves_left);
+    const int below_left =
+        (begin == cell_begin::enters_left ? 1 : 0) - ((edge & leaves_left) != 0 ? 1 : 0);
+    return {within(from),
+            within(to),
+            index(),
+            static_cast<std::uint8_t>(layer),
+            static_cast<std::int8_t>(below_left),
+            begin};
+}
+
 /// The area inside of a pixel that outlines pass several times, or an integral that tells it.
 double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
     // Each visit adds at most 1 to the sum, so the rest is above 0 wherever in the pixel.
@@ -414,18 +404,15 @@ double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<
         // Two edges that follow each other do not cross. If their corner is elsewhere, windings are
         // the same on both sides of what is between them, and the sum tells the area.
         const record &second = records_[last], &first = records_[second.before];
-        if (first.before == 0 && second.edge >> 2 == (first.edge >> 2) + 1)
+        if (first.before == 0 && second.index() == first.index() + 1)
             return sums[0];
     }
-    const std::int32_t row = top_ + static_cast<std::int32_t>(at / stride_);
-    const std::int32_t column = left_ + static_cast<std::int32_t>(at % stride_);
+    const l3d_point_2d corner{left_ + static_cast<double>(at % stride_),
+                              top_ + static_cast<double>(at / stride_)};
     pixel_.begin();
     for (std::size_t layer = 0; layer < (rules_.clips ? 2U : 1U); ++layer)
-        for (std::uint32_t i = cells_[layer][at].last; i != 0; i = records_[i].before) {
-            const std::uint32_t edge = records_[i].edge;
-            pixel_.add(cell_of(corners_, edge >> 2, row, column, layer,
-                               static_cast<cell_begin>(edge & 3)));
-        }
+        for (std::uint32_t i = cells_[layer][at].last; i != 0; i = records_[i].before)
+            pixel_.add(records_[i].cell(corner, layer));
     return pixel_.inside(sums, rules_);
 }
 

@@ -55,11 +55,17 @@ private:
         std::uint32_t visits = 0;
         std::uint32_t last = 0; ///< the pixel's last record; 0 for none
     };
-    /// A part of an edge in a pixel.
+    /// A part of an edge in a pixel, in the direction of its outline.
     struct record {
+        static constexpr std::uint32_t mark_bits = 3, marks = 7, leaves_left = 4;
+
+        l3d_point_2d from, to;
         std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
-        std::uint32_t edge;   ///< four times the edge's index, plus the cell_begin of its first
-                              ///< corner
+        std::uint32_t edge;   ///< its index above mark_bits; how it begins, as cell_begin; and
+                              ///< leaves_left if it leaves by the pixel's left side
+
+        std::uint32_t index() const { return edge >> mark_bits; }
+        edge_cell cell(const l3d_point_2d& corner, std::size_t layer) const;
     };
     struct walk;
 

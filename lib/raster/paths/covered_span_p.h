@@ -59,7 +59,10 @@ public:
     /// Shortens the list to its first items. Expects: the list has as many.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
+    T& operator[](std::size_t i) { return room_[i]; }
     const T& operator[](std::size_t i) const { return room_[i]; }
+    T* begin() { return room_.data(); }
+    T* end() { return room_.data() + used_; }
     const T* data() const { return room_.data(); }
     std::span<const T> all() const { return {room_.data(), used_}; }
 

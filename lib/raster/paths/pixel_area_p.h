@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_PATHS_PIXEL_AREA_P_H
 #define L3D_RASTER_PATHS_PIXEL_AREA_P_H
 
+#include "raster/paths/covered_span_p.h"
 #include "raster/paths/path_chains_p.h"
 #include "raster/paths/row_areas_p.h"
 #include "tool_2d/pixels.h"
@@ -10,16 +11,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 namespace l3d_detail {
 
 /// How an outline comes to be in a pixel where an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,    ///< by the pixel's sides
+    enters,    ///< by another side than the left one, or not known to
     continues, ///< by the edge before
     unclear,   ///< its first corner lies in the pixel, or it may cross itself there
+    enters_left, ///< by the pixel's left side
 };
 
 /// The part of an outline's edge in one pixel, in the direction of the outline.
@@ -35,15 +37,13 @@ struct edge_cell {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// The range of windings may tell that all of the pixel is inside, or none. If not, and a few
-/// visits do not cross, the winding on either side of each is known. The area is then a sum over
-/// the visits that have inside on one side and outside on the other.
+/// The range of windings may tell that all of the pixel is inside, or none. Where many visits meet
+/// under the nonzero rule, fields of the pixel may be surely inside, and all of them often are.
 ///
-/// Other pixels are cut into slabs at the ends and crossings of edges. Within a slab edges have an
-/// order from left to right, which tells the windings between them. Where many visits meet under
-/// the nonzero rule, only those fields of the pixel are cut that may have places outside.
-/// Cost:    the square of the number of edges, where visits do not cross. A cut takes n log n for n
-///          edges, times the number of slabs.
+/// Otherwise the borders of the inside are found: along each edge, the winding on its left changes
+/// where other edges cross it, begin or end. The parts with the inside on one side alone add to the
+/// area. If rounding may tell wrong which edge is on the left, the pixel is cut into slabs.
+/// Cost:    the square of the number of edges. Slabs take n log n for n edges, times their number.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
@@ -63,36 +63,75 @@ private:
     struct windings_range {
         int least, most;
     };
+    static constexpr std::uint64_t all_fields = ~std::uint64_t{0};
     /// A visit: a way of an outline through the pixel, from side to side. On its one side, the
     /// higher one, the winding is higher by 1 than on the other.
     struct visit {
-        std::size_t first, end; ///< its edges
-        double adds = 0;        ///< its part of the sum
-        int lower = 0;          ///< the winding on its lower side
+        double adds;        ///< its part of the sum
+        l3d_point_2d way;   ///< from the begin to the end of its last edge
+        std::uint32_t edge; ///< the index of its last edge
+        std::uint32_t edges; ///< the number of its edges
     };
-    enum class side { unknown, lower, higher };
+    /// An edge. Where its upper end lies on the pixel's left side, that side above is taken as a
+    /// part of it, and where its lower end does, the side below. So the winding does not change
+    /// where it comes to the side. A level edge counts as its part of the side alone.
+    struct part : row_edge {
+        double slope;
+        bool up_left, down_left; ///< whether the upper and the lower end lie on the left side
+        double x_at(double y) const { return x0 + (y - y0) * slope; }
+    };
+    struct range_of_y {
+        double top, bottom;
+    };
 
-    void find_open(int corner);
-    windings_range range(int least) const;
-    side side_of(const visit& of, const visit& other) const;
-    bool find_lower(int least);
-    double cut(const windings& corner, const fill_rules& rules);
-    double box(const l3d_pixel_box& of, const windings& corner, const fill_rules& rules);
-    double slabs(std::span<const row_edge> edges, std::span<winding_change> changes,
-                 windings beside, double top, double bottom, const fill_rules& rules);
+    windings_range range(int corner) const;
+    std::uint64_t find_open(int beside, int sign) const;
+    static range_of_y open_heights(const part& p, std::uint64_t open);
+    std::optional<double> between_borders(const windings& corner, std::uint64_t open,
+                                          const fill_rules& rules);
+    double on_left(windings beside, const fill_rules& rules) const;
+    double slabs(const windings& corner, const fill_rules& rules);
 
-    std::vector<edge_cell> edges_;
-    std::vector<visit> visits_;
+    kept_list<visit> visits_;
     bool open_ = false;                   ///< whether the last visit waits for its first edges
     bool is_unclear_ = false;             ///< whether visits may not lead from side to side once
     std::array<double, 2> own_{};         ///< the part of the sums that the edges of the pixel add
-    std::vector<row_edge> parts_;         ///< the edges that are not level
-    std::vector<winding_change> changes_; ///< along the pixel's left side
-    std::vector<row_edge> box_parts_;     ///< the same in a box of fields
-    std::vector<winding_change> side_changes_;
-    std::array<std::uint8_t, fields> open_fields_{}; ///< for each row, as bits
+    windings before_{};                   ///< those left of the prolonged parts, less the corner's
+    kept_list<part> parts_;
+    kept_list<winding_change> changes_; ///< along the pixel's left side
+    kept_list<winding_change> passed_;  ///< on the left of an edge, where it passes others
+    std::vector<row_edge> slab_edges_;
     row_areas slabs_;
 };
+
+inline void pixel_area::add(const edge_cell& e) {
+    // An edge that leads upwards adds 1 on its right.
+    double adds = (e.from.y - e.to.y) * (1 - (e.from.x + e.to.x) / 2);
+    const l3d_point_2d way{e.to.x - e.from.x, e.to.y - e.from.y};
+    const bool is_up = way.y < 0;
+    if (e.below_left != 0) {
+        const double height = e.below_left > 0 ? e.from.y : e.to.y;
+        adds += e.below_left * (1 - height);
+        changes_.push({height, e.below_left, e.layer});
+    }
+    own_[e.layer] += adds;
+    const std::int8_t direction = way.y == 0 ? e.below_left : is_up ? 1 : -1;
+    const l3d_point_2d &upper = is_up ? e.to : e.from, &lower = is_up ? e.from : e.to;
+    if (direction != 0)
+        parts_.push({{upper.x, upper.y, lower.x, lower.y, direction, e.layer},
+                     way.y == 0 ? 0 : way.x / way.y,
+                     e.below_left == -direction,
+                     e.below_left == direction});
+    before_.turns[e.layer] -= e.below_left == -direction ? direction : 0;
+    if (open_) {
+        visits_.back().adds += adds;
+        ++visits_.back().edges;
+    } else {
+        visits_.push({adds, way, e.edge, 1});
+    }
+    is_unclear_ |= e.begin == cell_begin::unclear;
+    open_ = e.begin == cell_begin::continues;
+}
 
 } // namespace l3d_detail
 

@@ -21,20 +21,6 @@ double x_at(const row_edge& p, double y) {
     return std::clamp(x, std::min(p.x0, p.x1), std::max(p.x0, p.x1));
 }
 
-/// Sorts a list that mostly has few elements.
-template <class T, class Less> void sort_few(std::vector<T>& of, const Less& less) {
-    constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
-    if (of.size() > few)
-        return std::sort(of.begin(), of.end(), less);
-    for (std::size_t i = 1; i < of.size(); ++i) {
-        const T moving = of[i];
-        std::size_t hole = i;
-        for (; hole > 0 && less(moving, of[hole - 1]); --hole)
-            of[hole] = of[hole - 1];
-        of[hole] = moving;
-    }
-}
-
 } // namespace
 
 void row_areas::set_width(std::int32_t width) {

@@ -15,6 +15,20 @@
 
 namespace l3d_detail {
 
+/// Sorts a list that mostly has few elements.
+template <class List, class Less> void sort_few(List& of, const Less& less) {
+    constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
+    if (of.size() > few)
+        return std::sort(of.begin(), of.end(), less);
+    for (std::size_t i = 1; i < of.size(); ++i) {
+        const auto moving = of[i];
+        std::size_t hole = i;
+        for (; hole > 0 && less(moving, of[hole - 1]); --hole)
+            of[hole] = of[hole - 1];
+        of[hole] = moving;
+    }
+}
+
 /// The part of an edge in one row of pixels.
 /// Units:   x in pixels from the picture's left side, y from 0 to 1 down the row; y0 <= y1.
 struct row_edge {
