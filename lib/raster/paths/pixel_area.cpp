@@ -55,7 +55,7 @@ pixel_area::windings_range pixel_area::range(int corner) const {
     return r;
 }
 
-/// Finds the fields in which the winding may be 0, a bit for each, rows of eight from the top.
+/// Finds the fields in which the winding may be 0, a bit for each, row by row.
 /// `beside` is the winding on the left of all parts. `sign` is -1 if bounds are to be those of the
 /// negative windings, else 1.
 ///
@@ -78,33 +78,33 @@ std::uint64_t pixel_area::find_open(int beside, int sign) const {
         const int whole = static_cast<int>(y);
         return whole + (whole < y ? 1 : 0);
     };
-    const auto rows_from = [](int row) { return row < fields ? all_fields << (row * fields) : 0; };
+    const auto rows_from = [](int row) { return row < rows ? all_fields << (row * columns) : 0; };
     for (const part& p : parts_.all()) {
-        // The margin covers the rounding of x and of up to eight steps, each below 1.
+        // The margin covers the rounding of x and of up to four steps, each below 1.
         constexpr double scale = 1 << 16, margin = 16;
         const bool falls = sign * p.direction < 0;
-        const int top = falls != p.up_left ? floor(p.y0 * fields) : ceil(p.y0 * fields);
-        const int bottom = falls != p.down_left ? ceil(p.y1 * fields) : floor(p.y1 * fields);
+        const int top = falls != p.up_left ? floor(p.y0 * rows) : ceil(p.y0 * rows);
+        const int bottom = falls != p.down_left ? ceil(p.y1 * rows) : floor(p.y1 * rows);
         // Where an edge leads to the right, it is leftmost on top of a row of fields. Where it
         // makes the winding rise, the field that it reaches does not count.
         const double outwards = falls ? -margin : margin + scale - 1;
         const auto column = [&](double x) {
-            return static_cast<std::int32_t>(x * (fields * scale) + outwards);
+            return static_cast<std::int32_t>(x * (columns * scale) + outwards);
         };
         const std::int32_t least = std::max(column(std::min(p.x0, p.x1)), 0);
-        const std::int32_t last = std::min(column(std::max(p.x0, p.x1)), fields << 16);
+        const std::int32_t last = std::min(column(std::max(p.x0, p.x1)), columns << 16);
         std::int32_t x = falls ? least : last, step = 0;
         if (std::abs(p.slope) < 64) {
             const double row = bottom - 1 + (falls == (p.slope < 0) ? 1 : 0);
-            x = column(p.x0 + (row / fields - p.y0) * p.slope);
-            step = static_cast<std::int32_t>(p.slope * scale);
+            x = column(p.x0 + (row / rows - p.y0) * p.slope);
+            step = static_cast<std::int32_t>(p.slope * (scale * columns / rows));
         }
         std::uint64_t where = 0;
         for (int k = bottom; k-- > top; x -= step) {
             const std::int32_t field = std::min(std::max(x, least), last) >> 16;
-            where = where << fields | (0xffU << field & 0xffU);
+            where = where << columns | (0xffffU << field & 0xffffU);
         }
-        where = top < fields ? where << (top * fields) : 0;
+        where = top < rows ? where << (top * columns) : 0;
         where |= (p.up_left ? ~rows_from(top) : 0) | (p.down_left ? rows_from(bottom) : 0);
         const std::uint64_t borrow = falls ? all_fields : 0;
         for (std::size_t i = 0; where != 0 && i <= high; ++i) {
@@ -124,17 +124,17 @@ pixel_area::range_of_y pixel_area::open_heights(const part& p, std::uint64_t ope
     range_of_y result{1, 0};
     // An edge on the side of a field, but for rounding, belongs to it.
     constexpr double margin = 1e-9;
-    const auto field = [](double x) {
-        return std::clamp(static_cast<int>(x * fields), 0, fields - 1);
+    const auto column = [](double x) {
+        return std::clamp(static_cast<int>(x * columns), 0, columns - 1);
     };
     double top = p.y0, at_top = p.x0;
-    for (int row = field(top); top < p.y1; ++row) {
-        const double bottom = std::min(static_cast<double>(row + 1) / fields, p.y1);
+    for (int row = static_cast<int>(top * rows); top < p.y1; ++row) {
+        const double bottom = std::min(static_cast<double>(row + 1) / rows, p.y1);
         const double at_bottom = p.x_at(bottom);
-        const int left = field(std::min(at_top, at_bottom) - margin);
-        const int right = field(std::max(at_top, at_bottom) + margin);
-        const unsigned columns = (2U << right) - (1U << left);
-        if ((open >> (row * fields) & columns) != 0)
+        const int left = column(std::min(at_top, at_bottom) - margin);
+        const int right = column(std::max(at_top, at_bottom) + margin);
+        const unsigned passed = (2U << right) - (1U << left);
+        if ((open >> (row * columns) & passed) != 0)
             result = {std::min(result.top, top), bottom};
         top = bottom;
         at_top = at_bottom;

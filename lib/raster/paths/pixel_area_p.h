@@ -57,8 +57,7 @@ public:
     double inside(const std::array<double, 2>& sums, const fill_rules& rules);
 
 private:
-    /// A pixel has as many rows and columns of fields.
-    static constexpr int fields = 8;
+    static constexpr int rows = 4, columns = 16; ///< of fields in a pixel
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
         int least, most;
