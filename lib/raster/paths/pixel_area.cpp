@@ -92,7 +92,7 @@ std::uint64_t pixel_area::find_open(int beside, int sign) const {
             return static_cast<std::int32_t>(x * (columns * scale) + outwards);
         };
         const std::int32_t least = std::max(column(std::min(p.x0, p.x1)), 0);
-        const std::int32_t last = std::min(column(std::max(p.x0, p.x1)), columns << 16);
+        const std::int32_t last = std::clamp(column(std::max(p.x0, p.x1)), 0, columns << 16);
         std::int32_t x = falls ? least : last, step = 0;
         if (std::abs(p.slope) < 64) {
             const double row = bottom - 1 + (falls == (p.slope < 0) ? 1 : 0);
