@@ -379,7 +379,7 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
 /// beyond the pixel.
 inline edge_cell band_cells::record::cell(const l3d_point_2d& corner, std::size_t layer) const {
     const auto within = [&](const l3d_point_2d& p) {
-        return l3d_point_2d{p.x - corner.x, std::min(std::max(p.y - corner.y, 0.0), 1.0)};
+        return l3d_point_2d{p.x - corner.x, std::min(1.0, std::max(0.0, p.y - corner.y))};
     };
     const auto begin = static_cast<cell_begin>(edge & marks & ~leaves_left);
     const int below_left =

@@ -20,39 +20,13 @@ constexpr auto is_higher = [](const winding_change& a, const winding_change& b) 
 void pixel_area::begin() {
     parts_.clear();
     changes_.clear();
-    visits_.clear();
+    last_ = before_last_ = {};
+    range_ = {};
+    turns_right_ = turns_left_ = 0;
+    are_shares_clear_ = true;
     open_ = is_unclear_ = false;
     own_ = {};
     before_ = {};
-}
-
-/// The range of the windings. `corner` is the winding at the pixel's top left corner.
-///
-/// A visit that adds less than 0 has that corner on its higher side. Two edges that follow each
-/// other, and meet elsewhere, do not cross here. If they turn to the right, each place is on the
-/// higher side of one of them, else on the lower side of one.
-pixel_area::windings_range pixel_area::range(int corner) const {
-    constexpr double unclear = 1e-9; // far above rounding
-    windings_range r{corner, corner + static_cast<int>(visits_.size())};
-    bool are_clear = true;
-    for (const visit& v : visits_.all()) {
-        const int on_higher = v.adds < unclear ? 1 : 0;
-        r.least -= on_higher;
-        r.most -= on_higher;
-        const double share = v.adds + on_higher;
-        are_clear &= share > unclear && share < 1 - unclear;
-    }
-    for (std::size_t i = 0; are_clear && i + 1 < visits_.size(); ++i) {
-        const visit &second = visits_[i], &first = visits_[i + 1];
-        if (second.edges != 1 || first.edges != 1 || second.edge != first.edge + 1)
-            continue;
-        constexpr double surely = 1e-10; // far above rounding
-        const double turn = first.way.x * second.way.y - first.way.y * second.way.x;
-        r.least += turn > surely ? 1 : 0;
-        r.most -= turn < -surely ? 1 : 0;
-        ++i;
-    }
-    return r;
 }
 
 /// Finds the fields in which the winding may be 0, a bit for each, row by row.
@@ -146,14 +120,19 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
     // The rest of the sum, without what the pixel's edges add, is that of its corner.
     const windings corner{{static_cast<int>(std::lrint(sums[0] - own_[0])),
                            static_cast<int>(std::lrint(sums[1] - own_[1]))}};
+    end_visit();
     if (!rules.clips && !is_unclear_) {
-        const windings_range all = range(corner.turns[0]);
+        windings_range all{corner.turns[0] + range_.least, corner.turns[0] + range_.most};
+        if (are_shares_clear_) {
+            all.least += turns_right_;
+            all.most -= turns_left_;
+        }
         if (rules.same_between({{all.least, 0}}, {{all.most, 0}}))
             return rules.inside({{all.least, 0}}) ? 1 : 0;
     }
     std::uint64_t open = all_fields;
-    constexpr std::size_t many = 6; // for fewer visits, slabs cost less
-    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits_.size() >= many) {
+    constexpr int many = 6; // for fewer visits, slabs cost less
+    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && range_.most - range_.least >= many) {
         open = find_open(corner.turns[0] + before_.turns[0], corner.turns[0] < 0 ? -1 : 1);
         if (open == 0)
             return 1;

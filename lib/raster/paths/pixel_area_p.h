@@ -60,16 +60,16 @@ private:
     static constexpr int rows = 4, columns = 16; ///< of fields in a pixel
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
-        int least, most;
+        int least = 0, most = 0;
     };
     static constexpr std::uint64_t all_fields = ~std::uint64_t{0};
     /// A visit: a way of an outline through the pixel, from side to side. On its one side, the
     /// higher one, the winding is higher by 1 than on the other.
     struct visit {
-        double adds;        ///< its part of the sum
-        l3d_point_2d way;   ///< from the begin to the end of its last edge
-        std::uint32_t edge; ///< the index of its last edge
-        std::uint32_t edges; ///< the number of its edges
+        double adds = 0;         ///< its part of the sum
+        l3d_point_2d way{};      ///< from the begin to the end of its last edge
+        std::uint32_t edge = 0;  ///< the index of its last edge
+        std::uint32_t edges = 0; ///< the number of its edges
     };
     /// An edge. Where its upper end lies on the pixel's left side, that side above is taken as a
     /// part of it, and where its lower end does, the side below. So the winding does not change
@@ -83,7 +83,7 @@ private:
         double top, bottom;
     };
 
-    windings_range range(int corner) const;
+    void end_visit();
     std::uint64_t find_open(int beside, int sign) const;
     static range_of_y open_heights(const part& p, std::uint64_t open);
     std::optional<double> between_borders(const windings& corner, std::uint64_t open,
@@ -91,7 +91,10 @@ private:
     double on_left(windings beside, const fill_rules& rules) const;
     double slabs(const windings& corner, const fill_rules& rules);
 
-    kept_list<visit> visits_;
+    visit last_, before_last_;            ///< visits in the order of edges
+    windings_range range_{};              ///< that of the windings, less the corner's
+    int turns_right_ = 0, turns_left_ = 0; ///< pairs of visits, by the turn between them
+    bool are_shares_clear_ = true;        ///< whether each visit has places on both sides
     bool open_ = false;                   ///< whether the last visit waits for its first edges
     bool is_unclear_ = false;             ///< whether visits may not lead from side to side once
     std::array<double, 2> own_{};         ///< the part of the sums that the edges of the pixel add
@@ -102,6 +105,31 @@ private:
     std::vector<row_edge> slab_edges_;
     row_areas slabs_;
 };
+
+/// Counts the last visit, if it has edges.
+///
+/// A visit that adds less than 0 has the pixel's top left corner on its higher side. Two edges that
+/// follow each other, and meet elsewhere, do not cross here. If they turn to the right, each place
+/// is on the higher side of one of them, else on the lower side of one.
+inline void pixel_area::end_visit() {
+    if (last_.edges == 0)
+        return;
+    constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
+    const int on_higher = last_.adds < unclear ? 1 : 0;
+    const double share = last_.adds + on_higher;
+    are_shares_clear_ &= share > unclear && share < 1 - unclear;
+    range_.least -= on_higher;
+    range_.most += 1 - on_higher;
+    if (last_.edges == 1 && before_last_.edges == 1 && before_last_.edge == last_.edge + 1) {
+        const double turn =
+            last_.way.x * before_last_.way.y - last_.way.y * before_last_.way.x;
+        turns_right_ += turn > surely ? 1 : 0;
+        turns_left_ += turn < -surely ? 1 : 0;
+        last_.edges = 0; // no more pairs with it
+    }
+    before_last_ = last_;
+    last_ = {};
+}
 
 inline void pixel_area::add(const edge_cell& e) {
     // An edge that leads upwards adds 1 on its right.
@@ -122,12 +150,13 @@ inline void pixel_area::add(const edge_cell& e) {
                      e.below_left == -direction,
                      e.below_left == direction});
     before_.turns[e.layer] -= e.below_left == -direction ? direction : 0;
-    if (open_) {
-        visits_.back().adds += adds;
-        ++visits_.back().edges;
-    } else {
-        visits_.push({adds, way, e.edge, 1});
+    if (!open_)
+        end_visit();
+    if (last_.edges++ == 0) {
+        last_.way = way;
+        last_.edge = e.edge;
     }
+    last_.adds += adds;
     is_unclear_ |= e.begin == cell_begin::unclear;
     open_ = e.begin == cell_begin::continues;
 }
