@@ -19,7 +19,6 @@ constexpr auto is_higher = [](const winding_change& a, const winding_change& b) 
 
 void pixel_area::begin() {
     parts_.clear();
-    changes_.clear();
     last_ = before_last_ = {};
     range_ = {};
     turns_right_ = turns_left_ = 0;
@@ -54,32 +53,15 @@ std::uint64_t pixel_area::find_open(int beside, int sign) const {
     };
     const auto rows_from = [](int row) { return row < rows ? all_fields << (row * columns) : 0; };
     for (const part& p : parts_.all()) {
-        // The margin covers the rounding of x and of up to four steps, each below 1.
-        constexpr double scale = 1 << 16, margin = 16;
+        constexpr double margin = 1e-9; // far above rounding
         const bool falls = sign * p.direction < 0;
         const int top = falls != p.up_left ? floor(p.y0 * rows) : ceil(p.y0 * rows);
         const int bottom = falls != p.down_left ? ceil(p.y1 * rows) : floor(p.y1 * rows);
-        // Where an edge leads to the right, it is leftmost on top of a row of fields. Where it
-        // makes the winding rise, the field that it reaches does not count.
-        const double outwards = falls ? -margin : margin + scale - 1;
-        const auto column = [&](double x) {
-            return static_cast<std::int32_t>(x * (columns * scale) + outwards);
-        };
-        const std::int32_t least = std::max(column(std::min(p.x0, p.x1)), 0);
-        const std::int32_t last = std::clamp(column(std::max(p.x0, p.x1)), 0, columns << 16);
-        std::int32_t x = falls ? least : last, step = 0;
-        if (std::abs(p.slope) < 64) {
-            const double row = bottom - 1 + (falls == (p.slope < 0) ? 1 : 0);
-            x = column(p.x0 + (row / rows - p.y0) * p.slope);
-            step = static_cast<std::int32_t>(p.slope * (scale * columns / rows));
-        }
-        std::uint64_t where = 0;
-        for (int k = bottom; k-- > top; x -= step) {
-            const std::int32_t field = std::min(std::max(x, least), last) >> 16;
-            where = where << columns | (0xffffU << field & 0xffffU);
-        }
-        where = top < rows ? where << (top * columns) : 0;
-        where |= (p.up_left ? ~rows_from(top) : 0) | (p.down_left ? rows_from(bottom) : 0);
+        const int column = falls ? floor(std::max(std::min(p.x0, p.x1) - margin, 0.0) * columns)
+                                 : ceil(std::min(std::max(p.x0, p.x1) + margin, 1.0) * columns);
+        const std::uint64_t above = ~rows_from(top), below = rows_from(bottom);
+        std::uint64_t where = in_each_row * (all_in_row & all_in_row << column) & ~(above | below);
+        where |= (p.up_left ? above : 0) | (p.down_left ? below : 0);
         const std::uint64_t borrow = falls ? all_fields : 0;
         for (std::size_t i = 0; where != 0 && i <= high; ++i) {
             const std::uint64_t before = bits[i];
@@ -137,7 +119,7 @@ double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& r
         if (open == 0)
             return 1;
     }
-    sort_few(changes_, is_higher);
+    find_changes();
     const std::optional<double> area = between_borders(corner, open, rules);
     return area ? *area : slabs(corner, rules);
 }
@@ -213,6 +195,17 @@ std::optional<double> pixel_area::between_borders(const windings& corner, std::u
         pass(bottom);
     }
     return area;
+}
+
+/// Finds the changes of the windings down the pixel's left side, where edges come to it.
+void pixel_area::find_changes() {
+    changes_.clear();
+    for (const part& p : parts_.all())
+        if (p.up_left)
+            changes_.push({p.y0, static_cast<std::int8_t>(-p.direction), p.layer});
+        else if (p.down_left)
+            changes_.push({p.y1, p.direction, p.layer});
+    sort_few(changes_, is_higher);
 }
 
 /// The area inside that the left side would have on its right if there were no edges.

@@ -57,12 +57,15 @@ public:
     double inside(const std::array<double, 2>& sums, const fill_rules& rules);
 
 private:
-    static constexpr int rows = 4, columns = 16; ///< of fields in a pixel
+    /// Fields of a pixel: a bit of a word for each.
+    static constexpr int rows = 8, columns = 8;
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
         int least = 0, most = 0;
     };
     static constexpr std::uint64_t all_fields = ~std::uint64_t{0};
+    static constexpr std::uint64_t all_in_row = (1U << columns) - 1;
+    static constexpr std::uint64_t in_each_row = all_fields / all_in_row;
     /// A visit: a way of an outline through the pixel, from side to side. On its one side, the
     /// higher one, the winding is higher by 1 than on the other.
     struct visit {
@@ -88,6 +91,7 @@ private:
     static range_of_y open_heights(const part& p, std::uint64_t open);
     std::optional<double> between_borders(const windings& corner, std::uint64_t open,
                                           const fill_rules& rules);
+    void find_changes();
     double on_left(windings beside, const fill_rules& rules) const;
     double slabs(const windings& corner, const fill_rules& rules);
 
@@ -136,11 +140,8 @@ inline void pixel_area::add(const edge_cell& e) {
     double adds = (e.from.y - e.to.y) * (1 - (e.from.x + e.to.x) / 2);
     const l3d_point_2d way{e.to.x - e.from.x, e.to.y - e.from.y};
     const bool is_up = way.y < 0;
-    if (e.below_left != 0) {
-        const double height = e.below_left > 0 ? e.from.y : e.to.y;
-        adds += e.below_left * (1 - height);
-        changes_.push({height, e.below_left, e.layer});
-    }
+    if (e.below_left != 0)
+        adds += e.below_left * (1 - (e.below_left > 0 ? e.from.y : e.to.y));
     own_[e.layer] += adds;
     const std::int8_t direction = way.y == 0 ? e.below_left : is_up ? 1 : -1;
     const l3d_point_2d &upper = is_up ? e.to : e.from, &lower = is_up ? e.from : e.to;

@@ -42,17 +42,11 @@ std::uint8_t* span_writer::add_values(std::int32_t row, std::int32_t first, std:
 }
 
 void span_writer::add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value) {
-    constexpr std::int32_t few = 32;
     end = std::min(end, width_);
     if (first >= end || value == 0)
         return;
     const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
-    if (right - left < few && ends_at(y, left)) {
-        const auto count = static_cast<std::size_t>(right - left);
-        add_span(y, left, right);
-        std::fill_n(values_.room(count), count, static_cast<std::uint8_t>(value));
-        values_.use(count);
-    } else if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
+    if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
                spans_.back().beyond == left && spans_.back().last == left) {
         spans_.back().beyond = spans_.back().last = right;
     } else {

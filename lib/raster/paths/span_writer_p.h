@@ -28,8 +28,7 @@ public:
     /// out. Returns the place of the values, which are still to be found.
     std::uint8_t* add_values(std::int32_t row, std::int32_t first, std::int32_t end);
 
-    /// Adds columns of one value. If they are few and follow columns with a value each, they get a
-    /// value each, too: a span of their own would cost as much.
+    /// Adds columns of one value.
     void add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value);
 
     /// The lists, for those who add to them by themselves.
