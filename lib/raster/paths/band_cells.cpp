@@ -144,7 +144,8 @@ struct band_cells::walk {
                 put(*at, x, y, side, next, (side - x) / 2, edge);
                 x = side;
                 y = next;
-                edge = (edge & ~record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
+                edge =
+                    (edge & ~record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
             }
             put(*at, x, y, p.end_x, p.end_y, 1 - (p.end_x - x) / 2, edge);
         } else {

@@ -18,9 +18,9 @@ namespace l3d_detail {
 
 /// How an outline comes to be in a pixel where an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,    ///< by another side than the left one, or not known to
-    continues, ///< by the edge before
-    unclear,   ///< its first corner lies in the pixel, or it may cross itself there
+    enters,      ///< by another side than the left one, or not known to
+    continues,   ///< by the edge before
+    unclear,     ///< its first corner lies in the pixel, or it may cross itself there
     enters_left, ///< by the pixel's left side
 };
 
@@ -57,7 +57,7 @@ public:
     double inside(const std::array<double, 2>& sums, const fill_rules& rules);
 
 private:
-    /// Fields of a pixel: a bit of a word for each.
+    /// The fields of a pixel. Each has a bit in a word.
     static constexpr int rows = 8, columns = 8;
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
@@ -95,14 +95,14 @@ private:
     double on_left(windings beside, const fill_rules& rules) const;
     double slabs(const windings& corner, const fill_rules& rules);
 
-    visit last_, before_last_;            ///< visits in the order of edges
-    windings_range range_{};              ///< that of the windings, less the corner's
+    visit last_, before_last_;             ///< visits in the order of edges
+    windings_range range_{};               ///< that of the windings, less the corner's
     int turns_right_ = 0, turns_left_ = 0; ///< pairs of visits, by the turn between them
-    bool are_shares_clear_ = true;        ///< whether each visit has places on both sides
-    bool open_ = false;                   ///< whether the last visit waits for its first edges
-    bool is_unclear_ = false;             ///< whether visits may not lead from side to side once
-    std::array<double, 2> own_{};         ///< the part of the sums that the edges of the pixel add
-    windings before_{};                   ///< those left of the prolonged parts, less the corner's
+    bool are_shares_clear_ = true;         ///< whether each visit has places on both sides
+    bool open_ = false;                    ///< whether the last visit waits for its first edges
+    bool is_unclear_ = false;              ///< whether visits may not lead from side to side once
+    std::array<double, 2> own_{};          ///< the part of the sums that the edges of the pixel add
+    windings before_{};                    ///< those left of the prolonged parts, less the corner's
     kept_list<part> parts_;
     kept_list<winding_change> changes_; ///< along the pixel's left side
     kept_list<winding_change> passed_;  ///< on the left of an edge, where it passes others
@@ -125,8 +125,7 @@ inline void pixel_area::end_visit() {
     range_.least -= on_higher;
     range_.most += 1 - on_higher;
     if (last_.edges == 1 && before_last_.edges == 1 && before_last_.edge == last_.edge + 1) {
-        const double turn =
-            last_.way.x * before_last_.way.y - last_.way.y * before_last_.way.x;
+        const double turn = last_.way.x * before_last_.way.y - last_.way.y * before_last_.way.x;
         turns_right_ += turn > surely ? 1 : 0;
         turns_left_ += turn < -surely ? 1 : 0;
         last_.edges = 0; // no more pairs with it

@@ -47,7 +47,7 @@ void span_writer::add_solid(std::int32_t row, std::int32_t first, std::int32_t e
         return;
     const std::int32_t y = row + box_.top, left = first + box_.left, right = end + box_.left;
     if (spans_.size() > 0 && spans_.back().value == value && spans_.back().row == y &&
-               spans_.back().beyond == left && spans_.back().last == left) {
+        spans_.back().beyond == left && spans_.back().last == left) {
         spans_.back().beyond = spans_.back().last = right;
     } else {
         spans_.push({y, left, left, right, right, value, 0});
