@@ -56,7 +56,7 @@ HWY_ATTR HWY_INLINE level_lanes load(const std::uint32_t* from) {
     return hn::LoadU(levels, reinterpret_cast<const std::uint8_t*>(from));
 }
 
-/// Sets a bit for each channel above jump_levels, except for transparency.
+/// A bit for each channel above jump_levels, except for transparency.
 HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     const auto most = hn::Set(levels, std::uint8_t{jump_levels});
     std::uint8_t bytes[sizeof(std::uint64_t)] = {};
@@ -90,51 +90,61 @@ HWY_ATTR HWY_INLINE std::uint64_t jumps_between(level_lanes a, level_lanes b, le
                 rest(hn::SaturatedSub(b, c), hn::SaturatedSub(a, b), hn::SaturatedSub(c, e))));
 }
 
-/// Marks the pixels from x up to `end` that have a bit in any of their channels.
-HWY_INLINE void add_pixels(std::uint64_t bits, std::int32_t x, std::int32_t end,
-                           std::uint64_t* to) {
-    constexpr std::uint64_t first_channels = 0x1111111111111111;
-    bits = (bits | bits >> 1 | bits >> 2) & first_channels;
+/// Calls visit(i) for each pixel i that has a bit in any of its channels.
+template <class Visit> HWY_INLINE void visit_pixels(std::uint64_t bits, const Visit& visit) {
+    bits = (bits | bits >> 1 | bits >> 2) & 0x1111111111111111;
     for (; bits != 0; bits &= bits - 1)
-        if (const std::int32_t at = x + std::countr_zero(bits) / channels; at < end)
-            to[l3d_pixel_bits::word_of(at)] |= std::uint64_t{1} << l3d_pixel_bits::bit_of(at);
+        visit(std::countr_zero(bits) / channels);
 }
 
-void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {
+void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, const l3d_pixel_box& band,
+                l3d_pixel_bits& marks) {
     const auto row_at = [&](std::int32_t y) {
         return picture.row(std::clamp(y, 0, picture.height - 1)).data();
     };
+    const auto mark = [&](std::int32_t x, std::int32_t y) {
+        if (x < band.right && y >= band.top && y < band.bottom)
+            marks.set(x, y);
+    };
     for (std::int32_t y = where.top; y < where.bottom; ++y) {
+        // Beyond its ends, a picture goes on with its first and its last pixels.
         const std::uint32_t *const above = row_at(y - 1), *const here = row_at(y),
                                    *const below = row_at(y + 1), *const last = row_at(y + 2);
-        std::uint64_t *const right = jumps.right.row(y), *const down = jumps.down.row(y);
-        // Whole vectors begin before this column, so that there are two pixels behind the last one.
-        const std::int32_t inside = std::min(where.right, picture.width - vector_pixels - 1);
+        const auto at = [&](std::int32_t x) { return here[std::clamp(x, 0, picture.width - 1)]; };
+        const auto mark_right = [&](std::int32_t x) {
+            mark(x, y);
+            mark(x + 1, y);
+        };
+        const auto mark_down = [&](std::int32_t x) {
+            mark(x, y);
+            mark(x, y + 1);
+        };
         for (std::int32_t x = where.left; x < where.right;) {
-            if (vector_pixels > 0 && x > 0 && x < inside) {
-                while (x < inside && !any_far(here + x, below + x))
-                    x += vector_pixels;
-                if (x < inside) {
-                    const auto middle = load(here + x);
-                    add_pixels(jumps_between(load(here + x - 1), middle, load(here + x + 1),
-                                             load(here + x + 2)),
-                               x, where.right, right);
-                    add_pixels(
-                        jumps_between(load(above + x), middle, load(below + x), load(last + x)), x,
-                        where.right, down);
-                    x += vector_pixels;
-                }
+            // A vector needs a pixel before its first one, and two behind its last one.
+            if (vector_pixels == 0 || x == 0 || x + vector_pixels + 1 >= picture.width) {
+                if (is_jump({at(x - 1), here[x], at(x + 1), at(x + 2)}))
+                    mark_right(x);
+                if (is_jump({above[x], here[x], below[x], last[x]}))
+                    mark_down(x);
+                ++x;
                 continue;
             }
-            // Beyond its ends, a row goes on with its first and its last pixel.
-            const auto at = [&](std::int32_t i) {
-                return here[std::clamp(i, 0, picture.width - 1)];
-            };
-            if (is_jump({at(x - 1), here[x], at(x + 1), at(x + 2)}))
-                jumps.right.set(x, y);
-            if (is_jump({above[x], here[x], below[x], last[x]}))
-                jumps.down.set(x, y);
-            ++x;
+            if (any_far(here + x, below + x)) {
+                const auto middle = load(here + x);
+                const auto in_where = [&](const auto& mark_both) {
+                    return [&, x](std::int32_t i) {
+                        if (x + i < where.right)
+                            mark_both(x + i);
+                    };
+                };
+                visit_pixels(jumps_between(load(here + x - 1), middle, load(here + x + 1),
+                                           load(here + x + 2)),
+                             in_where(mark_right));
+                visit_pixels(
+                    jumps_between(load(above + x), middle, load(below + x), load(last + x)),
+                    in_where(mark_down));
+            }
+            x += vector_pixels;
         }
     }
 }
@@ -147,11 +157,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace l3d_detail {
 
-L3D_SIMD_TABLE(depth_steps);
+L3D_SIMD_TABLE(mark_jumps);
 
-void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps) {
-    if (!where.empty())
-        L3D_SIMD_CALL(depth_steps)(picture, where, jumps);
+void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, const l3d_pixel_box& band,
+                l3d_pixel_bits& marks) {
+    L3D_SIMD_CALL(mark_jumps)(picture, where, band, marks);
 }
 
 } // namespace l3d_detail

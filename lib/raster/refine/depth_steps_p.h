@@ -22,23 +22,11 @@ inline constexpr int jump_levels = 8;
 /// middle of a pixel, the pixel's mean is wrong by an eighth, 2 levels.
 inline constexpr int most_kink_levels = 16;
 
-/// The pixels from which levels jump to a neighbour, on the right or below.
-struct level_jumps {
-    l3d_pixel_bits right, down;
-
-    void resize(l3d_size size) {
-        right.resize(size);
-        down.resize(size);
-    }
-    void clear(std::int32_t top, std::int32_t bottom) {
-        right.clear(top, bottom);
-        down.clear(top, bottom);
-    }
-};
-
-/// Finds the jumps of level at the pixels of `where`.
-/// Expects: `where` lies inside the picture; both have the same size; the rows' bits are clear.
-void depth_steps(const l3d_pixels& picture, const l3d_pixel_box& where, level_jumps& jumps);
+/// Finds the jumps of level from the pixels of `where` to those on their right and below, and marks
+/// both pixels of each, if they lie in `band`.
+/// Expects: `where` lies inside the picture. Marks have its size.
+void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, const l3d_pixel_box& band,
+                l3d_pixel_bits& marks);
 
 } // namespace l3d_detail
 

@@ -2,6 +2,7 @@
 // picture_refiner: contours and jumps mark pixels, and marked pixels are sampled.
 #include "raster/refine/picture_refiner_p.h"
 
+#include "raster/refine/depth_steps_p.h"
 #include "raster/refine/drawn_depth_p.h"
 
 #include <algorithm>
@@ -65,7 +66,6 @@ void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_d
 std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& workers) {
     const int bands = (frame.window.bottom - frame.window.top + frame.rows - 1) / frame.rows;
     each_worker_.resize(static_cast<std::size_t>(workers.count()));
-    jumps_.resize(frame.target.size());
     marks_.resize(frame.target.size());
     const auto of_worker = [&](int worker) -> worker_space& {
         return each_worker_[static_cast<std::size_t>(worker)];
@@ -83,12 +83,13 @@ std::int64_t picture_refiner::refine(const drawn_frame& frame, l3d_workers& work
 /// Finds the contours and jumps of a band. A pixel beside a drawn tile may be partly covered, too.
 void picture_refiner::find_edges(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
-    jumps_.clear(box.top, box.bottom);
     marks_.clear(box.top, box.bottom);
     const l3d_pixel_box drawn = frame.coarse.drawn_in(
         std::max(box.top - 1, frame.window.top), std::min(box.bottom + 1, frame.window.bottom));
-    const l3d_pixel_box reached{drawn.left - 1, box.top, drawn.right + 1, box.bottom};
-    depth_steps(frame.target, reached.intersected(box), jumps_);
+    mark_jumps(frame.target,
+               {std::max(drawn.left - 1, box.left), std::max(box.top - 1, frame.window.top),
+                std::min(drawn.right + 1, box.right), box.bottom},
+               box, marks_);
 
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
     space.borders.begin(box.top, box.bottom);
@@ -104,28 +105,9 @@ void picture_refiner::find_edges(const drawn_frame& frame, int band, worker_spac
         mark_edge(edge, box, depth, marks_);
 }
 
-/// Marks the pixels on both sides of a band's jumps.
-void picture_refiner::join_marks(const drawn_frame& frame, const l3d_pixel_box& box) {
-    const std::size_t words = marks_.row_words();
-    for (std::int32_t y = box.top; y < box.bottom; ++y) {
-        const bool has_above = y > frame.window.top;
-        std::uint64_t before = 0; // whether the word before jumps to this word's first pixel
-        for (std::size_t w = 0; w < words; ++w) {
-            const std::uint64_t right = jumps_.right.row(y)[w], down = jumps_.down.row(y)[w];
-            const std::uint64_t above = has_above ? jumps_.down.row(y - 1)[w] : 0;
-            // A row's last word has bits beyond the picture, which are left out.
-            marks_.row(y)[w] |=
-                (right | right << 1 | before | down | above) &
-                l3d_pixel_bits::within(static_cast<std::int32_t>(w), 0, frame.target.width);
-            before = right >> (l3d_pixel_bits::word_pixels - 1);
-        }
-    }
-}
-
 void picture_refiner::draw_marked(const drawn_frame& frame, int band, worker_space& space) {
     const l3d_pixel_box box = box_of_band(frame, band);
     const drawn_depth depth(frame.depth.data(), frame.depth.pitch(), frame.window, frame.coarse);
-    join_marks(frame, box);
     for (l3d_pixel_box rest = box; !rest.empty();) {
         rest.top = space.fragments.begin(marks_, depth, rest, most_in_slice);
         draw_slice(frame, band, space);

@@ -7,7 +7,6 @@
 #include "raster/refine/band_fragments_p.h"
 #include "raster/refine/border_edges_p.h"
 #include "raster/refine/contour_edges_p.h"
-#include "raster/refine/depth_steps_p.h"
 #include "raster/pixel_bits.h"
 #include "raster/surfaces/band_list_p.h"
 #include "raster/surfaces/coarse_depth_p.h"
@@ -55,11 +54,9 @@ private:
     };
 
     void find_edges(const drawn_frame& frame, int band, worker_space& space);
-    void join_marks(const drawn_frame& frame, const l3d_pixel_box& box);
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
     void draw_slice(const drawn_frame& frame, int band, worker_space& space);
 
-    level_jumps jumps_;
     l3d_pixel_bits marks_; ///< marks the pixels that are sampled
     std::vector<worker_space> each_worker_;
 };
