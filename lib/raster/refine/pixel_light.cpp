@@ -102,12 +102,6 @@ public:
         }
     }
 
-    /// Whether all light is grey.
-    bool is_grey() const { return has_bends<Shader> && !has_color_ && !shading_.fog.is_on(); }
-
-    /// The amount of light in each channel. Expects: is_grey().
-    float grey_of(const seen_fragment& seen) const { return tables_.light_between(level_of(seen)); }
-
     light_sum of(const seen_fragment& seen) {
         const fragment_polygon& polygon = polygons_[seen.polygon];
         const float x = seen.x, y = seen.y;
@@ -223,20 +217,13 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {
         polygon_light light(shader, shading, materials, has_color, target.height, band.polygons());
-        const bool is_grey = light.is_grey();
         band.visit_seen([&](std::size_t i, std::span<const seen_fragment> seen) {
             light_sum sum;
             int count = 0;
             for (const seen_fragment& of : seen) {
-                const auto samples = static_cast<float>(of.count);
-                if (is_grey)
-                    sum.of[0] += samples * light.grey_of(of);
-                else
-                    sum.add(light.of(of), samples);
+                sum.add(light.of(of), static_cast<float>(of.count));
                 count += of.count;
             }
-            if (is_grey)
-                sum.of[1] = sum.of[2] = sum.of[0];
             const std::int32_t x = pixels[i].x, y = pixels[i].y;
             std::uint32_t& word = target.row(y)[static_cast<std::size_t>(x)];
             const bool shares = band.closed(i) && count >= closed_count;
