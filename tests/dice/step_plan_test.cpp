@@ -167,7 +167,7 @@ TEST(step_plan, blocks_of_pieces_may_fold_where_those_of_their_patch_may) {
         return needs.folds;
     };
     EXPECT_EQ(folds_of({{}, 0, 1, 0, 1}), view.folds);
-    EXPECT_DOUBLE_EQ(needs.finer_outlines, 2);
+    EXPECT_DOUBLE_EQ(needs.finer_outlines, 3); // 1 + (1/4) / (1/8)
     EXPECT_EQ(folds_of({{}, 0, 0.5, 0, 1}), 0U);
     EXPECT_EQ(folds_of({{}, 0.5, 1, 0.5, 1}), 0x00ccU);
     EXPECT_EQ(folds_of({{}, 0.75, 1, 0.5, 0.75}), 0xffffU);
