@@ -381,7 +381,7 @@ void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const bool has_exact = l3d_is_light(settings_.shade) && !settings_.wireframe &&
                            !settings_.drawing && !settings_.background.is_none() &&
                            of_frame.lighting.point_count == 0 && !scene_.has_pictures() &&
-                           !scene_.has_trims() && !settings_.section;
+                           !settings_.section;
     if (!settings_.error_map || !has_exact) {
         stages_->doubts.reset();
         return;

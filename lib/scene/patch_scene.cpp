@@ -153,6 +153,14 @@ void l3d_patch_instance::place(const l3d_matrix<double>& placement) {
     }
 }
 
+double l3d_patch_instance::stretch() const {
+    double squares = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            squares += placement_(row, column) * placement_(row, column);
+    return scale_ > 0 ? scale_ : std::sqrt(squares);
+}
+
 l3d_slanted_box l3d_patch_instance::box() const {
     l3d_slanted_box box = box_of(model_, placement_);
     box.reach = reach();

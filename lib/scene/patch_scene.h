@@ -184,6 +184,8 @@ public:
     /// The factor by which the placement multiplies all lengths; 0 if it does not multiply all
     /// alike.
     double scale() const { return scale_; }
+    /// No length becomes longer by more than this factor: scale(), or else the norm of Frobenius.
+    double stretch() const;
 
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;

@@ -339,6 +339,88 @@ TEST(trimmed_shapes, are_refused_by_name_where_whole_ones_would_be_drawn) {
     EXPECT_THROW(l3d_tessellated(of.model, 4), l3d_error);
 }
 
+/// The least and the largest level that a pixel's square may have on the mean, by rays in closed
+/// form: squares of a 32nd of the pixel are as bright as their corners, if all corners show one
+/// surface. Others may show anything that surfaces do.
+std::array<double, 2> exact_levels(const shape& of, const camera_rays& rays, int x, int y,
+                                   const std::function<double(const sight&, const vector&)>& light) {
+    constexpr int parts = 32, corners = parts + 1;
+    std::array<sight, std::size_t{corners} * corners> seen;
+    std::array<double, seen.size()> lights{};
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const vector ray = rays.at(x + static_cast<double>(i % corners) / parts,
+                                   y + static_cast<double>(i / corners) / parts);
+        seen[i] = of.first(rays.camera.eye, ray);
+        if (seen[i].what != 0)
+            lights[i] = light(seen[i], rays.camera.eye + ray * seen[i].distance);
+    }
+    double least = 0, most = 0;
+    for (std::size_t i = 0; i + corners + 1 < seen.size(); ++i) {
+        if (i % corners == parts)
+            continue;
+        const std::array<std::size_t, 4> square{i, i + 1, i + corners, i + corners + 1};
+        const bool is_one = std::ranges::all_of(
+            square, [&](std::size_t k) { return seen[k].what == seen[i].what; });
+        double low = is_one ? 1 : 0, high = is_one ? 0 : 1;
+        for (const std::size_t k : square) {
+            low = std::min(low, lights[k]);
+            high = std::max(high, lights[k]);
+        }
+        least += low / (parts * parts);
+        most += high / (parts * parts);
+    }
+    return {l3d_level_of_light(least), l3d_level_of_light(most)};
+}
+
+/// No pixel is farther off than the map of doubt says, and the map says little away from borders.
+void judge_doubts(const char* name, const shape& of, bool is_flat) {
+    std::mt19937 random(58);
+    int wrong = 0, large = 0, all = 0, shown = 0;
+    for (int i = 0; i < (thorough ? 12 : 4); ++i) {
+        const camera_rays rays(random_camera(of, i % 2 == 0 ? 0.7 : 3, random), {48, 36});
+        const vector lamp = l3d_normalized(rays.camera.eye - rays.camera.target);
+        l3d_afd_settings settings = hard_edged();
+        settings.antialias = i % 4 >= 2;
+        settings.error_map = true;
+        settings.light = {lamp[0], lamp[1], lamp[2]};
+        l3d_pipeline_afd pipeline(l3d_memory_canvas(rays.size), of.model, rays.camera, settings);
+        pipeline.draw_event();
+        ASSERT_NE(pipeline.error_map(), nullptr);
+        const auto light = [&](const sight& there, const vector& at) {
+            const vector out = is_flat ? vector{0.0, 0.0, rays.camera.eye[2] > 0 ? 1.0 : -1.0}
+                                       : at * (there.what == 1 ? 1.0 : -1.0);
+            return l3d_light_of_level(25.5 + 229.5 * std::max(0.0, l3d_dot(out, lamp)));
+        };
+        for (int y = 0; y < rays.size.height; ++y)
+            for (int x = 0; x < rays.size.width; ++x) {
+                const auto [least, most] = exact_levels(of, rays, x, y, light);
+                const double drawn = pipeline.screen().pixels().row(y)[x] & 0xff;
+                const double bound = double{pipeline.error_map()->at(x, y)};
+                if (drawn > most + bound + 0.02 || drawn < least - bound - 0.02)
+                    if (++wrong <= 5)
+                        std::printf("%s, view %d: (%d, %d): drawn %.0f, exact %.2f to %.2f, "
+                                    "bound %.2f\n",
+                                    name, i, x, y, drawn, least, most, bound);
+                ++all;
+                shown += most > 0;
+                large += most - least < 1 && bound > 3;
+            }
+    }
+    std::printf("%s: %d pixels, %d of surfaces, %d beside borders with large bounds\n", name, all, shown, large);
+    EXPECT_EQ(wrong, 0) << name;
+    EXPECT_GT(shown, all / 5) << name;
+    EXPECT_LT(large, all / 50) << name;
+}
+
+TEST(trimmed_shapes, have_a_map_of_doubt_of_a_plate) {
+    judge_doubts("plate", plate(true), true);
+}
+
+TEST(trimmed_shapes, have_a_map_of_doubt_of_cut_spheres) {
+    judge_doubts("sphere and cylinder", cut_sphere(false), false);
+    judge_doubts("sphere and plane", cut_sphere(true), false);
+}
+
 /// The mean light of a picture whose edges are smooth, against the same with 16 x 16 times the
 /// pixels.
 TEST(trimmed_shapes, have_smooth_edges) {

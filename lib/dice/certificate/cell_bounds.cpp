@@ -120,7 +120,8 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
         pieces_.push_back(&leaf);
         members_.push_back({b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing,
                             i, members_.size()});
-        sheets_.push_back({.may_end = b.facing == 0 || b.may_be_missing || b.may_end_in(cell)});
+        sheets_.push_back({.may_end = leaf.is_gone() || b.facing == 0 || b.may_be_missing ||
+                                      b.may_end_in(cell)});
     }
 }
 
@@ -146,7 +147,8 @@ void l3d_cell_bounds::connect() {
 }
 
 /// Finds the sheets in the cell. A sheet that does not end there fills the cell if one of its
-/// places is in it, and is absent if it misses the cell's middle.
+/// places is in it, and is absent if it misses the cell's middle. Pieces that trims leave nothing of
+/// only end the sheets that they are joined to.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;
@@ -154,6 +156,8 @@ void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& v
         const l3d_doubt_bounds& b = pieces_[i]->bounds;
         sheet& s = sheets_[root_of(i)];
         const auto [nearest, farthest] = b.range(b.w, cell);
+        if (pieces_[i]->is_gone())
+            continue;
         members_[i].nearest = nearest * (1 - margin * b.w_margin);
         s.farthest = std::max(s.farthest, farthest * (1 + margin * b.w_margin));
         const bool shows_middle = b.may_show(x, y);
@@ -161,6 +165,11 @@ void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& v
         if (!s.is_there && !s.may_end && shows_middle)
             s.is_there = is_in(*pieces_[i], cell, view);
     }
+}
+
+bool l3d_cell_bounds::may_be_seen(std::size_t i, double farthest) const {
+    return sheets_[root_of(i)].may_be_there && !pieces_[i]->is_gone() &&
+           members_[i].nearest <= farthest;
 }
 
 /// The w beyond which everything is hidden; infinite where the background may be seen.
@@ -171,7 +180,7 @@ double l3d_cell_bounds::farthest_seen() {
             result = std::min(result, sheets_[i].farthest);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         sheet& s = sheets_[root_of(i)];
-        s.is_seen = s.is_seen || (s.may_be_there && members_[i].nearest <= result);
+        s.is_seen = s.is_seen || may_be_seen(i, result);
     }
     return result;
 }
@@ -197,7 +206,7 @@ l3d_doubt_verdict l3d_cell_bounds::judge(const l3d_image_box& cell,
     bool is_any = false;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
-        if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
+        if (!may_be_seen(i, farthest))
             continue;
         is_certain = is_certain && sheets_[root].fills() && (only_ == nowhere || only_ == root);
         only_ = root;
@@ -244,7 +253,7 @@ bool l3d_cell_bounds::is_drawn_alone(const l3d_image_box& grown,
     only_ = nowhere;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::size_t root = root_of(i);
-        if (!sheets_[root].may_be_there || !(members_[i].nearest <= farthest))
+        if (!may_be_seen(i, farthest))
             continue;
         if (!sheets_[root].fills() || (only_ != nowhere && only_ != root))
             return false;

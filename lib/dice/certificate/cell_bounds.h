@@ -69,6 +69,8 @@ private:
     void connect();
     void look_for(const l3d_image_box& cell, const l3d_dice_view& view, double margin);
     double farthest_seen();
+    /// Whether a piece may be seen in front of what is farther than this.
+    bool may_be_seen(std::size_t i, double farthest) const;
     std::size_t root_of(std::size_t i) const;
     void join(std::size_t a, std::size_t b);
 

@@ -203,7 +203,8 @@ l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_vie
     const l3d_depth_range& w = piece.net.w();
     b.w.least = w.least - of.error_w;
     b.w.most = w.most + of.error_w;
-    b.may_end = !(b.w.least > of.near) || !(b.w.most < view.view.far);
+    b.may_end = piece.there == l3d_doubt_piece::left::part || !(b.w.least > of.near) ||
+                !(b.w.most < view.view.far);
     if (!(b.w.least > 0)) {
         b.box = {-infinite, -infinite, infinite, infinite};
         b.w_margin = 1;

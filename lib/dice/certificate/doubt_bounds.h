@@ -6,6 +6,7 @@
 #include "dice/certificate/light_bounds.h"
 #include "geom/patch_part.h"
 #include "geom/step_bound.h"
+#include "geom/trims/trim_region.h"
 #include "raster/background.h"
 #include "raster/color/srgb_light.h"
 #include "raster/lighting.h"
@@ -14,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// A lamp of the exact picture.
@@ -57,6 +59,18 @@ struct l3d_doubt_patch {
 /// A part of an exact patch. Its normals are in the world.
 struct l3d_doubt_piece : l3d_exact_part {
     const l3d_doubt_patch* of = nullptr;
+    /// How much of it its face's trims leave. A part's border runs through it.
+    enum class left : unsigned char { all, part, none } there = left::all;
+    l3d_trim_region trims; ///< that part, in the patch's parameters; empty unless it is a part
+
+    /// Takes what trims leave of it.
+    void take(l3d_trim_region region) {
+        const l3d_trim_box box{{u0, v0}, {u1, v1}};
+        there = region.is_all_of(box)    ? left::all
+                : region.is_none_of(box) ? left::none
+                                         : left::part;
+        trims = there == left::part ? std::move(region) : l3d_trim_region();
+    }
 
     /// Whether the piece reaches a side of its patch, in the order of l3d_side_pairs.
     bool reaches(std::size_t side) const {
@@ -113,7 +127,7 @@ struct l3d_doubt_bounds {
     l3d_image_box box;         ///< holds the whole piece
     double at_x = 0, at_y = 0; ///< the piece's own place, from which lines count
     unsigned open_sides = 0;   ///< bits of the sides where the surface ends
-    bool may_end = false;      ///< the near or the far plane may cut it
+    bool may_end = false;      ///< the near or the far plane may cut it, or trims do
     int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
     bool may_be_missing = false; ///< whether its back is seen, and not drawn
 
@@ -151,6 +165,9 @@ struct l3d_doubt_leaf {
     l3d_doubt_piece piece;
     l3d_doubt_bounds bounds;
     bool has_no_area = false; ///< it is seen exactly from its edge, and adds no light to any cell
+
+    /// Whether trims leave nothing of it. It is kept since the surface ends where it meets others.
+    bool is_gone() const { return piece.there == l3d_doubt_piece::left::none; }
 };
 
 /// Bounds a piece in a view. Cost: a microsecond.

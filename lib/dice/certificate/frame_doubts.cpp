@@ -4,6 +4,7 @@
 
 #include "raster/color/srgb_light.h"
 #include "scene/placed_net.h"
+#include "scene/sides/shared_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,17 @@ std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vecto
     return result;
 }
 
+/// The most that the edges are off which a patch's trims follow.
+double off_edges(const l3d_patch_model& model, std::size_t patch) {
+    double result = 0;
+    if (const l3d_trim_region* const trims = model.trim(patch))
+        for (const l3d_trim_polygon& polygon : trims->polygons)
+            for (const l3d_trim_corner& corner : polygon)
+                if (corner.side.edge < model.edges().size())
+                    result = std::max(result, model.edges()[corner.side.edge].off);
+    return result;
+}
+
 double determinant_of(const l3d_matrix<double>& m) {
     const auto column = [&](int i) -> vector { return {m(0, i), m(1, i), m(2, i)}; };
     return l3d_dot(column(0), l3d_cross<double>(column(1), column(2)));
@@ -105,12 +117,9 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         const double back = determinant_of(instance.placement()) < 0 ? -1 : 1;
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
-            const bool is_curved = !model.is_exact();
-            // The surface's error in the world's unit.
+            // The surface's error in the world's unit, and that of the edges at which it ends.
             const double off =
-                is_curved && model.surface_error() > 0
-                    ? frame.curved.places * (model.surface_error(i) / model.surface_error())
-                    : 0;
+                instance.stretch() * (model.surface_error(i) + off_edges(model, i));
             placed p;
             p.of = {.instance = index,
                     .patch = static_cast<std::uint32_t>(i),
@@ -118,7 +127,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .error_w = frame.view.error_w * share + l3d_length(w) * off,
                     .near = frame.view.near_of(share),
                     .normal_off = off_of_normals * longest_normal(instance),
-                    .turned = is_curved ? frame.curved.normals : 0,
+                    .turned = model.is_exact() ? 0 : frame.curved.normals,
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};
@@ -150,6 +159,8 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     const l3d_patch_model& model = instance.model();
     l3d_doubt_piece whole;
     whole.of = &p.of;
+    if (const l3d_trim_region* const trims = model.trim(p.of.patch))
+        whole.take(*trims);
     whole.net = l3d_placed_net(frame.to_image * instance.placement(), model.patches()[p.of.patch]);
     const l3d_normal_net& own = model.normals(p.of.patch);
     whole.normals = instance.turns_normals() ? own.turned(instance.normal_matrix()).polynomial()

@@ -26,6 +26,25 @@ l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, d
     return result;
 }
 
+/// Whether a polygon has the box's four corners alone.
+bool is_box(const l3d_trim_polygon& p, const l3d_trim_box& box) {
+    const auto is_corner = [&](const l3d_trim_place& at) {
+        return (at[0] == box.least[0] || at[0] == box.most[0]) &&
+               (at[1] == box.least[1] || at[1] == box.most[1]);
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const l3d_trim_place &a = p[i], &b = p[(i + 1) % p.size()];
+        if (!is_corner(a) || (a[0] == b[0]) == (a[1] == b[1]))
+            return false;
+    }
+    return p.size() == 4 && p[0] != p[2] && p[1] != p[3];
+}
+
+bool is_of_boxes(const l3d_trim_region& region, const l3d_trim_box& box) {
+    return std::ranges::all_of(region.polygons,
+                               [&](const l3d_trim_polygon& p) { return is_box(p, box); });
+}
+
 bool is_flat(const l3d_trim_polygon& polygon) {
     if (polygon.size() < 3)
         return true;
@@ -162,6 +181,21 @@ void flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& len
     }
 }
 
+/// Makes a loop a polygon.
+void flatten(const l3d_trim_loop& loop, const l3d_trim_place& lengths,
+             const std::function<double(const l3d_trim_box&)>& wanted, l3d_trim_polygon& to,
+             l3d_flatness& sum) {
+    constexpr int most_halvings = 16; // chords of curves fall by 4 with each
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
+        flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted, most_halvings, to, sum);
+        // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
+        const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
+        if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
+            to.push_back({end, {one.edge, one.to, one.to}});
+    }
+}
+
 /// Why curves are none, if a loop need not be closed.
 std::string complaint_of(const l3d_trim_loop& loop, bool may_be_open) {
     if (loop.empty())
@@ -219,21 +253,22 @@ double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths)
 l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                             const std::function<double(const l3d_trim_box&)>& wanted,
                             l3d_trim_region& to) {
-    constexpr int most_halvings = 16; // chords of curves fall by 4 with each
     l3d_flatness result;
     for (const l3d_trim_loop& loop : loops) {
         l3d_trim_polygon& polygon = to.polygons.emplace_back();
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
-            flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted, most_halvings,
-                    polygon, result);
-            // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
-            const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
-            if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
-                polygon.push_back({end, {one.edge, one.to, one.to}});
+        l3d_flatness sum;
+        // A loop that holds something stays, however small it is: a border is known by its sides.
+        for (double part = 1; part > 0x1p-16 && is_flat(polygon); part /= 4) {
+            polygon.clear();
+            sum = {};
+            flatten(
+                loop, lengths, [&](const l3d_trim_box& box) { return part * wanted(box); }, polygon,
+                sum);
         }
         if (is_flat(polygon))
             to.polygons.pop_back();
+        result.off = std::max(result.off, sum.off);
+        result.share = std::max(result.share, sum.share);
     }
     return result;
 }
@@ -246,19 +281,11 @@ double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place
 }
 
 bool l3d_trim_region::is_all_of(const l3d_trim_box& box) const {
-    if (polygons.size() != 1 || polygons.front().size() != 4)
-        return false;
-    const l3d_trim_polygon& p = polygons.front();
-    const auto is_corner = [&](const l3d_trim_place& at) {
-        return (at[0] == box.least[0] || at[0] == box.most[0]) &&
-               (at[1] == box.least[1] || at[1] == box.most[1]);
-    };
-    for (std::size_t i = 0; i < 4; ++i) {
-        const l3d_trim_place &a = p[i], &b = p[(i + 1) % 4];
-        if (!is_corner(a) || (a[0] == b[0]) == (a[1] == b[1]))
-            return false;
-    }
-    return p[0] != p[2] && p[1] != p[3];
+    return polygons.size() % 2 == 1 && is_of_boxes(*this, box);
+}
+
+bool l3d_trim_region::is_none_of(const l3d_trim_box& box) const {
+    return polygons.size() % 2 == 0 && is_of_boxes(*this, box);
 }
 
 bool l3d_trim_region::follows_edges() const {

@@ -48,8 +48,10 @@ struct l3d_trim_region {
     std::vector<l3d_trim_polygon> polygons;
 
     bool is_empty() const { return polygons.empty(); }
-    /// Whether the region is one polygon with the box's four corners.
+    /// Whether each polygon has the box's four corners alone, and they leave all of the box.
     bool is_all_of(const l3d_trim_box& box) const;
+    /// The same if they leave nothing, as the outer polygon does in a hole.
+    bool is_none_of(const l3d_trim_box& box) const;
     /// Whether a place is inside.
     bool contains(const l3d_trim_place& at) const;
 

@@ -37,10 +37,9 @@ struct seen_instance {
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
-        stretch = instance.scale();
-        if (!(stretch > 0)) {
+        stretch = instance.stretch();
+        if (!(instance.scale() > 0)) {
             // n / |n| and m / |m| turn by no more than twice the condition of the normals' matrix.
-            stretch = norm_of(instance.placement());
             const auto back = l3d_inverted(instance.normal_matrix());
             turn = back ? 2 * norm_of(instance.normal_matrix()) * norm_of(*back)
                         : std::numeric_limits<double>::infinity();
