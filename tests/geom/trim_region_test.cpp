@@ -305,6 +305,24 @@ TEST(flat_trims, are_as_fine_as_each_part_asks) {
     EXPECT_LT(corners(part, true), corners(whole, true) / 4);
 }
 
+/// An arc and its chord, far below what is wanted: two corners would hold nothing.
+TEST(flat_trims, keep_loops_that_hold_something) {
+    l3d_trim_loop loop{quarter(0.7).front()};
+    loop.push_back({{loop[0].points.back(), loop[0].points.front()}});
+    l3d_trim_region region;
+    l3d_flat_trims(std::array{loop}, {1, 1}, 10.0, region);
+    EXPECT_TRUE(region.contains({0.45, 0.45}));
+    EXPECT_FALSE(region.contains({0.3, 0.3}));
+}
+
+TEST(trim_region, is_none_of_a_box_that_two_polygons_fill) {
+    const l3d_trim_polygon box{{{0.0, 0.0}}, {{1.0, 0.0}}, {{1.0, 1.0}}, {{0.0, 1.0}}};
+    const l3d_trim_region one{{box}}, two{{box, box}}, three{{box, box, box}};
+    EXPECT_TRUE(one.is_all_of({}) && three.is_all_of({}) && two.is_none_of({}));
+    EXPECT_FALSE(one.is_none_of({}) || three.is_none_of({}) || two.is_all_of({}));
+    EXPECT_TRUE(l3d_trim_region().is_none_of({}));
+}
+
 TEST(flat_trims, name_the_loop_at_fault) {
     const auto complaint = [](const l3d_trim_loop& loop) {
         return l3d_trims_complaint(std::array{quarter(0.5), loop});
