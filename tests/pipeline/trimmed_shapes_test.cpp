@@ -340,10 +340,11 @@ TEST(trimmed_shapes, are_refused_by_name_where_whole_ones_would_be_drawn) {
 }
 
 /// The least and the largest level that a pixel's square may have on the mean, by rays in closed
-/// form: squares of a 32nd of the pixel are as bright as their corners, if all corners show one
+/// form. Squares of a 32nd of the pixel are as bright as their corners, if all corners show one
 /// surface. Others may show anything that surfaces do.
-std::array<double, 2> exact_levels(const shape& of, const camera_rays& rays, int x, int y,
-                                   const std::function<double(const sight&, const vector&)>& light) {
+std::array<double, 2>
+exact_levels(const shape& of, const camera_rays& rays, int x, int y,
+             const std::function<double(const sight&, const vector&)>& light) {
     constexpr int parts = 32, corners = parts + 1;
     std::array<sight, std::size_t{corners} * corners> seen;
     std::array<double, seen.size()> lights{};
@@ -406,7 +407,8 @@ void judge_doubts(const char* name, const shape& of, bool is_flat) {
                 large += most - least < 1 && bound > 3;
             }
     }
-    std::printf("%s: %d pixels, %d of surfaces, %d beside borders with large bounds\n", name, all, shown, large);
+    std::printf("%s: %d pixels, %d of surfaces, %d beside borders with large bounds\n", name, all,
+                shown, large);
     EXPECT_EQ(wrong, 0) << name;
     EXPECT_GT(shown, all / 5) << name;
     EXPECT_LT(large, all / 50) << name;

@@ -115,20 +115,20 @@ TEST(curved_model, has_polynomial_bicubic_patches_if_its_pieces_are) {
 
 TEST(curved_model, is_not_cut_without_end_for_normals_that_turn_at_once) {
     // Random and all but gentle: somewhere the normals of some nearly vanish.
-    std::mt19937 random(11);
-    const auto any = [&random] { return static_cast<int>(random() % 33) / 16.0 - 1; };
+    std::mt19937 random(7);
+    const auto any = [&random] { return static_cast<int>(random() % 65) / 32.0 - 1; };
     int without = 0;
-    for (int trial = 0; trial < 40; ++trial) {
-        l3d_patch_points patch{2, 2, {}, {}};
-        for (int i = 0; i < 9; ++i) {
-            const double x = i % 3 + any(), y = i / 3 + any();
-            patch.points.push_back({x, y, any()});
+    for (int trial = 0; trial < 30; ++trial) {
+        l3d_patch_points patch{3, 3, {}, {}};
+        for (int i = 0; i < 16; ++i) {
+            const double x = i % 4 + 2 * any(), y = i / 4 + 2 * any();
+            patch.points.push_back({x, y, 2 * any()});
             patch.weights.push_back(std::exp2(std::round(3 * any())));
         }
         std::string why;
         const auto model = l3d_patch_model::from_patches(std::vector{patch}, "cusp", why);
         ASSERT_TRUE(model);
-        EXPECT_LE(model->patches().size(), 4096u);
+        EXPECT_LE(model->patches().size(), 512u); // lines of cusps cut other cells, too
         EXPECT_LE(model->surface_error(), place_target(*model, 0));
         without += model->normal_error() > model->normal_target(0) ? 1 : 0;
     }

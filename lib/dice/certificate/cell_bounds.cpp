@@ -120,8 +120,8 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
         pieces_.push_back(&leaf);
         members_.push_back({b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing,
                             i, members_.size()});
-        sheets_.push_back({.may_end = leaf.is_gone() || b.facing == 0 || b.may_be_missing ||
-                                      b.may_end_in(cell)});
+        sheets_.push_back(
+            {.may_end = leaf.is_gone() || b.facing == 0 || b.may_be_missing || b.may_end_in(cell)});
     }
 }
 
@@ -147,8 +147,8 @@ void l3d_cell_bounds::connect() {
 }
 
 /// Finds the sheets in the cell. A sheet that does not end there fills the cell if one of its
-/// places is in it, and is absent if it misses the cell's middle. Pieces that trims leave nothing of
-/// only end the sheets that they are joined to.
+/// places is in it, and is absent if it misses the cell's middle. Pieces that trims leave nothing
+/// of only end the sheets that they are joined to.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;

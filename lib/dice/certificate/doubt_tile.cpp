@@ -151,9 +151,10 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
     const double of_cell = std::ldexp(1.0, -fineness_);
     const double size = std::max(b.box.width(), b.box.height());
     // A box is larger than its piece by twice the points' error, which halving leaves as it is.
-    return size <= std::max(of_cell, 4 * b.point_off) || (size <= largest_plain && b.facing != 0 && !b.may_end &&
-                               b.level.off <= std::ldexp(plain_levels, fineness_) &&
-                               b.picture_off <= std::max(plain_part * of_cell, 2 * b.point_off));
+    return size <= std::max(of_cell, 4 * b.point_off) ||
+           (size <= largest_plain && b.facing != 0 && !b.may_end &&
+            b.level.off <= std::ldexp(plain_levels, fineness_) &&
+            b.picture_off <= std::max(plain_part * of_cell, 2 * b.point_off));
 }
 
 /// Whether a piece that reaches past the eye lies outside the tile. Most of such a piece is far
@@ -220,8 +221,8 @@ void l3d_doubt_tile::cut(const l3d_doubt_piece& piece, std::vector<l3d_doubt_lea
     ++cuts_;
     auto halves = l3d_halves(piece, along_u);
     if (piece.there == l3d_doubt_piece::left::part) {
-        auto regions = along_u ? piece.trims.halves(0, halves[0].u1)
-                               : piece.trims.halves(1, halves[0].v1);
+        auto regions =
+            along_u ? piece.trims.halves(0, halves[0].u1) : piece.trims.halves(1, halves[0].v1);
         for (std::size_t i = 0; i < halves.size(); ++i)
             halves[i].take(std::move(regions[i]));
     }

@@ -118,8 +118,7 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
             // The surface's error in the world's unit, and that of the edges at which it ends.
-            const double off =
-                instance.stretch() * (model.surface_error(i) + off_edges(model, i));
+            const double off = instance.stretch() * (model.surface_error(i) + off_edges(model, i));
             placed p;
             p.of = {.instance = index,
                     .patch = static_cast<std::uint32_t>(i),

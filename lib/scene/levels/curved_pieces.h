@@ -122,7 +122,10 @@ public:
     /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are not halved for it more
     /// than most_halvings_for_normals and `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    static constexpr int most_halvings_for_normals = 12;
+    /// Errors fall by 64 where cells are halved both ways. From 2, the largest there is, two such
+    /// steps lead to 2^-11, below the target of level 0. Two more are for pieces that bend so
+    /// much that errors fall less at first; each step is two halvings.
+    static constexpr int most_halvings_for_normals = 2 * (2 + 2);
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr double most_cells = 0x1p17;
 
