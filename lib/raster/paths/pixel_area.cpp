@@ -137,7 +137,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, std::u
         beside.turns[layer] += before_.turns[layer];
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const part& e = parts_[i];
-        const auto [top, bottom] = open_heights(e, open);
+        const range_of_y heights = open_heights(e, open);
+        const double top = heights.top, bottom = heights.bottom;
         if (top >= bottom)
             continue;
         windings left = beside;
