@@ -360,7 +360,7 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
         return along_u ? at.u : at.v;
     };
     std::ranges::sort(order, {}, along);
-    const auto [low, middle, high] = order;
+    const std::size_t low = order[0], middle = order[1], high = order[2];
     auto first =
         std::ranges::partition_point(kept, [&](const stretch& one) { return one[1] < along(low); });
     const slit_surface of(
