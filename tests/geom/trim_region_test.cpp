@@ -124,9 +124,9 @@ TEST(trim_triangles, of_parts_fit_together) {
             // Beside the line each ends where the other does, or the region ends.
             const auto stretches = region.stretches(along, at);
             const auto& of_line = of_low.sides()[along == 0 ? 3 : 1];
-            for (const auto& [from, to] : of_line)
+            for (const auto& part : of_line)
                 EXPECT_TRUE(std::ranges::any_of(stretches, [&](const auto& s) {
-                    return s[0] <= from + 1e-12 && to <= s[1] + 1e-12;
+                    return s[0] <= part[0] + 1e-12 && part[1] <= s[1] + 1e-12;
                 })) << round;
         }
     }
