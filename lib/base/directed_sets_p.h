@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// directed_sets: borders of patches that are cut alike.
+// directed_sets: disjoint sets of lines that have directions, such as borders that are cut alike.
 #ifndef L3D_BASE_DIRECTED_SETS_P_H
 #define L3D_BASE_DIRECTED_SETS_P_H
 

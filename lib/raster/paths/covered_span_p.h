@@ -46,8 +46,8 @@ public:
     std::size_t size() const { return used_; }
     /// Makes room for `more` items after the last one. Lives: until the next call.
     T* room(std::size_t more) {
-        if (size_ < used_ + more)
-            room_.resize(size_ = std::max(2 * size_, used_ + more));
+        if (room_.size() < used_ + more)
+            room_.resize(std::max(2 * room_.size(), used_ + more));
         return room_.data() + used_;
     }
     /// Makes the next `more` items of the room part of the list.
@@ -68,7 +68,7 @@ public:
 
 private:
     std::vector<T> room_;
-    std::size_t size_ = 0, used_ = 0; ///< items in room_, and those in use
+    std::size_t used_ = 0;
 };
 
 } // namespace l3d_detail
