@@ -3,6 +3,8 @@
 // its error in Bernstein form.
 #include "geom/nurbs/bicubic_approximation.h"
 
+#include "geom/nurbs/bernstein_net_p.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 
 namespace {
 
+using namespace l3d_detail;
 using vector = l3d_vector<double, 3>;
 using bicubic = l3d_bezier_patch<double, 3>;
 using point = l3d_rational_piece::point;
@@ -29,58 +32,6 @@ vector place_of(const point& p) {
 double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
-
-/// Bernstein coefficients of a polynomial of degree m along u and n along v.
-template <class V> struct net {
-    int m, n;
-    std::vector<V> c; // u runs fastest
-
-    net(int of_m, int of_n)
-        : m(of_m), n(of_n), c(static_cast<std::size_t>((of_m + 1) * (of_n + 1)), V(0.0)) {}
-    V& at(int row, int column) { return c[static_cast<std::size_t>(row * (m + 1) + column)]; }
-    const V& at(int row, int column) const {
-        return c[static_cast<std::size_t>(row * (m + 1) + column)];
-    }
-
-    net by_u() const {
-        net result(m - 1, n);
-        for (int r = 0; r <= n; ++r)
-            for (int k = 0; k < m; ++k)
-                result.at(r, k) = (at(r, k + 1) - at(r, k)) * double(m);
-        return result;
-    }
-    net by_v() const {
-        net result(m, n - 1);
-        for (int r = 0; r < n; ++r)
-            for (int k = 0; k <= m; ++k)
-                result.at(r, k) = (at(r + 1, k) - at(r, k)) * double(n);
-        return result;
-    }
-    /// The same polynomial over both halves of u or of v. Source: de Casteljau.
-    std::array<net, 2> halves(bool along_u) const {
-        std::array<net, 2> result{*this, *this};
-        const int degree = along_u ? m : n, lines = along_u ? n : m;
-        for (int line = 0; line <= lines; ++line) {
-            const auto in = [&](net& half, int i) -> V& {
-                return along_u ? half.at(line, i) : half.at(i, line);
-            };
-            for (int level = 0; level <= degree; ++level) {
-                in(result[0], level) = in(result[1], 0);
-                for (int i = 0; i < degree - level; ++i)
-                    in(result[1], i) = (in(result[1], i) + in(result[1], i + 1)) * 0.5;
-            }
-        }
-        return result;
-    }
-    /// The quotient by v of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
-    net over_v() const {
-        net result(m, n - 1);
-        for (int r = 0; r < n; ++r)
-            for (int k = 0; k <= m; ++k)
-                result.at(r, k) = at(r + 1, k) * (double(n) / (r + 1));
-        return result;
-    }
-};
 
 double size_of(double value) {
     return std::abs(value);
@@ -104,54 +55,6 @@ double bound_of_parts(const net<vector>& of, int halvings) {
         return bound_of(of);
     const auto [first, second] = of.halves(halvings % 2 == 0);
     return std::max(bound_of_parts(first, halvings - 1), bound_of_parts(second, halvings - 1));
-}
-
-/// The largest degree of a product: that of a piece's normals, of at most three times its degree,
-/// and the quintic that approximates them.
-constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
-/// Binomial coefficients n over k, which are exact in a double.
-constexpr auto binomials = [] {
-    std::array<std::array<double, most_product + 1>, most_product + 1> result{};
-    for (std::size_t n = 0; n <= most_product; ++n)
-        for (std::size_t k = 0; k <= n; ++k)
-            result[n][k] = k == 0 ? 1 : result[n - 1][k - 1] + result[n - 1][k];
-    return result;
-}();
-
-double binomial(int n, int k) {
-    return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
-}
-
-/// Weights of the products a_i b_j in Bernstein coefficient i + j of a product of degrees m and n,
-/// j fastest. The weights of one coefficient add up to 1.
-std::vector<double> product_weights(int m, int n) {
-    std::vector<double> result;
-    result.reserve(static_cast<std::size_t>((m + 1) * (n + 1)));
-    for (int i = 0; i <= m; ++i)
-        for (int j = 0; j <= n; ++j)
-            result.push_back(binomial(m, i) * binomial(n, j) / binomial(m + n, i + j));
-    return result;
-}
-
-/// The Bernstein net of a product of two polynomials; `times` multiplies two coefficients.
-template <class V, class A, class B, class Times>
-net<V> product(const net<A>& a, const net<B>& b, const Times& times) {
-    const std::vector<double> in_u = product_weights(a.m, b.m), in_v = product_weights(a.n, b.n);
-    net<V> result(a.m + b.m, a.n + b.n);
-    for (int ra = 0; ra <= a.n; ++ra)
-        for (int rb = 0; rb <= b.n; ++rb) {
-            const double of_row = in_v[static_cast<std::size_t>(ra * (b.n + 1) + rb)];
-            for (int ca = 0; ca <= a.m; ++ca)
-                for (int cb = 0; cb <= b.m; ++cb)
-                    result.at(ra + rb, ca + cb) +=
-                        times(a.at(ra, ca), b.at(rb, cb)) *
-                        (of_row * in_u[static_cast<std::size_t>(ca * (b.m + 1) + cb)]);
-        }
-    return result;
-}
-
-vector cross(const vector& a, const vector& b) {
-    return l3d_cross(a, b);
 }
 
 /// The places, in both directions of a patch, that it shares with its piece, beside the ends: zeros
@@ -216,14 +119,21 @@ bicubic interpolated(const l3d_rational_piece& piece) {
     return result;
 }
 
+bool has_one_weight(const l3d_rational_piece& piece) {
+    return std::ranges::all_of(piece.points,
+                               [&](const point& p) { return p[3] == piece.points[0][3]; });
+}
+
 /// A piece as P and W around a place of it, with bounds of their rounding: `noise` of P's length.
 struct centred_piece {
     net<vector> p;
     net<double> w;
     double noise = 0, weight_noise = 0;
+    bool has_one_weight;
 
     centred_piece(const l3d_rational_piece& piece, const vector& centre)
-        : p(piece.degree_u, piece.degree_v), w(piece.degree_u, piece.degree_v) {
+        : p(piece.degree_u, piece.degree_v), w(piece.degree_u, piece.degree_v),
+          has_one_weight(::has_one_weight(piece)) {
         double size = 0, most_w = 0;
         for (const point& q : piece.points)
             most_w = std::max(most_w, q[3]);
@@ -296,17 +206,27 @@ template <std::size_t Order> struct interpolation {
     std::array<double, Order> nodes;
     std::array<std::array<double, Order>, Order> control_by_value{};
 
+    using basis = std::array<double, most_product + 1>;
+
+    /// The values of Bernstein's polynomials of degree n. Source: their recurrence.
+    static constexpr basis basis_at(double t, int n) {
+        basis result{1};
+        for (int degree = 1; degree <= n; ++degree)
+            for (auto k = static_cast<std::size_t>(degree);; --k) {
+                result[k] = result[k] * (1 - t) + (k > 0 ? result[k - 1] * t : 0);
+                if (k == 0)
+                    break;
+            }
+        return result;
+    }
+
     /// Inverts the matrix of Bernstein's basis at the nodes. Source: Gauss and Jordan; the diagonal
     /// is largest.
     constexpr explicit interpolation(const std::array<double, Order>& at) : nodes(at) {
         auto left = control_by_value;
         auto& right = control_by_value;
         for (std::size_t i = 0; i < Order; ++i) {
-            for (std::size_t k = 0; k < Order; ++k) {
-                left[i][k] = binomials[Order - 1][k];
-                for (std::size_t n = 0; n + 1 < Order; ++n)
-                    left[i][k] *= n < k ? nodes[i] : 1 - nodes[i];
-            }
+            std::copy_n(basis_at(nodes[i], Order - 1).begin(), Order, left[i].begin());
             right[i][i] = 1;
         }
         for (std::size_t pivot = 0; pivot < Order; ++pivot) {
@@ -325,21 +245,20 @@ template <std::size_t Order> struct interpolation {
         }
     }
 
-    /// Source: de Casteljau.
     template <class V> square<V, Order> values_of(const net<V>& of) const {
-        const auto collapsed = [](std::vector<V> p, double t) {
-            for (std::size_t left = p.size() - 1; left > 0; --left)
-                for (std::size_t i = 0; i < left; ++i)
-                    p[i] = p[i] * (1 - t) + p[i + 1] * t;
-            return p[0];
-        };
+        std::array<basis, Order> in_v;
+        for (std::size_t row = 0; row < Order; ++row)
+            in_v[row] = basis_at(nodes[row], of.n);
         square<V, Order> result{};
         for (std::size_t column = 0; column < Order; ++column) {
-            std::vector<V> rows;
-            for (auto row = of.c.begin(); row != of.c.end(); row += of.m + 1)
-                rows.push_back(collapsed(std::vector<V>(row, row + of.m + 1), nodes[column]));
-            for (std::size_t row = 0; row < Order; ++row)
-                result[Order * row + column] = collapsed(rows, nodes[row]);
+            const basis in_u = basis_at(nodes[column], of.m);
+            for (int r = 0; r <= of.n; ++r) {
+                V in_row(0.0);
+                for (int k = 0; k <= of.m; ++k)
+                    in_row += of.at(r, k) * in_u[static_cast<std::size_t>(k)];
+                for (std::size_t row = 0; row < Order; ++row)
+                    result[Order * row + column] += in_row * in_v[row][static_cast<std::size_t>(r)];
+            }
         }
         return result;
     }
@@ -379,27 +298,33 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
     if (m == most_exact_degree && n == most_exact_degree)
         return piece;
     // Both as polynomials of degree m by n.
-    const auto raised = [m, n](const net<point>& of) {
-        net<double> one(m - of.m, n - of.n);
-        std::ranges::fill(one.c, 1.0);
-        return product<point>(of, one, [](const point& p, double by) { return p * by; });
+    const auto raised = [m, n](const net<point>& of, int coordinate) {
+        scaled_net result(m, n);
+        result.add(one(m - of.m, n - of.n),
+                   scaled_net(of, [=](const point& p) { return p[coordinate]; }));
+        return result;
     };
     net<point> whole(piece.degree_u, piece.degree_v), low(most_exact_degree, most_exact_degree);
     whole.c = piece.points;
     std::ranges::copy(septic.through(septic.values_of(whole)), low.c.begin());
-    const net<point> exact = raised(whole), drawn = raised(low);
-    double size = 0, weight = 0, off = 0, weight_off = 0;
-    for (std::size_t i = 0; i < exact.c.size(); ++i) {
-        const point d = exact.c[i] - drawn.c[i];
-        size = std::max(size, largest(place_of(exact.c[i])));
-        weight = std::max(weight, exact.c[i][3]);
-        off = std::max(off, largest(place_of(d)));
-        weight_off = std::max(weight_off, std::abs(d[3]));
-    }
+    if (has_one_weight(piece))
+        for (point& p : low.c)
+            p[3] = piece.points[0][3];
     piece.degree_u = piece.degree_v = most_exact_degree;
     piece.points = low.c;
-    piece.noise += off + sums_rounding * size;
-    piece.weight_noise += weight_off + sums_rounding * weight;
+    std::array<double, 4> most{};
+    for (int k = 0; k < 4; ++k) {
+        const scaled_net exact = raised(whole, k), drawn = raised(low, k);
+        double size = 0, off = 0;
+        for (int r = 0; r <= n; ++r)
+            for (int c = 0; c <= m; ++c) {
+                size = std::max(size, std::abs(exact.at(r, c)));
+                off = std::max(off, std::abs(exact.at(r, c) - drawn.at(r, c)));
+            }
+        most[static_cast<std::size_t>(k)] = off + sums_rounding * size;
+    }
+    piece.noise += std::max({most[0], most[1], most[2]});
+    piece.weight_noise += most[3];
     return piece;
 }
 
@@ -413,12 +338,14 @@ struct exact_normals {
     exact_normals(const centred_piece& piece, int m, int n, bool has_pole) {
         const net<vector> pu = piece.p.by_u(), pv = piece.p.by_v();
         const net<double> wu = piece.w.by_u(), wv = piece.w.by_v();
-        const auto times = [](double a, const vector& b) { return b * a; };
-        of = product<vector>(piece.w, product<vector>(pu, pv, cross), times);
-        const net<vector> by_wv = product<vector>(wv, product<vector>(pu, piece.p, cross), times);
-        const net<vector> by_wu = product<vector>(wu, product<vector>(piece.p, pv, cross), times);
-        for (std::size_t i = 0; i < of.c.size(); ++i)
-            of.c[i] = of.c[i] - by_wv.c[i] - by_wu.c[i];
+        const scaled_vectors p = scaled(piece.p), by_u = scaled(pu), by_v = scaled(pv);
+        scaled_vectors sum = zeros(3 * piece.p.m - 1, 3 * piece.p.n - 1);
+        add(sum, scaled(piece.w), cross(by_u, by_v));
+        if (!piece.has_one_weight) {
+            add(sum, scaled(wv), cross(by_u, p), -1);
+            add(sum, scaled(wu), cross(p, by_v), -1);
+        }
+        of = net_of(sum);
         // Three factors, each with its own rounding.
         struct factor {
             double size, noise;
@@ -428,12 +355,12 @@ struct exact_normals {
                        (1 + sums_rounding) -
                    a.size * b.size * c.size;
         };
-        const factor p{bound_of(piece.p), piece.noise}, w{bound_of(piece.w), piece.weight_noise};
+        const factor s{bound_of(piece.p), piece.noise}, w{bound_of(piece.w), piece.weight_noise};
         m = std::max(m, piece.p.m);
         n = std::max(n, piece.p.n);
-        const factor du{bound_of(pu), 2 * m * p.noise}, dv{bound_of(pv), 2 * n * p.noise};
+        const factor du{bound_of(pu), 2 * m * s.noise}, dv{bound_of(pv), 2 * n * s.noise};
         const factor dwu{bound_of(wu), 2 * m * w.noise}, dwv{bound_of(wv), 2 * n * w.noise};
-        noise = product_noise(w, du, dv) + product_noise(dwv, du, p) + product_noise(dwu, p, dv);
+        noise = product_noise(w, du, dv) + product_noise(dwv, du, s) + product_noise(dwu, s, dv);
         if (!has_pole)
             return;
         noise *= 2 * 3 * n; // the row v = 0 is noise, too
@@ -493,19 +420,17 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
     const double least_w = std::ranges::min(of.w.c) - of.weight_noise;
     if (!(least_w > 0))
         return;
-    net<point> p(of.w.m, of.w.n);
-    for (std::size_t i = 0; i < p.c.size(); ++i)
-        p.c[i] = point(of.p.c[i], of.w.c[i]);
     net<vector> b(3, 3);
     for (std::size_t i = 0; i < b.c.size(); ++i)
         b.c[i] = patch.points[i] - centre;
-    const net<vector> d = product<vector>(
-        p, b, [](const point& q, const vector& by) { return place_of(q) - by * q[3]; });
+    scaled_vectors d = zeros(of.w.m + 3, of.w.n + 3);
+    add(d, one(3, 3), scaled(of.p));
+    add(d, scaled(of.w), scaled(b), -1);
     const double size_b = bound_of(b);
     const double rounding = 128 * unit * (bound_of(of.p) + bound_of(of.w) * size_b);
     constexpr int halvings = 4; // 16 parts
-    error =
-        (bound_of_parts(d, halvings) + of.noise + size_b * of.weight_noise + rounding) / least_w;
+    error = (bound_of_parts(net_of(d), halvings) + of.noise + size_b * of.weight_noise + rounding) /
+            least_w;
 }
 
 /// N is the quintic and T the exact polynomial. The tangent of their angle is |N x T| / N.T.
@@ -527,16 +452,14 @@ l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& pie
         l3d_normal_net(turned::right(l3d_normal_polynomial{quintic.through(values)}, 4 - of.turns));
     ::net<vector> drawn(quintic_order - 1, quintic_order - 1);
     std::ranges::copy(turned::right(net.polynomial(), of.turns).points, drawn.c.begin());
-    const ::net<point> products =
-        product<point>(drawn, exact.of, [](const vector& n, const vector& t) {
-            return point(l3d_cross(n, t), l3d_dot(n, t));
-        });
-    double across = 0, along = std::numeric_limits<double>::infinity();
-    for (const point& p : products.c) {
-        across = std::max(across, l3d_length(place_of(p)));
-        along = std::min(along, p[3]);
-    }
+    const scaled_vectors n = scaled(drawn), t = scaled(exact.of);
+    scaled_net dot(drawn.m + exact.of.m, drawn.n + exact.of.n);
+    for (std::size_t k = 0; k < 3; ++k)
+        dot.add(n[k], t[k]);
+    const double along = dot.least();
     const double off = bound_of(drawn) * (exact.noise + sums_rounding * bound_of(exact.of));
-    if (along > off)
-        error = 2 * std::sin(std::atan((across + off) / (along - off)) / 2) * (1 + 8 * unit);
+    if (!(along > off))
+        return;
+    const double across = bound_of(net_of(cross(n, t)));
+    error = 2 * std::sin(std::atan((across + off) / (along - off)) / 2) * (1 + 8 * unit);
 }
