@@ -107,6 +107,7 @@ mesh_audit::mesh_audit(std::string surface_file, const l3d_patch_model& surface,
     const auto begin = clock::now();
     const triangles mesh = triangles_of(mesh_);
     found_ = surface_.compare(mesh);
+    face_ = surface.face_of(found_.from_surface.index);
     seconds_ = std::chrono::duration<double>(clock::now() - begin).count();
     for (std::size_t i = 0; part_.empty() && i < surface.patches().size(); ++i)
         if (surface.piece_of(i) == found_.from_surface.index)
@@ -138,6 +139,8 @@ std::string mesh_audit::json() const {
     };
     const auto triangle = mesh_.triangles()[found_.from_mesh.index];
     json missing = way(found_.from_surface, "piece", found_.from_surface.index);
+    if (face_ > 0)
+        missing["face"] = face_;
     if (!part_.empty())
         missing["part"] = part_;
     json line{{"surface", surface_file_.empty() ? "teapot" : surface_file_},

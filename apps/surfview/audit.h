@@ -12,6 +12,7 @@
 #include <l3d/surface_audit.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,7 +46,8 @@ private:
     l3d_color color_of(double distance) const;
 
     std::string surface_file_, mesh_file_;
-    std::string part_; ///< the name of the part with the surface's worst place; may be empty
+    std::uint32_t face_ = 0; ///< the number of the face with that place; 0 if faces have none
+    std::string part_;       ///< the name of the part with the surface's worst place; may be empty
     std::size_t pieces_;
     l3d_polygon_model mesh_;
     double diagonal_, tolerance_;

@@ -12,11 +12,16 @@
 #include <l3d/rasterizer_factory.h>
 #include <l3d/viewer.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -42,6 +47,12 @@ public:
         options.add("--audit-tolerance", tolerance_,
                     "the width of the bounds that --audit prints, by the model's diagonal", 1e-9,
                     1);
+        options.begin_group("Edges");
+        options.add(
+            "--list-edges", lists_edges_,
+            "draw nothing; list the ten edges that are farthest off their faces beyond what "
+            "the file allows, with places and faces");
+        options.prints_result("--list-edges");
         options.add_example("part.step --audit part.stl --output audit.png",
                             "a mesh's largest distance from its part, as JSON and in colours");
         options.add_example("part.step --section -1,0,0 --hide cover",
@@ -53,7 +64,9 @@ public:
             l3d_refuse(
                 {{"--section-at", place_ && !normal_, "--section says across which direction"},
                  {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"}});
-            if (!mesh_file_.empty())
+            if (lists_edges_)
+                list_edges();
+            else if (!mesh_file_.empty())
                 shows_ = audited();
             else if (parts_.lists())
                 polygons_.list_parts();
@@ -114,6 +127,30 @@ private:
                 return show_by.template operator()<l3d_pipeline_zbuffer>();
             }
         };
+    }
+
+    /// Lists edges that are off their faces, the worst one first.
+    void list_edges() {
+        constexpr std::size_t most = 10;
+        const l3d_patch_model model = afd_.model();
+        const auto loose = model.loose_edges();
+        for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
+            const l3d_loose_edge& one = loose[i];
+            std::vector<std::string> faces; // of a file that numbers none, its pieces
+            for (const std::size_t piece : one.pieces) {
+                const std::uint32_t face = model.face_of(piece);
+                std::string name = face > 0 ? "face " + std::to_string(face)
+                                            : "piece " + std::to_string(piece + 1);
+                if (std::ranges::find(faces, name) == faces.end())
+                    faces.push_back(std::move(name));
+            }
+            std::cout << "edge " << one.edge + 1 << ": off by " << one.off << ", not "
+                      << one.tolerance << ", at " << one.place[0] << ',' << one.place[1] << ','
+                      << one.place[2];
+            for (const std::string& face : faces)
+                std::cout << ", " << face;
+            std::cout << '\n';
+        }
     }
 
     /// Compares a mesh with the model. The picture is the step that is left, if one is wanted.
@@ -204,6 +241,7 @@ private:
     l3d_polygon_options polygons_;
     l3d_part_options parts_;
     std::optional<vector> normal_, place_;
+    bool lists_edges_ = false;
     std::string mesh_file_;
     double tolerance_ = l3d_surface_audit::usual_tolerance;
     std::function<l3d_exit()> shows_;

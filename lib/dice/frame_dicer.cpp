@@ -264,11 +264,20 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     const std::uint32_t material =
         inspects ? static_cast<std::uint32_t>(patches_before_ + i)
                  : of.scene.material_of(of.batch[i].instance, of.batch[i].patch);
+    std::int64_t unproven = 0;
     for (l3d_diced_piece& piece : slot(i).used()) {
         piece.part.material = material;
         piece.part.names_quads = false;
         if (inspects)
             put_parameters(piece);
+        // Nothing is known of its shades. Slits beside a block count as one quad.
+        if (!model.has_normal_error(of.batch[i].patch))
+            unproven += std::int64_t{piece.part.grid.rows} * piece.part.grid.columns +
+                        std::int64_t{4} * l3d_block_needs::most_blocks;
+    }
+    if (!model.has_normal_error(of.batch[i].patch)) {
+        space.counts.unproven_quads = unproven;
+        space.counts.shade_bound = space.counts.normal_off = 0;
     }
     result.counts = space.counts;
     result.cost = share - budget.left;

@@ -164,12 +164,14 @@ struct receiver {
     std::vector<std::uint32_t> faces; ///< the face of each patch
     std::string complaint{};
 
-    static void take(void* to, std::uint32_t face, const double* points) {
+    static void take(void* to, std::uint32_t face, const double* points, double error,
+                     std::uint32_t is_cap) {
         receiver& self = *static_cast<receiver*>(to);
         l3d_patch_points& patch = self.model.patches.emplace_back(
             l3d_patch_points{.degree_u = 3, .degree_v = 3, .points = {}});
         for (int k = 0; k < 16; ++k, points += 3)
             patch.points.push_back({points[0], points[1], points[2]});
+        self.model.patch_errors.push_back({error, is_cap == 0});
         self.faces.push_back(face);
     }
     static void fail(void* to, const char* why) { static_cast<receiver*>(to)->complaint = why; }
@@ -276,6 +278,7 @@ bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how, std::strin
         .wanted_error = how.error * size,
         .most_patches = most_patches};
     l3d_model_file made = model;
+    made.patch_errors.resize(made.patches.size());
     receiver to{made, {}};
     const l3d_detail::subdivision_sink sink{&to, receiver::take, receiver::fail};
     l3d_detail::subdivision_outcome reached{};
@@ -283,7 +286,6 @@ bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how, std::strin
         return fail("cannot be subdivided: " + to.complaint);
 
     hand_on(to.faces, model.patches.size(), made);
-    made.patch_error = std::max(made.patch_error, reached.error);
     if (unknown > 0)
         made.notes.push_back(whose + l3d_detail::counted(unknown, "creases") +
                              " of tags are no edges of polygons, and are skipped");

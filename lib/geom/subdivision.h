@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_subdivision {
 
 /// Puts patches of the Catmull-Clark surface in the place of a model's polygons, with their
 /// materials and parts. Most patches are exact. Those at irregular vertices are within the model's
-/// patch_error of the limit surface (docs/NUMERICS.md, section 29). A note says what was reached.
+/// patch_errors of the limit surface (docs/NUMERICS.md, section 29). A note says what was reached.
 ///
 /// It takes the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
 /// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to

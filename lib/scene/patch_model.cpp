@@ -126,6 +126,10 @@ l3d_parameter_range l3d_patch_model::range_in_piece(std::size_t index) const {
     return source_ ? contents_->ranges[index] : l3d_parameter_range();
 }
 
+std::uint32_t l3d_patch_model::face_of(std::size_t piece) const {
+    return faces_ ? (*faces_)[piece] : 0;
+}
+
 l3d_nurbs_surface l3d_patch_model::surface(std::size_t piece) const {
     if (source_)
         return l3d_nurbs_surface::of_patch(source_->pieces.pieces()[piece]);
@@ -196,21 +200,20 @@ double l3d_patch_model::share_of_wish() const {
 }
 
 double l3d_patch_model::surface_error(std::size_t index) const {
-    return stated_error_ + (source_ ? contents_->errors[index] : 0);
-}
-
-l3d_patch_model l3d_patch_model::standing_for(double surface_error) const {
-    l3d_patch_model result = *this;
-    result.stated_error_ = surface_error;
-    return result;
+    return (stated_ ? stated_->errors[piece_of(index)].places : 0) +
+           (source_ ? contents_->errors[index] : 0);
 }
 
 double l3d_patch_model::surface_error() const {
-    return contents_->surface_error + stated_error_;
+    return contents_->surface_error + (stated_ ? stated_->places : 0);
 }
 
 double l3d_patch_model::normal_error() const {
-    return stated_error_ > 0 ? std::numeric_limits<double>::infinity() : contents_->normal_error;
+    return contents_->normal_error + (stated_ ? stated_->normals : 0);
+}
+
+bool l3d_patch_model::has_normal_error(std::size_t index) const {
+    return !stated_ || stated_->errors[piece_of(index)].is_of_points;
 }
 
 std::span<const l3d_halved_side> l3d_patch_model::halved_sides() const {
@@ -233,26 +236,6 @@ const l3d_trim_region* l3d_patch_model::trim(std::size_t index) const {
 
 std::span<const l3d_shared_edge> l3d_patch_model::edges() const {
     return source_ ? source_->pieces.edges() : std::span<const l3d_shared_edge>();
-}
-
-std::string l3d_patch_model::edges_note() const {
-    constexpr double rounding = 0x1p-40; // a part of the largest coordinates
-    const double least = rounding * std::max(l3d_length(pieces_least()), l3d_length(pieces_most()));
-    std::size_t count = 0, worst = 0;
-    const auto beyond = [&](std::size_t i) {
-        return edges()[i].off - std::max(edges()[i].tolerance, least);
-    };
-    for (std::size_t i = 0; i < edges().size(); ++i) {
-        count += beyond(i) > 0;
-        if (beyond(i) > beyond(worst))
-            worst = i;
-    }
-    if (count == 0)
-        return "";
-    return l3d_detail::formatted("%zu of %zu edges are off their faces by more than the file "
-                                 "allows: edge %zu by %.3g, not %.3g",
-                                 count, edges().size(), worst + 1, edges()[worst].off,
-                                 edges()[worst].tolerance);
 }
 
 bool l3d_patch_model::follows_edges(std::size_t index) const {
@@ -424,6 +407,8 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
     std::vector<l3d_patch_points> curved;
     std::vector<l3d_material> materials;
     std::vector<l3d_part_run> runs;
+    std::vector<l3d_patch_error> errors;
+    std::vector<std::uint32_t> faces;
     for (std::size_t i = 0; i < is_chosen.size(); ++i) {
         if (!is_chosen[i])
             continue;
@@ -434,6 +419,10 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
         else
             kept.push_back(patches()[i]);
         materials.push_back(all[i]);
+        if (stated_)
+            errors.push_back(stated_->errors[i]);
+        if (faces_)
+            faces.push_back((*faces_)[i]);
     }
     const l3d_patch_model of =
         curved.empty() ? l3d_patch_model(std::move(kept))
@@ -441,7 +430,9 @@ l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) cons
                                                            {source_->pieces.file_edges().begin(),
                                                             source_->pieces.file_edges().end()}),
                                          nullptr);
-    const l3d_patch_model result = of.with_parts(runs).standing_for(stated_error_);
+    l3d_patch_model result = of.with_parts(runs).standing_for(errors);
+    if (faces_)
+        result.faces_ = std::make_shared<const std::vector<std::uint32_t>>(std::move(faces));
     return materials.empty() ? result : result.painted(materials);
 }
 
@@ -472,7 +463,9 @@ std::optional<l3d_patch_model> l3d_patch_model::from_file(const l3d_model_file& 
 }
 
 l3d_patch_model l3d_patch_model::dressed(const l3d_model_file& file) const {
-    l3d_patch_model result = standing_for(file.patch_error);
+    l3d_patch_model result = standing_for(file.patch_errors);
+    if (!file.patch_faces.empty())
+        result.faces_ = std::make_shared<const std::vector<std::uint32_t>>(file.patch_faces);
     if (!file.patch_parts.empty())
         result = result.with_parts(file.patch_parts);
     if (!file.curves.empty())

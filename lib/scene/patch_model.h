@@ -30,6 +30,7 @@ struct l3d_cell_wish;
 struct l3d_model_edge;
 struct l3d_model_file;
 struct l3d_parameter_range;
+struct l3d_patch_error;
 struct l3d_shared_edge;
 struct l3d_trim_region;
 struct l3d_patch_points;
@@ -40,6 +41,15 @@ struct l3d_patch_points;
 struct L3D_PUBLIC l3d_patch_reach {
     l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< for all 16 control points, for x, y and z
     std::array<l3d_vector<double, 3>, 4> edges{}; ///< for the four control points of each edge
+};
+
+/// An edge that is off its faces by more than the file allows.
+struct L3D_PUBLIC l3d_loose_edge {
+    std::size_t edge = 0;                       ///< index in l3d_patch_model::edges
+    double off = 0;                             ///< the largest distance found
+    double tolerance = 0;                       ///< the distance that the file allows
+    l3d_vector<double, 3> place{0.0, 0.0, 0.0}; ///< where it was found, on the edge
+    std::vector<std::size_t> pieces;            ///< those whose trims follow the edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of
@@ -132,6 +142,10 @@ public:
     /// Expects: as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
+    /// The number of the face in its file that a piece is of, from 1; 0 if the file numbers none.
+    /// Expects: piece < pieces().
+    std::uint32_t face_of(std::size_t piece) const;
+
     /// A piece as a NURBS surface, each parameter from 0 to 1. Expects: piece < pieces().
     l3d_nurbs_surface surface(std::size_t piece) const;
     /// Each piece as a NURBS surface of its own.
@@ -172,13 +186,13 @@ public:
     /// Expects: as at_level.
     double normal_target(int level) const;
 
-    /// The same patches, which stand for a surface that they are off by this at most. It becomes
-    /// part of the bounds of pictures. Nothing is known of the normals of that surface.
-    /// Expects: finite, not negative; 0 says that the patches are the surface.
-    l3d_patch_model standing_for(double surface_error) const;
+    /// The same pieces, which stand for a surface that they are off by these errors. They become
+    /// part of the bounds of pictures.
+    /// Expects: one for each piece, finite and not negative; none say that they are the surface.
+    l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 
     /// Whether its patches are the surface itself, and stand for nothing else.
-    bool is_exact() const { return !is_curved() && stated_error_ == 0; }
+    bool is_exact() const { return !is_curved() && !stated_; }
 
     /// Bound of the distance between the patches and what they stand for, at the same parameters:
     /// the pieces of a curved model, or the surface of standing_for(). 0 for any other model.
@@ -187,8 +201,11 @@ public:
     double surface_error(std::size_t index) const;
     /// Bound of the distance between unit normals of the patches and of what they stand for, at the
     /// same parameters; 0 for models without surface_error(). It is infinite where a normal
-    /// vanishes inside of a patch, or nothing is known.
+    /// vanishes inside of a patch of a curved model.
     double normal_error() const;
+    /// Whether that bound holds for a patch. It does not where nothing is known of the normals of
+    /// what the patch stands for. Expects: index < patches().size().
+    bool has_normal_error(std::size_t index) const;
 
     /// Sides where two patches of half the size go on, with the same points as the side's halves.
     /// Pictures draw such a side as these two, so that no gap shows. In the order of patches.
@@ -207,6 +224,8 @@ public:
     /// Tells how many edges are off their faces by more than the file's own tolerance, and by how
     /// much the worst is; "" if none is. Pictures close such gaps all the same.
     std::string edges_note() const;
+    /// Those edges, the worst one first.
+    std::vector<l3d_loose_edge> loose_edges() const;
     /// Whether the trims of a patch follow edges. Expects: index < patches().size().
     bool follows_edges(std::size_t index) const;
 
@@ -327,7 +346,9 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    double stated_error_ = 0;                                    ///< given to standing_for()
+    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null if there are none
+    struct stated;
+    std::shared_ptr<const stated> stated_;                       ///< null if there is none
     std::shared_ptr<const paint> paint_;                         ///< null if all is plain
     std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
     std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none

@@ -157,6 +157,7 @@ private:
 /// The vertices of all levels, and the patches of all leaves before their borders are common.
 struct level_patches {
     std::vector<std::array<net, 3>> patches;
+    std::vector<double> errors; ///< one for each patch; 0 for exact ones
     double error = 0;
     std::size_t caps = 0;
 };
@@ -166,6 +167,7 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
     level_patches result;
     for (const leaf& one : mesh.leaves()) {
         std::array<net, 3>& to = result.patches.emplace_back();
+        double& error = result.errors.emplace_back(0);
         if (one.is_regular) {
             const auto control = mesh.control_points(points, one);
             for (std::size_t k = 0; k < 3; ++k) {
@@ -184,6 +186,7 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
                 points[static_cast<std::size_t>(mesh.first_of(one.level) + vertex)].at);
         const cap made = shapes.of(ring, places);
         to = made.bezier;
+        error = made.error;
         result.error = std::max(result.error, made.error);
         ++result.caps;
     }
@@ -232,10 +235,10 @@ limit_patches::limit_patches(const mesh_topology& mesh, const std::vector<place>
         return std::pair(leaves[i].level, !leaves[i].is_regular);
     });
     common_borders borders(*chosen);
-    double moved = 0;
+    errors = std::move(of_chosen.errors);
     for (const std::size_t i : order)
-        moved = std::max(moved, borders.unite(leaves[i], patches[i]));
-    error = of_chosen.error + moved + rounding_of(places);
+        errors[i] += borders.unite(leaves[i], patches[i]) + rounding_of(places);
+    error = std::ranges::max(errors);
 }
 
 } // namespace l3d_limit

@@ -15,7 +15,8 @@ namespace l3d_limit {
 struct limit_patches {
     std::vector<std::array<net, 3>> patches; ///< x, y and z, face by face
     std::vector<leaf> leaves;                ///< that the patches stand for
-    double error = 0;
+    std::vector<double> errors;              ///< one for each patch
+    double error = 0;                        ///< the largest of them
     int levels = 0;
     std::size_t caps = 0; ///< patches that are no exact part of the surface
 

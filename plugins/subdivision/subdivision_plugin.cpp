@@ -60,7 +60,7 @@ int subdivide(const l3d_detail::subdivision_cage* cage, const l3d_detail::subdiv
             for (std::size_t k = 0; k < points.size(); ++k)
                 points[k] = made.patches[i][k % 3][k / 3];
             sink->take(sink->to, static_cast<std::uint32_t>(made.leaves[i].base_face),
-                       points.data());
+                       points.data(), made.errors[i], made.leaves[i].is_regular ? 0U : 1U);
         }
         *outcome = {made.error, static_cast<std::uint32_t>(made.levels),
                     static_cast<std::uint32_t>(made.caps)};

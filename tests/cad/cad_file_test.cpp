@@ -82,7 +82,13 @@ TEST(cad_file, of_an_assembly_has_its_parts_at_their_places_in_their_colors) {
     const auto look = [&](std::size_t patch) {
         return model.mesh.looks[model.patch_materials[patch]];
     };
-    const std::size_t beam = model.patch_parts[2].first;
+    // Both wheels are one shape, whose six faces come first in the file.
+    ASSERT_EQ(model.patch_faces.size(), model.patches.size());
+    const std::size_t right = model.patch_parts[1].first, beam = model.patch_parts[2].first;
+    ASSERT_EQ(beam, 2 * right);
+    for (std::size_t i = 0; i < beam; ++i)
+        EXPECT_EQ(model.patch_faces[i], i % right + 1);
+    EXPECT_EQ(model.patch_faces[beam], right + 1);
     for (std::size_t i = 0; i < beam; ++i)
         EXPECT_EQ(look(i).color, 0xff0000U);
     int blue = 0;

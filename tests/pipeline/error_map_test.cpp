@@ -290,6 +290,27 @@ TEST(error_map, a_patch_from_its_edge_ends_the_patch_beside_it) {
             {0.25});
 }
 
+/// A flat sheet whose right half is two patches, one above the other: nothing ends between them.
+TEST(error_map, goes_on_where_two_patches_continue_one) {
+    const scene s({flat_patch({-3, -4, 0}, {3, 0, 0}, {0, 8, 0}),
+                   flat_patch({0, -4, 0}, {3, 0, 0}, {0, 4, 0}),
+                   flat_patch({0, 0, 0}, {3, 0, 0}, {0, 4, 0})},
+                  {.eye = {0.1, 0.2, 4}, .target = {0, 0, 0}}, small);
+    ASSERT_EQ(s.model.halved_sides().size(), 1U);
+    const doubted f = drawn(s, 0.25);
+    for (int y = 0; y < s.size.height; ++y)
+        for (int x = 0; x < s.size.width; ++x)
+            ASSERT_LT(f.map.at(x, y), 1) << x << ", " << y;
+    EXPECT_EQ(f.report.coverage_bound, 0);
+    // The same with a fold there, against the exact picture.
+    compare("fold at a halved side",
+            scene({flat_patch({-1, -1, 0}, {1, 0, 0}, {0, 2, 0}),
+                   flat_patch({0, -1, 0}, {0.5, 0, -1}, {0, 1, 0}),
+                   flat_patch({0, 0, 0}, {-0.5, 0, -1}, {0, 1, 0})},
+                  {.eye = {0.1, 0.2, 4}, .target = {0, 0, 0}}, small),
+            {0.25});
+}
+
 TEST(pipeline_report, counts_no_more_quads_without_proof_than_there_are) {
     const scene s = dice_tests::teapot(reference::project_view("full"), {40, 30});
     for (const double tolerance : {4.0, 1.0, 0.25}) {

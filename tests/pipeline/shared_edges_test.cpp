@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
 #include <random>
@@ -120,6 +121,21 @@ TEST(shared_edges, that_are_off_their_faces_are_told) {
     };
     EXPECT_EQ(note(), "10 of 18 edges are off their faces by more than the file allows: edge 4 by "
                       "0.0014, not 0");
+    const auto model = l3d_patch_model::from_surfaces(of.faces, of.edges);
+    const std::vector<l3d_loose_edge> loose = model.loose_edges();
+    ASSERT_EQ(loose.size(), 10U);
+    for (std::size_t i = 0; i < loose.size(); ++i) {
+        EXPECT_GE(loose[0].off, loose[i].off);
+        // The place is on the edge: in the box of its points, in space.
+        const l3d_nurbs_curve& edge = of.edges[loose[i].edge].curve;
+        double nearest = HUGE_VAL;
+        for (int k = 0; k <= 1000; ++k) {
+            const double t = std::lerp(edge.along().from, edge.along().to, k / 1000.0);
+            nearest = std::min(nearest, l3d_length(edge.evaluate(t) - loose[i].place));
+        }
+        EXPECT_LT(nearest, 1e-2) << i;
+        EXPECT_GE(loose[i].pieces.size(), 2U) << "two faces meet there";
+    }
     for (l3d_model_edge& edge : of.edges)
         edge.tolerance = 0.002;
     EXPECT_EQ(note(), "");

@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <string>
@@ -85,21 +87,57 @@ TEST(subdivide, leaves_no_pixel_uncovered_in_20_views_from_inside) {
 
 TEST(subdivide, tells_pictures_of_the_error) {
     const l3d_model_file file = subdivided(cube());
-    EXPECT_GT(file.patch_error, 0);
-    EXPECT_LE(file.patch_error, 0x1p-13 * 2 * std::sqrt(3.0));
     const l3d_patch_model model = model_of(file);
-    EXPECT_EQ(model.surface_error(), file.patch_error);
-    EXPECT_TRUE(std::isinf(model.normal_error()));
+    ASSERT_EQ(file.patch_errors.size(), model.patches().size());
+    double most = 0;
+    std::size_t caps = 0;
+    for (std::size_t i = 0; i < file.patch_errors.size(); ++i) {
+        const auto& [places, is_of_points] = file.patch_errors[i];
+        EXPECT_EQ(model.surface_error(i), places);
+        EXPECT_EQ(model.has_normal_error(i), is_of_points);
+        EXPECT_GT(places, 0);
+        EXPECT_LT(places, is_of_points ? 1e-11 : 0x1p-13 * 2 * std::sqrt(3.0));
+        most = std::max(most, places);
+        caps += !is_of_points;
+    }
+    EXPECT_EQ(caps, 8U * 3U); // the faces around each corner
+    EXPECT_EQ(model.surface_error(), most);
+    EXPECT_LT(model.normal_error(), 1e-9);
     l3d_camera camera;
     camera.eye = {0.0, 0.0, 5.0};
     const l3d_size size{160, 120};
     l3d_pipeline_afd pipeline(l3d_memory_canvas(size), model, camera, hard_edged());
     pipeline.draw_event();
     // Half a unit of the model is nearer than 4 units.
-    const double least = camera.focal_length(size) * file.patch_error / 5;
+    const double least = camera.focal_length(size) * most / 5;
     EXPECT_GT(pipeline.report().curved_px, least);
     EXPECT_LT(pipeline.report().curved_px, 2 * least);
     EXPECT_EQ(file.notes.back().substr(0, 18), "cage: subdivided: ");
+}
+
+/// Only caps are without proof of their shades, in the report and in the map of doubt.
+TEST(subdivide, leaves_shades_of_caps_alone_without_proof) {
+    const l3d_patch_model model = model_of(subdivided(cube()));
+    l3d_camera camera;
+    camera.eye = {1.0, 1.5, 4.0};
+    l3d_afd_settings settings = hard_edged();
+    settings.error_map = true;
+    l3d_pipeline_afd pipeline(l3d_memory_canvas({160, 120}), model, camera, settings);
+    pipeline.draw_event();
+    const l3d_frame_report& report = pipeline.report();
+    EXPECT_LT(report.dice.shade_bound, 3);
+    EXPECT_LT(report.dice.unproven_quads, report.surface.quads / 2);
+    // Those of the caps' grids that are seen, and not those that face away.
+    EXPECT_GT(report.dice.unproven_quads, 12);
+    ASSERT_NE(pipeline.error_map(), nullptr);
+    int shown = 0, doubted = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) {
+            shown += (pipeline.screen().pixels().row(y)[x] & 0xff) > 0;
+            doubted += pipeline.error_map()->at(x, y) > 2;
+        }
+    EXPECT_GT(shown, 1000);
+    EXPECT_LT(doubted, shown / 4);
 }
 
 TEST(subdivide, hands_on_materials_colours_and_parts) {

@@ -44,16 +44,28 @@ struct meeting {
         if (p.of->instance != q.of->instance)
             return;
         is_there = p.of == q.of && meet(p.u0, p.u1, q.u0, q.u1) && meet(p.v0, p.v1, q.v0, q.v1);
+        look_beyond(p, q, true);
+        look_beyond(q, p, false); // only halves know of what they are halves
+    }
+
+private:
+    void look_beyond(const l3d_cell_bounds::member& p, const l3d_cell_bounds::member& q,
+                     bool counts_pairs) {
         for (std::size_t k = 0; k < l3d_side_pairs::sides && p.sides != 0; ++k) {
             if ((p.sides >> k & 1) == 0)
                 continue;
             const l3d_side_pairs::beyond& next = p.of->sides->at(p.of->patch, k);
-            if (next.is != l3d_side_pairs::kind::paired || next.patch != q.of->patch ||
-                (q.sides >> next.side & 1) == 0)
+            const bool is_half = next.is == l3d_side_pairs::kind::half;
+            if (!(is_half || (counts_pairs && next.is == l3d_side_pairs::kind::paired)) ||
+                next.patch != q.of->patch || (q.sides >> next.side & 1) == 0)
                 continue;
-            const interval of_p = along_side(p, k), of_q = along_side(q, next.side);
-            if (next.turns ? !meet(of_p.low, of_p.high, of_q.low, of_q.high)
-                           : !meet(of_p.low, of_p.high, 1 - of_q.high, 1 - of_q.low))
+            interval of_p = along_side(p, k);
+            const interval of_q = along_side(q, next.side);
+            if (!next.turns)
+                of_p = {1 - of_p.high, 1 - of_p.low};
+            if (is_half)
+                of_p = {(next.part + of_p.low) / 2, (next.part + of_p.high) / 2};
+            if (!meet(of_p.low, of_p.high, of_q.low, of_q.high))
                 continue;
             is_there = true;
             may_fold = may_fold || p.facing != (next.turns ? -q.facing : q.facing);

@@ -126,7 +126,9 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
                     .error_w = frame.view.error_w * share + l3d_length(w) * off,
                     .near = frame.view.near_of(share),
                     .normal_off = off_of_normals * longest_normal(instance),
-                    .turned = model.is_exact() ? 0 : frame.curved.normals,
+                    .turned = !model.has_normal_error(i) ? infinite
+                              : model.is_exact()         ? 0
+                                                         : frame.curved.normals,
                     .sides = &sides,
                     .one_sided = frame.view.one_sided,
                     .back = back};

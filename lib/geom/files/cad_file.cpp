@@ -210,6 +210,7 @@ private:
                 if (!is_outside(piece)) {
                     model_.patches.push_back(std::move(piece));
                     model_.patch_materials.push_back(material_);
+                    model_.patch_faces.push_back(static_cast<std::uint32_t>(faces_));
                 }
         } catch (const l3d_error& error) {
             note_first("face " + std::to_string(faces_) + " is left out: " + error.what());

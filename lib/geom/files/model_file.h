@@ -76,6 +76,16 @@ struct L3D_PUBLIC l3d_model_edge {
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
 };
 
+/// How far a patch is off the surface that it stands for.
+struct L3D_PUBLIC l3d_patch_error {
+    double places = 0; ///< bound of distances at the same parameters
+    /// Whether the surface is such a patch, too, with control points that are no farther off. If
+    /// not, nothing is known of its normals.
+    bool is_of_points = true;
+
+    friend bool operator==(const l3d_patch_error&, const l3d_patch_error&) = default;
+};
+
 /// Where the patches and curves of a shape begin. It ends where the next shape begins.
 struct L3D_PUBLIC l3d_model_shape {
     std::uint32_t first_patch = 0; ///< index in l3d_model_file::patches
@@ -117,8 +127,9 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
-    /// Bound of the distance between the patches and the surface that they stand for.
-    double patch_error = 0;
+    std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch
+    /// Optional, one per patch: the number of the face in the file that it is of, from 1.
+    std::vector<std::uint32_t> patch_faces{};
     /// Optional: the patches and curves as shapes, in their order. Then the model is what
     /// `placements` make of them, and there are no patch_parts. l3d_flattened makes copies of it.
     std::vector<l3d_model_shape> shapes{};

@@ -3,6 +3,7 @@
 #include "geom/files/model_file.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -43,6 +44,11 @@ public:
         const auto look = [&](std::uint32_t own) {
             return own == l3d_material_of_place ? at.material : own;
         };
+        double squares = 0; // no length grows by more than their root
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column)
+                squares += at.place(row, column) * at.place(row, column);
+        const double stretch = std::sqrt(squares);
         to_.patch_parts.push_back({at.name, static_cast<std::uint32_t>(to_.patches.size())});
         for (std::size_t i = first.first_patch; i < end.first_patch; ++i) {
             l3d_patch_points& patch = to_.patches.emplace_back(from_.patches[i]);
@@ -54,6 +60,12 @@ public:
                 for (l3d_trim_curve& curve : loop)
                     if (curve.edge != l3d_no_edge)
                         curve.edge = edge(curve.edge, at.place, number);
+            if (!from_.patch_errors.empty()) {
+                to_.patch_errors.push_back(from_.patch_errors[i]);
+                to_.patch_errors.back().places *= stretch;
+            }
+            if (!from_.patch_faces.empty())
+                to_.patch_faces.push_back(from_.patch_faces[i]);
             if (!from_.patch_materials.empty())
                 to_.patch_materials.push_back(look(from_.patch_materials[i]));
         }
@@ -94,6 +106,8 @@ l3d_model_file l3d_flattened(const l3d_model_file& model) {
         return model;
     l3d_model_file result = model;
     result.patches.clear();
+    result.patch_errors.clear();
+    result.patch_faces.clear();
     result.patch_materials.clear();
     result.patch_parts.clear();
     result.curves.clear();
@@ -112,7 +126,6 @@ l3d_model_file l3d_shape_of(const l3d_model_file& model, std::size_t shape,
     l3d_model_file result;
     result.mesh.materials = model.mesh.materials;
     result.mesh.looks = model.mesh.looks;
-    result.patch_error = model.patch_error;
     l3d_model_placement at;
     at.shape = static_cast<std::uint32_t>(shape);
     at.material = material;

@@ -37,8 +37,10 @@ struct subdivision_sink {
     void* to;
     /// Takes 16 control points, x, y and z of each, u fastest; `face` is the face of the cage. A
     /// patch's normal dS/du x dS/dv points to the side from which the face's corners run
-    /// counterclockwise.
-    void (*take)(void* to, std::uint32_t face, const double* points);
+    /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
+    /// That of control points, too, unless the patch is a cap, which is no part of the surface.
+    void (*take)(void* to, std::uint32_t face, const double* points, double error,
+                 std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);
 };
 
@@ -59,7 +61,7 @@ struct subdivision_plugin : plugin_interface {
 };
 
 /// The version of subdivision_plugin.
-inline constexpr std::uint32_t subdivision_plugin_version = 1;
+inline constexpr std::uint32_t subdivision_plugin_version = 2;
 
 } // namespace l3d_detail
 

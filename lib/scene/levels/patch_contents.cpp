@@ -173,3 +173,59 @@ l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     }
     return seen_.front().second;
 }
+
+namespace {
+
+/// How far unit normals turn if control points move by `off`. Derivatives are means of differences
+/// of control points, and move by 6 off; so n = S_u x S_v moves by some d. S_u and S_v are means of
+/// their own control vectors, and n.a is bilinear: its least value is that of a pair of these. Unit
+/// vectors are apart by twice the distance by the length, at most.
+double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
+    using vector = l3d_vector<double, 3>;
+    std::vector<vector> along_u, along_v;
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 3; ++k) {
+            along_u.push_back((p.at(i, k + 1) - p.at(i, k)) * 3);
+            along_v.push_back((p.at(k + 1, i) - p.at(k, i)) * 3);
+        }
+    vector u{0.0, 0.0, 0.0}, v{0.0, 0.0, 0.0};
+    double longest = 0;
+    for (std::size_t i = 0; i < along_u.size(); ++i) {
+        u = u + along_u[i];
+        v = v + along_v[i];
+        longest = std::max({longest, l3d_length(along_u[i]), l3d_length(along_v[i])});
+    }
+    const vector middle = l3d_cross(u, v);
+    const double length = l3d_length(middle);
+    if (!(length > 0))
+        return std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
+    for (const vector& a : along_u)
+        for (const vector& b : along_v)
+            least = std::min(least, l3d_dot(l3d_cross(a, b), middle) / length);
+    const double moved = 6 * off * (2 * longest + 6 * off);
+    return least > moved ? 2 * moved / (least - moved) : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+l3d_patch_model::stated::stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model)
+    : errors(of.begin(), of.end()) {
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        places = std::max(places, errors[i].places);
+        if (!errors[i].is_of_points || errors[i].places == 0)
+            continue;
+        // The patches of a curved model are not its pieces.
+        const double turn = model.is_curved() ? std::numeric_limits<double>::infinity()
+                                              : turn_of(model.patches()[i], errors[i].places);
+        errors[i].is_of_points = turn < 1;
+        if (errors[i].is_of_points)
+            normals = std::max(normals, turn);
+    }
+}
+
+l3d_patch_model l3d_patch_model::standing_for(std::span<const l3d_patch_error> errors) const {
+    l3d_patch_model result = *this;
+    result.stated_ = errors.empty() ? nullptr : std::make_shared<const stated>(errors, *this);
+    return result;
+}

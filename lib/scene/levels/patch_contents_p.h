@@ -3,6 +3,7 @@
 #ifndef L3D_SCENE_PATCH_CONTENTS_P_H
 #define L3D_SCENE_PATCH_CONTENTS_P_H
 
+#include "geom/files/model_file.h"
 #include "geom/normal_net.h"
 #include "scene/bends/surface_bends.h"
 #include "scene/levels/curved_pieces.h"
@@ -63,6 +64,16 @@ struct l3d_patch_model::contents {
 
 private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
+};
+
+/// What pieces stand for, beside their own surfaces.
+struct l3d_patch_model::stated {
+    stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
+
+    /// Those of points are without normals if rounding may turn their normals by anything.
+    std::vector<l3d_patch_error> errors;
+    double places = 0;  ///< the largest
+    double normals = 0; ///< the largest of pieces of points
 };
 
 /// The pieces of a curved model, and the levels that somebody has asked for. Contents of another

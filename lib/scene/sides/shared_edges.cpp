@@ -132,9 +132,8 @@ void measure(const l3d_patch_points& piece, std::span<const l3d_model_edge> edge
                 const l3d_nurbs_curve& edge = edges[one.edge].curve;
                 const double t = std::clamp(one.from + (one.to - one.from) * part,
                                             edge.along().from, edge.along().to);
-                to[one.edge].off =
-                    std::max(to[one.edge].off,
-                             l3d_length(surface.evaluate(at[0], at[1]) - edge.evaluate(t)));
+                to[one.edge].note(l3d_length(surface.evaluate(at[0], at[1]) - edge.evaluate(t)),
+                                  edge.evaluate(t));
             }
         }
 }
@@ -174,7 +173,7 @@ std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> ed
         for (const std::size_t side : {0U, 1U}) {
             const l3d_bspline_direction& along = edges[i].curve.along();
             const vector exact = edges[i].curve.evaluate(side == 0 ? along.from : along.to);
-            result[i].off = std::max(result[i].off, l3d_length(result[i].ends[side] - exact));
+            result[i].note(l3d_length(result[i].ends[side] - exact), exact);
         }
     return result;
 }

@@ -25,7 +25,16 @@ struct l3d_shared_edge {
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.
     double off = 0;
-    double tolerance = 0; ///< the distance that the file allows
+    l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the edge's place there
+    double tolerance = 0;                       ///< the distance that the file allows
+
+    /// Notes a distance at a place of the edge.
+    void note(double distance, const l3d_vector<double, 3>& at) {
+        if (distance > off) {
+            off = distance;
+            worst = at;
+        }
+    }
 };
 
 /// The longest chord of a shared edge in the picture. A straight edge has as many points as its
