@@ -185,8 +185,8 @@ double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
     std::vector<vector> along_u, along_v;
     for (int i = 0; i < 4; ++i)
         for (int k = 0; k < 3; ++k) {
-            along_u.push_back((p.at(i, k + 1) - p.at(i, k)) * 3);
-            along_v.push_back((p.at(k + 1, i) - p.at(k, i)) * 3);
+            along_u.push_back((p.at(i, k + 1) - p.at(i, k)) * 3.0);
+            along_v.push_back((p.at(k + 1, i) - p.at(k, i)) * 3.0);
         }
     vector u{0.0, 0.0, 0.0}, v{0.0, 0.0, 0.0};
     double longest = 0;
