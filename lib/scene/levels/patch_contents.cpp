@@ -181,7 +181,6 @@ namespace {
 /// their own control vectors, and n.a is bilinear: its least value is that of a pair of these. Unit
 /// vectors are apart by twice the distance by the length, at most.
 double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
-    using vector = l3d_vector<double, 3>;
     std::vector<vector> along_u, along_v;
     for (int i = 0; i < 4; ++i)
         for (int k = 0; k < 3; ++k) {
