@@ -292,9 +292,10 @@ TEST(error_map, a_patch_from_its_edge_ends_the_patch_beside_it) {
 
 /// A flat sheet whose right half is two patches, one above the other: nothing ends between them.
 TEST(error_map, goes_on_where_two_patches_continue_one) {
-    const scene s({flat_patch({-3, -4, 0}, {3, 0, 0}, {0, 8, 0}),
-                   flat_patch({0, -4, 0}, {3, 0, 0}, {0, 4, 0}),
-                   flat_patch({0, 0, 0}, {3, 0, 0}, {0, 4, 0})},
+    // Thirds of these are exact, so sides and halves of them have the same control points.
+    const scene s({flat_patch({-6, -6, 0}, {6, 0, 0}, {0, 12, 0}),
+                   flat_patch({0, -6, 0}, {6, 0, 0}, {0, 6, 0}),
+                   flat_patch({0, 0, 0}, {6, 0, 0}, {0, 6, 0})},
                   {.eye = {0.1, 0.2, 4}, .target = {0, 0, 0}}, small);
     ASSERT_EQ(s.model.halved_sides().size(), 1U);
     const doubted f = drawn(s, 0.25);
@@ -304,9 +305,9 @@ TEST(error_map, goes_on_where_two_patches_continue_one) {
     EXPECT_EQ(f.report.coverage_bound, 0);
     // The same with a fold there, against the exact picture.
     compare("fold at a halved side",
-            scene({flat_patch({-1, -1, 0}, {1, 0, 0}, {0, 2, 0}),
-                   flat_patch({0, -1, 0}, {0.5, 0, -1}, {0, 1, 0}),
-                   flat_patch({0, 0, 0}, {-0.5, 0, -1}, {0, 1, 0})},
+            scene({flat_patch({-1, -1.5, 0}, {1, 0, 0}, {0, 3, 0}),
+                   flat_patch({0, -1.5, 0}, {0.5, 0, -1}, {0, 1.5, 0}),
+                   flat_patch({0, 0, 0}, {-0.5, 0, -1}, {0, 1.5, 0})},
                   {.eye = {0.1, 0.2, 4}, .target = {0, 0, 0}}, small),
             {0.25});
 }

@@ -102,7 +102,7 @@ TEST(subdivide, tells_pictures_of_the_error) {
     }
     EXPECT_EQ(caps, 8U * 3U); // the faces around each corner
     EXPECT_EQ(model.surface_error(), most);
-    EXPECT_LT(model.normal_error(), 1e-9);
+    EXPECT_LT(model.normal_error(), 1e-8);
     l3d_camera camera;
     camera.eye = {0.0, 0.0, 5.0};
     const l3d_size size{160, 120};
