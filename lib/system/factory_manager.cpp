@@ -14,6 +14,7 @@
 #include "system/standard_output_p.h"
 #include "system/terminal_lines_p.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
@@ -38,6 +39,12 @@ l3d_backend row(std::string name, std::string purpose) {
 std::string environment(const char* variable) {
     const char* const value = std::getenv(variable);
     return value ? value : "";
+}
+
+/// The back-end that a user or the program has named; empty if nobody has.
+std::string wanted_name(const l3d_common_options& common) {
+    std::string name = common.backend.empty() ? environment("L3D_BACKEND") : common.backend;
+    return name.empty() ? common.usual_backend : name;
 }
 
 } // namespace
@@ -113,9 +120,7 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
         return false;
     }
     const bool by_option = !common.backend.empty();
-    std::string name = by_option ? common.backend : environment("L3D_BACKEND");
-    if (name.empty())
-        name = common.usual_backend;
+    const std::string name = wanted_name(common);
     verbose_ = common.verbose;
     const bool named = !name.empty() && name != "ask" && name != "auto";
     const bool ask = may_ask && !common.no_input && name != "auto";
@@ -162,6 +167,23 @@ l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
             std::cerr << chosen().name << ": " << drawn_by << '\n';
     }
     return screen;
+}
+
+std::unique_ptr<l3d_screen>
+l3d_factory_manager::create_notice(const l3d_options& options,
+                                   const l3d_screen_request& request) const {
+    const std::string name = wanted_name(options.common());
+    const auto is_named = [&](const l3d_backend& row) { return row.name == name && row.unseen; };
+    if (std::ranges::any_of(rows_, is_named))
+        return nullptr;
+    for (const l3d_backend& row : rows_) {
+        l3d_service refusal;
+        if (auto screen = row.automatic && row.on_display
+                              ? row.screen_factory->create(request, refusal)
+                              : nullptr)
+            return screen;
+    }
+    return nullptr;
 }
 
 std::unique_ptr<l3d_dispatcher>

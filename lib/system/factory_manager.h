@@ -72,6 +72,11 @@ public:
     /// Errors:  l3d_error with the reason: display_lost or no_backend.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
+    /// Makes a window for a notice before choose(), of the first automatic kind that can serve.
+    /// Null if the options or the environment name a back-end without a window, or none opens.
+    std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,
+                                              const l3d_screen_request& request) const;
+
     /// Makes a dispatcher of the chosen back-end.
     /// Expects: choose() was true.
     /// Errors:  as l3d_dispatcher_factory::create.

@@ -2,6 +2,7 @@
 // l3d_program: runs a program's steps, from its options to its way out.
 #include "system/program.h"
 
+#include "system/load_window_p.h"
 #include "raster/rasterizer_factory.h"
 #include "raster/placement_2d.h"
 
@@ -23,6 +24,9 @@ l3d_program::l3d_program(std::string name, const l3d_caption& caption, l3d_size 
 }
 
 int l3d_program::run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps) {
+    options_.watch_loads(
+        [window = std::make_shared<l3d_detail::load_window>(factories_, options_)](
+            const std::string& file, double share) { return window->goes_on(file, share); });
     try {
         if (!options_.parse(argc, argv) || !goes_on_() || !factories_.choose(options_))
             return static_cast<int>(l3d_exit::success);

@@ -309,7 +309,7 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
     if (model_file_.empty())
         throw l3d_error(l3d_exit::usage, asked + "' is sought in a FILE, and none is given");
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_);
+        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
     std::string names;
     for (const l3d_model_camera& camera : file_->cameras) {
         if (camera.name == file_camera_)
@@ -322,7 +322,9 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
 }
 
 l3d_model_file l3d_afd_options::file() const {
-    l3d_model_file result = file_ ? *std::move(file_) : l3d_detail::load_named_model(model_file_);
+    l3d_model_file result = file_
+                                ? *std::move(file_)
+                                : l3d_detail::load_named_model(model_file_, options_.load_watch());
     file_.reset();
     if (subdivides_)
         subdivide(result);
@@ -333,7 +335,7 @@ bool l3d_afd_options::has_trims() const {
     if (model_file_.empty())
         return false;
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_);
+        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
     return std::ranges::any_of(file_->patches,
                                [](const l3d_patch_points& patch) { return !patch.trims.empty(); });
 }
@@ -352,7 +354,7 @@ bool l3d_afd_options::is_of_patches() const {
     if (model_file_.empty())
         return true;
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_);
+        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
     return !file_->patches.empty() && file_->mesh.faces() == 0;
 }
 

@@ -43,7 +43,8 @@ std::vector<std::string> l3d_detail::model_names() {
 namespace {
 
 /// Loads a model that may take long: a terminal shows how far it is, and Escape stops it.
-l3d_model_file load_told(const std::string& path, const std::string& name) {
+l3d_model_file load_told(const std::string& path, const std::string& name,
+                         const l3d_detail::load_watch& watch) {
     using clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds soon(500); // less is not worth a word
     auto work = l3d_detail::tell_work("reading", name);
@@ -56,7 +57,7 @@ l3d_model_file load_told(const std::string& path, const std::string& name) {
             key.reset(); // nothing can stop the rest
         else if (!key && clock::now() - start > soon)
             key.emplace();
-        is_stopped = is_stopped || (key && key->is_pressed());
+        is_stopped = is_stopped || (key && key->is_pressed()) || (watch && !watch(name, share));
         return !is_stopped;
     };
     try {
@@ -70,7 +71,7 @@ l3d_model_file load_told(const std::string& path, const std::string& name) {
 
 } // namespace
 
-l3d_model_file l3d_detail::load_named_model(const std::string& name) {
+l3d_model_file l3d_detail::load_named_model(const std::string& name, const load_watch& watch) {
     std::error_code unknown;
     if (const auto shape = l3d_exact_shape(name); shape && !fs::exists(name, unknown)) {
         l3d_model_file model;
@@ -81,7 +82,7 @@ l3d_model_file l3d_detail::load_named_model(const std::string& name) {
     }
     const std::string path = l3d_data_file(name);
     if (fs::exists(path, unknown) || fs::path(name).has_parent_path()) {
-        return load_told(path, name);
+        return load_told(path, name, watch);
     }
     const std::vector<std::string> names = model_names();
     std::string why = printable(name) + ": no such file is here, nor a model of that name in " +

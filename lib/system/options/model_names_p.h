@@ -6,6 +6,7 @@
 #include "geom/nurbs_surface.h"
 #include "scene/model_loader.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,13 @@ namespace l3d_detail {
 /// The names of l3d's own models, sorted: of files without their ending, and of exact shapes.
 std::vector<std::string> model_names();
 
+/// As l3d_options::load_watch.
+using load_watch = std::function<bool(const std::string& file, double share)>;
+
 /// Reads the model that a user means by its name, as l3d_data_file finds it.
 /// Errors:  as l3d_load_model; for an unknown plain name, the message has the folders that were
 ///          searched.
-l3d_model_file load_named_model(const std::string& name);
+l3d_model_file load_named_model(const std::string& name, const load_watch& watch = {});
 
 /// The NURBS surfaces of a model that load_named_model has read: those of an exact shape or of an
 /// .obj file. There are none if the model has other patches.

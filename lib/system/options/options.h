@@ -159,6 +159,16 @@ public:
     /// Sets the back-end that is taken unless the user names one.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
+    /// Sets a function that hears of a model file while it is read: its name, and the share that is
+    /// done, from 0 to 1. Reading ends if it returns false.
+    void watch_loads(std::function<bool(const std::string& file, double share)> watch) {
+        load_watch_ = std::move(watch);
+    }
+    /// The function that watch_loads() set; empty if there is none.
+    const std::function<bool(const std::string& file, double share)>& load_watch() const {
+        return load_watch_;
+    }
+
     /// The request for a screen. Its title is the program's name unless the user gives another.
     l3d_screen_request screen_request() const;
 
@@ -192,6 +202,7 @@ private:
     std::vector<std::string> with_results_, printed_, notes_;
     std::vector<example> examples_;
     std::vector<named_file> files_;
+    std::function<bool(const std::string&, double)> load_watch_;
     std::unique_ptr<parser> parser_;
 };
 

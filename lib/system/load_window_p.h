@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// load_window: tells how far a file is where no terminal does, and ends the work when asked to.
+#ifndef L3D_SYSTEM_LOAD_WINDOW_P_H
+#define L3D_SYSTEM_LOAD_WINDOW_P_H
+
+#include "system/factory_manager.h"
+#include "system/options/options.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace l3d_detail {
+
+/// A small window with the name of the file that is read, and the share that is done. It opens
+/// after half a second, and only for programs that will show a window and whose messages go to no
+/// terminal. There, long_work and stop_key do the same.
+///
+/// Lives: borrows the factories and the options.
+class load_window {
+public:
+    load_window(const l3d_factory_manager& factories, const l3d_options& options)
+        : factories_(factories), options_(options) {}
+
+    /// Shows the share, from 0 to 1. At 1 the window closes. Returns false once the user has closed
+    /// the window, or has pressed Escape or q in it.
+    bool goes_on(const std::string& file, double share);
+
+private:
+    using clock = std::chrono::steady_clock;
+
+    bool is_wanted() const;
+    void open(const std::string& file);
+    bool is_ended();
+    void draw(const std::string& file);
+
+    const l3d_factory_manager& factories_;
+    const l3d_options& options_;
+    clock::time_point begin_ = clock::now();
+    bool is_tried_ = false, is_stopped_ = false;
+    int percent_ = -1; ///< that is shown; negative if the picture is to be drawn anew
+    std::unique_ptr<l3d_screen> screen_;
+    l3d_font font_;
+};
+
+} // namespace l3d_detail
+
+#endif
