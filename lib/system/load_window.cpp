@@ -35,7 +35,7 @@ bool load_window::is_ended() {
             break;
         case l3d_event_type::resize:
         case l3d_event_type::expose:
-            percent_ = -1;
+            shown_.clear();
             break;
         case l3d_event_type::display_lost:
             screen_.reset();
@@ -46,22 +46,28 @@ bool load_window::is_ended() {
     return false;
 }
 
-void load_window::draw(const std::string& file) {
+void load_window::draw(const std::string& file, double share) {
+    const auto time = std::chrono::duration_cast<std::chrono::seconds>(clock::now() - begin_);
+    const std::string now = std::to_string(time.count()) + " s, " +
+                            std::to_string(static_cast<int>(100 * share)) + " %";
+    if (now == shown_)
+        return;
+    shown_ = now;
     const l3d_pixels pixels = screen_->pixels();
     const auto by_processor = l3d_rasterizer_factory_sw().create_2d(pixels);
     l3d_rasterizer_2d rasterizer(*by_processor);
-    rasterizer.clear_buffer();
-    l3d_panel panel;
-    panel.add_title("reading " + printable(file));
-    panel.add(std::to_string(percent_) + " %", "Esc ends it");
     l3d_panel_style style;
     style.font = font_;
     style.size = l3d_panel_style::size_for({1024, 768}, screen_->text_scale());
+    rasterizer.clear_buffer(style.ground);
+    l3d_panel panel;
+    panel.add_title("reading " + printable(file));
+    panel.add(now, "Esc ends it");
     l3d_pixel_box free = l3d_whole(pixels.size());
     panel.draw(rasterizer, free, l3d_corner::top_left, style);
     const int bar = pixels.height / 12;
-    rasterizer.draw_box({0, pixels.height - bar, pixels.width * percent_ / 100, pixels.height},
-                        style.key);
+    const auto done = static_cast<int>(pixels.width * share);
+    rasterizer.draw_box({0, pixels.height - bar, done, pixels.height}, style.key);
     screen_->show();
 }
 
@@ -83,11 +89,8 @@ bool load_window::goes_on(const std::string& file, double share) {
         screen_.reset();
         return false;
     }
-    const int percent = static_cast<int>(100 * share);
-    if (screen_ && percent != percent_) {
-        percent_ = percent;
-        draw(file);
-    }
+    if (screen_)
+        draw(file, share);
     return true;
 }
 

@@ -33,13 +33,13 @@ private:
     bool is_wanted() const;
     void open(const std::string& file);
     bool is_ended();
-    void draw(const std::string& file);
+    void draw(const std::string& file, double share);
 
     const l3d_factory_manager& factories_;
     const l3d_options& options_;
     clock::time_point begin_ = clock::now();
     bool is_tried_ = false, is_stopped_ = false;
-    int percent_ = -1; ///< that is shown; negative if the picture is to be drawn anew
+    std::string shown_; ///< the time and share that are shown; empty if nothing is
     std::unique_ptr<l3d_screen> screen_;
     l3d_font font_;
 };

@@ -9,7 +9,8 @@ import os
 import shlex
 
 import harness
-from harness import Checks, Program, environment, expect, expect_equal, folder, run, started, wait_for, xdotool
+from harness import (Checks, Program, Shown, environment, expect, expect_equal, folder, run, started, wait_for,
+                     x_server, xdotool)
 from viewer_keys_test import rest
 from view_test import Window
 
@@ -169,6 +170,22 @@ def audits_a_mesh():
             expect(messages.startswith("surfview: " + said), messages)
 
 
+def tells_how_far_a_file_is(key):
+    """A window of its own before the model's: its name, a percentage, an end by Escape or by q."""
+    points = 300000  # which the kernel reads for a second at least
+    with folder() as path:
+        with open(os.path.join(path, "long.step"), "w", encoding="ascii") as file:
+            file.write("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n")
+            file.writelines("#%d=CARTESIAN_POINT('',(%d.,0.,0.));\n" % (i + 1, i) for i in range(points))
+            file.write("ENDSEC;\nEND-ISO-10303-21;\n")
+        with x_server() as server, Shown(Program("surfview", (480, 64)), server, "--backend", "ximage", "long.step",
+                                         cwd=path) as it:
+            expect_equal(xdotool(server.display, "getwindowname", it.window).strip(), "long.step - surfview")
+            it.await_picture(harness.has_picture, what="letters")
+            it.press(key)
+            it.expect_end(1, "surfview: long.step: reading was stopped\n")
+
+
 def main():
     checks = Checks()
     for name in ("teapot", "house"):
@@ -177,6 +194,11 @@ def main():
     for check in (tells_a_view_that_is_seen_again, a_thousand_parts_stay_usable, refuses_what_is_no_section,
                   audits_a_mesh):
         checks.run("surfview." + check.__name__, check)
+    for key in ("Escape", "q"):
+        if os.path.exists(os.path.join(os.environ["L3D_BIN"], "..", "lib", "l3d", "libl3d_cad.so")):
+            checks.run("surfview.tells_how_far_a_file_is.%s" % key, tells_how_far_a_file_is, key)
+        else:
+            checks.skip("surfview.tells_how_far_a_file_is.%s" % key, "no Open CASCADE")
     checks.finish()
 
 
