@@ -16,8 +16,6 @@ namespace l3d_detail {
 
 namespace {
 
-/// The number of visits of pixels where an outline may cross itself, or more.
-constexpr std::uint32_t unclear = 1 << 30;
 constexpr std::ptrdiff_t nowhere = -1;
 
 constexpr std::int32_t whole(double x) {
@@ -115,7 +113,7 @@ struct band_cells::walk {
     const std::ptrdiff_t stride, words;
     const std::int32_t left, top;
     const double band_top, band_bottom;
-    record* records = nullptr; ///< all records, and room for more
+    edge_record* records = nullptr; ///< all records, and room for more
     std::uint32_t used;        ///< the number of records
 
     std::ptrdiff_t here = nowhere; ///< the pixel that the outline has reached
@@ -145,16 +143,16 @@ struct band_cells::walk {
                 x = side;
                 y = next;
                 edge =
-                    (edge & ~record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
+                    (edge & ~edge_record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
             }
             put(*at, x, y, p.end_x, p.end_y, 1 - (p.end_x - x) / 2, edge);
         } else {
             for (double side = p.column; side > p.end_column; side -= 1, --at) {
                 const double next = p.y + (side - p.x) * steepness;
-                put(*at, x, y, side, next, 1 - (x - side) / 2, edge | record::leaves_left);
+                put(*at, x, y, side, next, 1 - (x - side) / 2, edge | edge_record::leaves_left);
                 x = side;
                 y = next;
-                edge &= ~record::marks;
+                edge &= ~edge_record::marks;
             }
             put(*at, x, y, p.end_x, p.end_y, (x - p.end_x) / 2, edge);
         }
@@ -186,7 +184,7 @@ struct band_cells::walk {
             edges = 1;
             if (!is_begin)
                 return cell_begin::enters;
-            cells[pixel].visits = unclear;
+            cells[pixel].visits = unclear_visits;
             return cell_begin::unclear;
         }
         // Where edges in a pixel all lead up, down, to the left or to the right, they do not cross
@@ -196,7 +194,7 @@ struct band_cells::walk {
                 ways = ways_of(corner[-2], corner[-1]) | ways_of(corner[-1], corner[0]);
             ways |= ways_of(corner[0], corner[1]);
             if (ways == all) {
-                cells[pixel].visits = unclear;
+                cells[pixel].visits = unclear_visits;
                 return cell_begin::unclear;
             }
         }
@@ -225,7 +223,7 @@ struct band_cells::walk {
         row_part p{e.x, e.y, e.end_x, e.end_y, whole(e.x), end_column};
         std::ptrdiff_t pixel = (row - top) * stride + (p.column - left);
         const cell_begin begin = come_to(pixel, corner, is_first && e.begins);
-        std::uint32_t edge = index << record::mark_bits | static_cast<std::uint32_t>(begin);
+        std::uint32_t edge = index << edge_record::mark_bits | static_cast<std::uint32_t>(begin);
         const double steepness = p.column == end_column ? 0 : e.steepness();
         std::uint64_t* marks = groups + (row - top) * words;
         if (row != last_row) {
@@ -238,7 +236,7 @@ struct band_cells::walk {
                 p.end_column = whole(p.end_x);
                 mark(marks, p.column - left, p.end_column - left);
                 add_part(cells + pixel, p, steepness, edge);
-                edge &= ~record::marks;
+                edge &= ~edge_record::marks;
                 pixel += next_row + (p.end_column - p.column);
                 marks += next_words;
                 border += step;
@@ -376,35 +374,18 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
     }
 }
 
-/// The part of the edge in its pixel, whose top left corner is `corner`. Rounding never puts it
-/// beyond the pixel.
-inline edge_cell band_cells::record::cell(const l3d_point_2d& corner, std::size_t layer) const {
-    const auto within = [&](const l3d_point_2d& p) {
-        return l3d_point_2d{p.x - corner.x, std::min(1.0, std::max(0.0, p.y - corner.y))};
-    };
-    const auto begin = static_cast<cell_begin>(edge & marks & ~leaves_left);
-    const int below_left =
-        (begin == cell_begin::enters_left ? 1 : 0) - ((edge & leaves_left) != 0 ? 1 : 0);
-    return {within(from),
-            within(to),
-            index(),
-            static_cast<std::uint8_t>(layer),
-            static_cast<std::int8_t>(below_left),
-            begin};
-}
-
 /// The area inside of a pixel that outlines pass several times, or an integral that tells it.
 double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
     // Each visit adds at most 1 to the sum, so the rest is above 0 wherever in the pixel.
     constexpr double slack = 1e-9; // far above rounding
-    if (!rules_.clips && rules_.rule[0] == l3d_winding::nonzero && visits < unclear &&
+    if (!rules_.clips && rules_.rule[0] == l3d_winding::nonzero && visits < unclear_visits &&
         std::abs(sums[0]) >= visits - slack)
         return 1;
     const std::uint32_t last = cells_[0][at].last;
     if (!rules_.clips && visits == 2) {
         // Two edges that follow each other do not cross. If their corner is elsewhere, windings are
         // the same on both sides of what is between them, and the sum tells the area.
-        const record &second = records_[last], &first = records_[second.before];
+        const edge_record &second = records_[last], &first = records_[second.before];
         if (first.before == 0 && second.index() == first.index() + 1)
             return sums[0];
     }
@@ -412,9 +393,8 @@ double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<
                               top_ + static_cast<double>(at / stride_)};
     pixel_.begin();
     for (std::size_t layer = 0; layer < (rules_.clips ? 2U : 1U); ++layer)
-        for (std::uint32_t i = cells_[layer][at].last; i != 0; i = records_[i].before)
-            pixel_.add(records_[i].cell(corner, layer));
-    return pixel_.inside(sums, rules_);
+        pixel_.add(records_.data(), cells_[layer][at].last, layer);
+    return pixel_.inside(corner, sums, visits, rules_);
 }
 
 } // namespace l3d_detail

@@ -55,18 +55,6 @@ private:
         std::uint32_t visits = 0;
         std::uint32_t last = 0; ///< the pixel's last record; 0 for none
     };
-    /// A part of an edge in a pixel, in the direction of its outline.
-    struct record {
-        static constexpr std::uint32_t mark_bits = 3, marks = 7, leaves_left = 4;
-
-        l3d_point_2d from, to;
-        std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
-        std::uint32_t edge;   ///< its index above mark_bits; how it begins, as cell_begin; and
-                              ///< leaves_left if it leaves by the pixel's left side
-
-        std::uint32_t index() const { return edge >> mark_bits; }
-        edge_cell cell(const l3d_point_2d& corner, std::size_t layer) const;
-    };
     struct walk;
 
     void write_row(std::int32_t row, span_writer& to);
@@ -79,7 +67,7 @@ private:
     std::int32_t left_ = 0, right_ = 0, rows_ = 0, top_ = 0, bottom_ = 0;
     std::size_t stride_ = 0; ///< cells of a row, whole groups of `group`
     std::array<std::vector<cell>, 2> cells_;
-    kept_list<record> records_;
+    kept_list<edge_record> records_;
     std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits
     std::size_t words_ = 0;             ///< words of a row in groups_
     std::vector<double> sums_;          ///< the integrals, or the areas, of a run of pixels

@@ -17,178 +17,227 @@ constexpr auto is_higher = [](const winding_change& a, const winding_change& b) 
 
 } // namespace
 
-void pixel_area::begin() {
-    parts_.clear();
-    last_ = before_last_ = {};
-    range_ = {};
-    turns_right_ = turns_left_ = 0;
-    are_shares_clear_ = true;
-    open_ = is_unclear_ = false;
-    own_ = {};
-    before_ = {};
-}
-
-/// Finds the fields in which the winding may be 0, a bit for each, row by row.
-/// `beside` is the winding on the left of all parts. `sign` is -1 if bounds are to be those of the
-/// negative windings, else 1.
-///
-/// Each field has a lower bound of its windings. An edge that makes the winding fall counts from
-/// the first field on that it may reach. One that makes it rise counts behind those that it may
-/// reach.
-///
-/// Bounds are counted in all fields at once: word i has the bits 2^i of their counters.
-std::uint64_t pixel_area::find_open(int beside, int sign) const {
-    const std::size_t most = parts_.size() + static_cast<std::size_t>(std::abs(beside));
-    const auto high = static_cast<std::size_t>(std::bit_width(most));
-    // A counter has its highest bit if its bound is above 0.
-    const std::uint64_t begin =
-        (std::uint64_t{1} << high) - 1 + static_cast<std::uint64_t>(sign * beside);
-    std::array<std::uint64_t, 64> bits;
-    for (std::size_t i = 0; i <= high; ++i)
-        bits[i] = (begin >> i & 1) != 0 ? all_fields : 0;
-    const auto floor = [](double y) { return static_cast<int>(y); };
-    const auto ceil = [](double y) {
-        const int whole = static_cast<int>(y);
-        return whole + (whole < y ? 1 : 0);
-    };
-    const auto rows_from = [](int row) { return row < rows ? all_fields << (row * columns) : 0; };
-    for (const part& p : parts_.all()) {
-        constexpr double margin = 1e-9; // far above rounding
-        const bool falls = sign * p.direction < 0;
-        const int top = falls != p.up_left ? floor(p.y0 * rows) : ceil(p.y0 * rows);
-        const int bottom = falls != p.down_left ? ceil(p.y1 * rows) : floor(p.y1 * rows);
-        const int column = falls ? floor(std::max(std::min(p.x0, p.x1) - margin, 0.0) * columns)
-                                 : ceil(std::min(std::max(p.x0, p.x1) + margin, 1.0) * columns);
-        const std::uint64_t above = ~rows_from(top), below = rows_from(bottom);
-        std::uint64_t where = in_each_row * (all_in_row & all_in_row << column) & ~(above | below);
-        where |= (p.up_left ? above : 0) | (p.down_left ? below : 0);
-        const std::uint64_t borrow = falls ? all_fields : 0;
-        for (std::size_t i = 0; where != 0 && i <= high; ++i) {
-            const std::uint64_t before = bits[i];
-            bits[i] = before ^ where;
-            where &= before ^ borrow;
+void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t layer) {
+    edge_block* b = blocks_.end() - 1;
+    std::size_t lane = edges_.count % edge_block::size;
+    for (std::uint32_t i = last; i != 0; i = all[i].before) {
+        if (lane == 0) {
+            b = blocks_.room(1);
+            blocks_.use(1);
         }
+        const edge_record& r = all[i];
+        b->x0[lane] = r.from.x;
+        b->y0[lane] = r.from.y;
+        b->x1[lane] = r.to.x;
+        b->y1[lane] = r.to.y;
+        b->edge[lane] = r.edge;
+        lane = (lane + 1) % edge_block::size;
+        ++edges_.count;
     }
-    return ~bits[high];
+    edges_.blocks = {blocks_.begin(), blocks_.size()};
+    if (layer == 0)
+        edges_.first_clip = edges_.count;
 }
 
-/// The heights between which an edge may pass open fields. Returns an empty range if there are
+/// The range of the windings, less the corner's, that visits tell.
+///
+/// A visit is a way of an outline through the pixel, from side to side. On its one side, the higher
+/// one, the winding is higher by 1 than on the other. One that adds less than 0 has the pixel's top
+/// left corner on its higher side. Two edges that follow each other, and meet elsewhere, do not
+/// cross here. If they turn to the right, each place is on the higher side of one of them, else on
+/// the lower side of one.
+pixel_area::windings_range pixel_area::find_range() const {
+    constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
+    windings_range range;
+    int turns_right = 0, turns_left = 0; // pairs of visits, by the turn between them
+    bool are_shares_clear = true;        // whether each visit has places on both sides
+    double adds = 0;
+    int edges_of_visit = 0;
+    std::uint32_t alone = 0, edge_before = 0; // the edge before, if it is a visit and in no pair
+    l3d_point_2d way_before{};
+    edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t) {
+        adds += b.adds[lane];
+        ++edges_of_visit;
+        const std::uint32_t edge = b.edge[lane] >> edge_record::mark_bits;
+        const auto begin = static_cast<cell_begin>(b.edge[lane] & edge_record::begins);
+        if (begin == cell_begin::continues)
+            return;
+        const int on_higher = adds < unclear ? 1 : 0;
+        const double share = adds + on_higher;
+        are_shares_clear &= share > unclear && share < 1 - unclear;
+        range.least -= on_higher;
+        range.most += 1 - on_higher;
+        const bool is_alone = edges_of_visit == 1;
+        adds = 0;
+        edges_of_visit = 0;
+        if (!is_alone) {
+            alone = 0;
+            return;
+        }
+        const l3d_point_2d way{(b.x0[lane] - b.x1[lane]) * b.turns[lane],
+                               (b.y0[lane] - b.y1[lane]) * b.turns[lane]};
+        if (alone != 0 && edge_before == edge + 1) {
+            const double turn = way.x * way_before.y - way.y * way_before.x;
+            turns_right += turn > surely ? 1 : 0;
+            turns_left += turn < -surely ? 1 : 0;
+            alone = 0;
+        } else {
+            alone = 1;
+        }
+        way_before = way;
+        edge_before = edge;
+    });
+    if (are_shares_clear) {
+        range.least += turns_right;
+        range.most -= turns_left;
+    }
+    return range;
+}
+
+/// Sets the heights between which each edge may pass open fields, to an empty range if there are
 /// none.
-pixel_area::range_of_y pixel_area::open_heights(const part& p, std::uint64_t open) {
-    if (open == all_fields)
-        return {p.y0, p.y1};
-    range_of_y result{1, 0};
+void pixel_area::set_heights(std::uint64_t open) const {
     // An edge on the side of a field, but for rounding, belongs to it.
     constexpr double margin = 1e-9;
     const auto column = [](double x) {
         return std::clamp(static_cast<int>(x * columns), 0, columns - 1);
     };
-    double top = p.y0, at_top = p.x0;
-    for (int row = static_cast<int>(top * rows); top < p.y1; ++row) {
-        const double bottom = std::min(static_cast<double>(row + 1) / rows, p.y1);
-        const double at_bottom = p.x_at(bottom);
-        const int left = column(std::min(at_top, at_bottom) - margin);
-        const int right = column(std::max(at_top, at_bottom) + margin);
-        const unsigned passed = (2U << right) - (1U << left);
-        if ((open >> (row * columns) & passed) != 0)
-            result = {std::min(result.top, top), bottom};
-        top = bottom;
-        at_top = at_bottom;
-    }
-    return result;
+    edges_.visit([&](edge_block& b, std::size_t lane, std::size_t) {
+        double top = 1, bottom = 0;
+        double from = b.y0[lane], at_top = b.x0[lane];
+        for (int row = static_cast<int>(from * rows); from < b.y1[lane]; ++row) {
+            const double to = std::min(static_cast<double>(row + 1) / rows, b.y1[lane]);
+            const double at_bottom = b.x_at(lane, to);
+            const int left = column(std::min(at_top, at_bottom) - margin);
+            const int right = column(std::max(at_top, at_bottom) + margin);
+            const unsigned passed = (2U << right) - (1U << left);
+            if ((open >> (row * columns) & passed) != 0) {
+                top = std::min(top, from);
+                bottom = to;
+            }
+            from = to;
+            at_top = at_bottom;
+        }
+        b.top[lane] = top;
+        b.bottom[lane] = bottom;
+    });
 }
 
-double pixel_area::inside(const std::array<double, 2>& sums, const fill_rules& rules) {
+double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2>& sums,
+                          std::uint32_t visits, const fill_rules& rules) {
+    const auto [own, before] = place_edges(edges_, corner);
+    std::array<double, 2> left{own, 0};
+    windings beside{{static_cast<int>(before), 0}};
+    if (rules.clips)
+        edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {
+            if (edges_.layer(i) == 0)
+                return;
+            left[0] -= b.adds[lane];
+            left[1] += b.adds[lane];
+            beside.turns[0] += static_cast<int>(b.up_left[lane]);
+            beside.turns[1] -= static_cast<int>(b.up_left[lane]);
+        });
     // The rest of the sum, without what the pixel's edges add, is that of its corner.
-    const windings corner{{static_cast<int>(std::lrint(sums[0] - own_[0])),
-                           static_cast<int>(std::lrint(sums[1] - own_[1]))}};
-    end_visit();
-    if (!rules.clips && !is_unclear_) {
-        windings_range all{corner.turns[0] + range_.least, corner.turns[0] + range_.most};
-        if (are_shares_clear_) {
-            all.least += turns_right_;
-            all.most -= turns_left_;
-        }
-        if (rules.same_between({{all.least, 0}}, {{all.most, 0}}))
-            return rules.inside({{all.least, 0}}) ? 1 : 0;
+    const windings at_corner{{static_cast<int>(std::lrint(sums[0] - left[0])),
+                              static_cast<int>(std::lrint(sums[1] - left[1]))}};
+    for (std::size_t layer = 0; layer < 2; ++layer)
+        beside.turns[layer] += at_corner.turns[layer];
+    // Each visit adds its share to a sum that begins with the least winding. If that is above 0, the
+    // sum most often is above half of their number.
+    if (!rules.clips && visits <= 2 * std::abs(sums[0])) {
+        const windings_range range = find_range();
+        const windings least{{at_corner.turns[0] + range.least}};
+        const windings most{{at_corner.turns[0] + range.most}};
+        if (rules.same_between(least, most))
+            return rules.inside(least) ? 1 : 0;
     }
-    std::uint64_t open = all_fields;
     // Fields take some 100 instructions for each of n edges, borders 40 for each of n^2 / 2 pairs.
-    constexpr int many = 6;
-    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero &&
-        range_.most - range_.least >= many) {
-        open = find_open(corner.turns[0] + before_.turns[0], corner.turns[0] < 0 ? -1 : 1);
+    constexpr std::uint32_t many = 6;
+    if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits >= many) {
+        const std::uint64_t open =
+            find_open(edges_, beside.turns[0], at_corner.turns[0] < 0 ? -1 : 1);
         if (open == 0)
             return 1;
+        if (open != all_fields)
+            set_heights(open);
     }
     find_changes();
-    const std::optional<double> area = between_borders(corner, open, rules);
-    return area ? *area : slabs(corner, rules);
+    const std::optional<double> area = between_borders(at_corner, beside, rules);
+    return area ? *area : slabs(at_corner, rules);
 }
 
-/// The area inside, from the parts of edges that have it on one side alone. Returns nothing if two
-/// edges are so close that rounding may tell wrong which one is on the left.
-std::optional<double> pixel_area::between_borders(const windings& corner, std::uint64_t open,
+/// An edge as a border.
+row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i) const {
+    return {b.x0[lane],
+            b.y0[lane],
+            b.x1[lane],
+            b.y1[lane],
+            static_cast<std::int8_t>(b.turns[lane]),
+            static_cast<std::uint8_t>(edges_.layer(i))};
+}
+
+/// The area inside, from the parts of edges that have it on one side alone. `beside` are the
+/// windings on the left of all edges. Returns nothing if two edges are so close that rounding may
+/// tell wrong which one is on the left.
+std::optional<double> pixel_area::between_borders(const windings& corner, const windings& beside,
                                                   const fill_rules& rules) {
     constexpr double same = 1e-12, close = 1e-7;
     double area = on_left(corner, rules);
-    windings beside = corner;
-    for (std::size_t layer = 0; layer < 2; ++layer)
-        beside.turns[layer] += before_.turns[layer];
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const part& e = parts_[i];
-        const range_of_y heights = open_heights(e, open);
-        const double top = heights.top, bottom = heights.bottom;
+    bool is_close = false;
+    edges_.visit([&](const edge_block& e, std::size_t at, std::size_t i) {
+        const double top = e.top[at], bottom = e.bottom[at];
         if (top >= bottom)
-            continue;
+            return;
         windings left = beside;
         passed_.clear();
-        const auto change = [&](double y, int by, std::uint8_t layer) {
+        const auto change = [&](double y, int by, std::size_t layer) {
             if (y <= top)
                 left.turns[layer] += by;
             else if (y < bottom)
-                passed_.push({y, static_cast<std::int8_t>(by), layer});
+                passed_.push({y, static_cast<std::int8_t>(by), static_cast<std::uint8_t>(layer)});
         };
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            const part& other = parts_[k];
-            if (k == i)
-                continue;
-            if (other.y1 <= top || other.y0 >= bottom) {
-                if (other.y1 <= top ? other.down_left : other.up_left)
-                    left.cross(other);
-                continue;
+        edges_.visit([&](const edge_block& other, std::size_t lane, std::size_t k) {
+            const std::size_t layer = edges_.layer(k);
+            const double upper = other.y0[lane], lower = other.y1[lane];
+            if (lower <= top || upper >= bottom) {
+                left.turns[layer] += static_cast<int>(lower <= top ? other.down_left[lane]
+                                                                   : other.up_left[lane]);
+                return;
             }
-            const double begin = std::max(top, other.y0), end = std::min(bottom, other.y1);
-            const double above = other.x_at(begin) - e.x_at(begin);
-            const double below = other.x_at(end) - e.x_at(end);
+            if (k == i)
+                return;
+            const double begin = std::max(top, upper), end = std::min(bottom, lower);
+            const double above = other.x_at(lane, begin) - e.x_at(at, begin);
+            const double below = other.x_at(lane, end) - e.x_at(at, end);
             const double apart = std::max(std::abs(above), std::abs(below));
             bool begins_left = above < 0, ends_left = below < 0;
             if (apart < close) {
-                if (apart > same)
-                    return std::nullopt;
+                is_close |= apart > same;
                 begins_left = ends_left = k < i;
             }
             // On the left or not: above its upper end, below that, above its lower end, below that.
+            const int direction = static_cast<int>(other.turns[lane]);
             bool is_left = false;
             const auto set = [&](bool to, double y) {
                 if (to != is_left)
-                    change(y, to ? other.direction : -other.direction, other.layer);
+                    change(y, to ? direction : -direction, layer);
                 is_left = to;
             };
-            set(other.up_left, top);
+            set(other.up_left[lane] != 0, top);
             set(begins_left, begin);
             if (begins_left != ends_left)
                 set(ends_left, begin + (end - begin) * (above / (above - below)));
-            set(other.down_left, end);
-        }
+            set(other.down_left[lane] != 0, end);
+        });
         sort_few(passed_, is_higher);
+        const row_edge own = border(e, at, i);
         double from = top;
         const auto pass = [&](double to) {
             windings right = left;
-            right.cross(e);
+            right.cross(own);
             const int sign = rules.inside(right) - rules.inside(left);
             if (sign != 0)
-                area += sign * (to - from) * (1 - (e.x_at(from) + e.x_at(to)) / 2);
+                area += sign * (to - from) * (1 - (e.x_at(at, from) + e.x_at(at, to)) / 2);
             from = to;
         };
         for (const winding_change& c : passed_.all()) {
@@ -196,18 +245,20 @@ std::optional<double> pixel_area::between_borders(const windings& corner, std::u
             left.cross(c);
         }
         pass(bottom);
-    }
-    return area;
+    });
+    return is_close ? std::nullopt : std::optional(area);
 }
 
 /// Finds the changes of the windings down the pixel's left side, where edges come to it.
 void pixel_area::find_changes() {
     changes_.clear();
-    for (const part& p : parts_.all())
-        if (p.up_left)
-            changes_.push({p.y0, static_cast<std::int8_t>(-p.direction), p.layer});
-        else if (p.down_left)
-            changes_.push({p.y1, p.direction, p.layer});
+    edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {
+        const bool up = b.up_left[lane] != 0;
+        if (up || b.down_left[lane] != 0)
+            changes_.push({up ? b.y0[lane] : b.y1[lane],
+                           static_cast<std::int8_t>(up ? -b.turns[lane] : b.turns[lane]),
+                           static_cast<std::uint8_t>(edges_.layer(i))});
+    });
     sort_few(changes_, is_higher);
 }
 
@@ -225,7 +276,10 @@ double pixel_area::on_left(windings beside, const fill_rules& rules) const {
 /// The area inside, from slabs.
 double pixel_area::slabs(const windings& corner, const fill_rules& rules) {
     slabs_.set_width(1);
-    slab_edges_.assign(parts_.all().begin(), parts_.all().end());
+    slab_edges_.clear();
+    edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {
+        slab_edges_.push_back(border(b, lane, i));
+    });
     slabs_.add_cluster(slab_edges_, corner, rules, changes_.all());
     double* const borders = slabs_.sums();
     const double area = on_left(corner, rules) + borders[0];

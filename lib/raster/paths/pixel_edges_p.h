@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// pixel_edges: edges in a pixel, in lanes, and what vectors find of them.
+#ifndef L3D_RASTER_PATHS_PIXEL_EDGES_P_H
+#define L3D_RASTER_PATHS_PIXEL_EDGES_P_H
+
+#include "raster/rasterizer_2d.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace l3d_detail {
+
+/// How an outline comes to be in a pixel where an edge begins.
+enum class cell_begin : std::uint8_t {
+    enters,      ///< by another side than the left one, or not known to
+    continues,   ///< by the edge before
+    unclear,     ///< its first corner lies in the pixel, or it may cross itself there
+    enters_left, ///< by the pixel's left side
+};
+
+/// The number of visits of pixels where an outline may cross itself, or more.
+constexpr std::uint32_t unclear_visits = 1 << 30;
+
+/// A part of an edge in a pixel, in the direction of its outline.
+struct edge_record {
+    static constexpr std::uint32_t mark_bits = 3, marks = 7, begins = 3, leaves_left = 4;
+
+    l3d_point_2d from, to;
+    std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
+    std::uint32_t edge;   ///< its index above mark_bits; how it begins, as cell_begin; and
+                          ///< leaves_left if it leaves by the pixel's left side
+
+    std::uint32_t index() const { return edge >> mark_bits; }
+};
+
+/// Edges of a pixel, a lane each.
+///
+/// Where an edge's upper end lies on the pixel's left side, that side above is taken as a part of
+/// it, and where its lower end does, the side below. So the winding does not change where it comes
+/// to the side. A level edge counts as its part of the side alone.
+/// Units:   x and y from 0 to 1, seen from the pixel's top left corner.
+struct alignas(64) edge_block {
+    static constexpr std::size_t size = 8;
+    using numbers = std::array<double, size>;
+
+    numbers x0, y0, x1, y1;     ///< the upper and the lower end; until place_edges, the begin and
+                                ///< the end, in the picture
+    numbers slope;              ///< dx / dy; 0 if level
+    numbers turns;              ///< 1 if it leads upwards, which adds 1 to the winding on its
+                                ///< right; else -1; 0 if it is level and apart from the left side
+    numbers up_left, down_left; ///< the same if the upper, or the lower, end lies on the left side,
+                                ///< else 0
+    numbers adds;               ///< its part of the integral of the windings
+    numbers top, bottom;        ///< the heights between which it may be a border
+    std::array<std::uint32_t, size> edge; ///< as in the record
+
+    double x_at(std::size_t lane, double y) const {
+        return x0[lane] + (y - y0[lane]) * slope[lane];
+    }
+};
+
+/// Edges of a pixel: those of layer 0, and then those of layer 1.
+struct pixel_edges {
+    std::span<edge_block> blocks;
+    std::size_t count = 0, first_clip = 0;
+
+    std::size_t layer(std::size_t i) const { return i < first_clip ? 0 : 1; }
+
+    /// Calls take(block, lane, index) for each edge.
+    template <class Take> void visit(const Take& take) const {
+        for (std::size_t first = 0; first < count; first += edge_block::size) {
+            edge_block& b = blocks[first / edge_block::size];
+            const std::size_t lanes = std::min(count - first, edge_block::size);
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                take(b, lane, first + lane);
+        }
+    }
+};
+
+/// What place_edges sums up: the parts of the integrals, and the windings left of all edges, less
+/// those of the pixel's corner.
+struct edge_sums {
+    double own, before;
+};
+
+/// Places the edges in the pixel whose top left corner is given, and finds all else of them.
+/// Rounding never puts them beyond the pixel.
+edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
+
+/// Finds the fields of a pixel in which the winding may be 0, a bit for each, row by row: 8 rows of
+/// 8. `beside` is the winding on the left of all edges. `sign` is -1 if bounds are to be those of
+/// the negative windings, else 1. Expects: all edges are of layer 0.
+std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
+
+} // namespace l3d_detail
+
+#endif
