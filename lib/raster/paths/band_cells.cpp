@@ -16,8 +16,6 @@ namespace l3d_detail {
 
 namespace {
 
-constexpr std::ptrdiff_t nowhere = -1;
-
 constexpr std::int32_t whole(double x) {
     return static_cast<std::int32_t>(x);
 }
@@ -116,7 +114,7 @@ struct band_cells::walk {
     edge_record* records = nullptr; ///< all records, and room for more
     std::uint32_t used;        ///< the number of records
 
-    std::ptrdiff_t here = nowhere; ///< the pixel that the outline has reached
+    cell* here = nullptr;          ///< the pixel that the outline has reached
     std::uint32_t edges = 0;       ///< the number of its edges there
     std::uint32_t ways = 0;        ///< the directions in which they run, as bits of `way`
 
@@ -131,10 +129,12 @@ struct band_cells::walk {
         at.last = used++;
     }
 
-    /// Adds an edge's part in a row. `at` is the pixel of its begin.
-    HWY_INLINE void add_part(cell* at, const row_part& p, double steepness, std::uint32_t edge) {
-        if (p.column == p.end_column)
-            return put(*at, p.x, p.y, p.end_x, p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
+    /// Adds an edge's part in a row. `at` is the pixel of its begin. Returns that of its end.
+    HWY_INLINE cell* add_part(cell* at, const row_part& p, double steepness, std::uint32_t edge) {
+        if (p.column == p.end_column) {
+            put(*at, p.x, p.y, p.end_x, p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
+            return at;
+        }
         double x = p.x, y = p.y;
         if (p.column < p.end_column) {
             for (double side = p.column + 1; side <= p.end_column; side += 1, ++at) {
@@ -156,6 +156,7 @@ struct band_cells::walk {
             }
             put(*at, x, y, p.end_x, p.end_y, (x - p.end_x) / 2, edge);
         }
+        return at;
     }
 
     /// Marks the groups of columns from one to another.
@@ -179,12 +180,12 @@ struct band_cells::walk {
     }
 
     /// Notes that the outline's next edge begins in a pixel, and returns how it comes there.
-    HWY_INLINE cell_begin come_to(std::ptrdiff_t pixel, const l3d_point_2d* corner, bool is_begin) {
+    HWY_INLINE cell_begin come_to(cell* pixel, const l3d_point_2d* corner, bool is_begin) {
         if (pixel != here) {
             edges = 1;
             if (!is_begin)
                 return cell_begin::enters;
-            cells[pixel].visits = unclear_visits;
+            pixel->visits = unclear_visits;
             return cell_begin::unclear;
         }
         // Where edges in a pixel all lead up, down, to the left or to the right, they do not cross
@@ -194,11 +195,11 @@ struct band_cells::walk {
                 ways = ways_of(corner[-2], corner[-1]) | ways_of(corner[-1], corner[0]);
             ways |= ways_of(corner[0], corner[1]);
             if (ways == all) {
-                cells[pixel].visits = unclear_visits;
+                pixel->visits = unclear_visits;
                 return cell_begin::unclear;
             }
         }
-        --cells[pixel].visits;
+        --pixel->visits;
         return cell_begin::continues;
     }
 
@@ -207,7 +208,7 @@ struct band_cells::walk {
     HWY_INLINE void add(const l3d_point_2d* corner, std::uint32_t index, bool is_first) {
         band_edge e(corner[0], corner[1]);
         if (clips && !e.clip(band_top, band_bottom)) {
-            here = nowhere;
+            here = nullptr;
             return;
         }
         // An edge that begins or ends at a border of rows does so in the row that it reaches.
@@ -216,13 +217,13 @@ struct band_cells::walk {
         std::int32_t& lower = is_up ? row : last_row;
         lower -= lower >= (is_up ? e.y : e.end_y) ? 1 : 0;
         if (is_up ? row < last_row : last_row < row) { // it is level, and between two rows
-            here = nowhere;
+            here = nullptr;
             return;
         }
         const std::int32_t end_column = whole(e.end_x);
         row_part p{e.x, e.y, e.end_x, e.end_y, whole(e.x), end_column};
-        std::ptrdiff_t pixel = (row - top) * stride + (p.column - left);
-        const cell_begin begin = come_to(pixel, corner, is_first && e.begins);
+        cell* at = cells + (row - top) * stride + (p.column - left);
+        const cell_begin begin = come_to(at, corner, is_first && e.begins);
         std::uint32_t edge = index << edge_record::mark_bits | static_cast<std::uint32_t>(begin);
         const double steepness = p.column == end_column ? 0 : e.steepness();
         std::uint64_t* marks = groups + (row - top) * words;
@@ -235,9 +236,8 @@ struct band_cells::walk {
                 p.end_x = e.x_at(border);
                 p.end_column = whole(p.end_x);
                 mark(marks, p.column - left, p.end_column - left);
-                add_part(cells + pixel, p, steepness, edge);
+                at = add_part(at, p, steepness, edge) + next_row;
                 edge &= ~edge_record::marks;
-                pixel += next_row + (p.end_column - p.column);
                 marks += next_words;
                 border += step;
                 p.x = p.end_x;
@@ -252,8 +252,8 @@ struct band_cells::walk {
         if (p.column != end_column)
             edges = 1;
         mark(marks, p.column - left, end_column - left);
-        add_part(cells + pixel, p, steepness, edge);
-        here = e.ends ? pixel + (end_column - p.column) : nowhere;
+        at = add_part(at, p, steepness, edge);
+        here = e.ends ? at : nullptr;
     }
 };
 
@@ -275,7 +275,7 @@ void band_cells::add(const path_chains::outline& outline, const l3d_point_2d* al
     for (std::size_t b = first; b < first + outline.blocks; ++b) {
         const path_chains::block& block = blocks[b];
         if (block.bottom <= top_ || block.top >= bottom_) {
-            w.here = nowhere;
+            w.here = nullptr;
             continue;
         }
         const std::uint32_t begin = block.first, end = block.end;
