@@ -53,14 +53,12 @@ pixel_area::windings_range pixel_area::find_range() const {
     bool are_shares_clear = true;        // whether each visit has places on both sides
     double adds = 0;
     int edges_of_visit = 0;
-    std::uint32_t alone = 0, edge_before = 0; // the edge before, if it is a visit and in no pair
-    l3d_point_2d way_before{};
+    const edge_block* alone = nullptr; // the edge before, if it is a visit and in no pair
+    std::size_t lane_of_alone = 0;
     edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t) {
         adds += b.adds[lane];
         ++edges_of_visit;
-        const std::uint32_t edge = b.edge[lane] >> edge_record::mark_bits;
-        const auto begin = static_cast<cell_begin>(b.edge[lane] & edge_record::begins);
-        if (begin == cell_begin::continues)
+        if (b.begins(lane) == cell_begin::continues)
             return;
         const int on_higher = adds < unclear ? 1 : 0;
         const double share = adds + on_higher;
@@ -70,22 +68,16 @@ pixel_area::windings_range pixel_area::find_range() const {
         const bool is_alone = edges_of_visit == 1;
         adds = 0;
         edges_of_visit = 0;
-        if (!is_alone) {
-            alone = 0;
-            return;
-        }
-        const l3d_point_2d way{(b.x0[lane] - b.x1[lane]) * b.turns[lane],
-                               (b.y0[lane] - b.y1[lane]) * b.turns[lane]};
-        if (alone != 0 && edge_before == edge + 1) {
-            const double turn = way.x * way_before.y - way.y * way_before.x;
+        if (is_alone && alone != nullptr && alone->index(lane_of_alone) == b.index(lane) + 1) {
+            const l3d_point_2d way = b.way(lane), next = alone->way(lane_of_alone);
+            const double turn = way.x * next.y - way.y * next.x;
             turns_right += turn > surely ? 1 : 0;
             turns_left += turn < -surely ? 1 : 0;
-            alone = 0;
+            alone = nullptr;
         } else {
-            alone = 1;
+            alone = is_alone ? &b : nullptr;
+            lane_of_alone = lane;
         }
-        way_before = way;
-        edge_before = edge;
     });
     if (are_shares_clear) {
         range.least += turns_right;
@@ -142,15 +134,16 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
                               static_cast<int>(std::lrint(sums[1] - left[1]))}};
     for (std::size_t layer = 0; layer < 2; ++layer)
         beside.turns[layer] += at_corner.turns[layer];
-    // Each visit adds its share to a sum that begins with the least winding. If that is above 0, the
-    // sum most often is above half of their number.
-    if (!rules.clips && visits <= 2 * std::abs(sums[0])) {
+    const auto is_same = [&] {
         const windings_range range = find_range();
-        const windings least{{at_corner.turns[0] + range.least}};
-        const windings most{{at_corner.turns[0] + range.most}};
-        if (rules.same_between(least, most))
-            return rules.inside(least) ? 1 : 0;
-    }
+        return rules.same_between({{at_corner.turns[0] + range.least}},
+                                  {{at_corner.turns[0] + range.most}});
+    };
+    // Each visit adds its share, half on average, to a sum that begins with the least winding.
+    const bool is_clear = !rules.clips && visits < unclear_visits;
+    const bool is_likely = is_clear && visits <= 2 * std::abs(sums[0]);
+    if (is_likely && is_same())
+        return rules.inside(at_corner) ? 1 : 0;
     // Fields take some 100 instructions for each of n edges, borders 40 for each of n^2 / 2 pairs.
     constexpr std::uint32_t many = 6;
     if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits >= many) {
@@ -161,6 +154,8 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
         if (open != all_fields)
             set_heights(open);
     }
+    if (is_clear && !is_likely && is_same())
+        return rules.inside(at_corner) ? 1 : 0;
     find_changes();
     const std::optional<double> area = between_borders(at_corner, beside, rules);
     return area ? *area : slabs(at_corner, rules);

@@ -60,6 +60,14 @@ struct alignas(64) edge_block {
     double x_at(std::size_t lane, double y) const {
         return x0[lane] + (y - y0[lane]) * slope[lane];
     }
+    cell_begin begins(std::size_t lane) const {
+        return static_cast<cell_begin>(edge[lane] & edge_record::begins);
+    }
+    std::uint32_t index(std::size_t lane) const { return edge[lane] >> edge_record::mark_bits; }
+    /// From its begin to its end.
+    l3d_point_2d way(std::size_t lane) const {
+        return {(x0[lane] - x1[lane]) * turns[lane], (y0[lane] - y1[lane]) * turns[lane]};
+    }
 };
 
 /// Edges of a pixel: those of layer 0, and then those of layer 1.
