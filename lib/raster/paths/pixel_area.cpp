@@ -86,35 +86,6 @@ pixel_area::windings_range pixel_area::find_range() const {
     return range;
 }
 
-/// Sets the heights between which each edge may pass open fields, to an empty range if there are
-/// none.
-void pixel_area::set_heights(std::uint64_t open) const {
-    // An edge on the side of a field, but for rounding, belongs to it.
-    constexpr double margin = 1e-9;
-    const auto column = [](double x) {
-        return std::clamp(static_cast<int>(x * columns), 0, columns - 1);
-    };
-    edges_.visit([&](edge_block& b, std::size_t lane, std::size_t) {
-        double top = 1, bottom = 0;
-        double from = b.y0[lane], at_top = b.x0[lane];
-        for (int row = static_cast<int>(from * rows); from < b.y1[lane]; ++row) {
-            const double to = std::min(static_cast<double>(row + 1) / rows, b.y1[lane]);
-            const double at_bottom = b.x_at(lane, to);
-            const int left = column(std::min(at_top, at_bottom) - margin);
-            const int right = column(std::max(at_top, at_bottom) + margin);
-            const unsigned passed = (2U << right) - (1U << left);
-            if ((open >> (row * columns) & passed) != 0) {
-                top = std::min(top, from);
-                bottom = to;
-            }
-            from = to;
-            at_top = at_bottom;
-        }
-        b.top[lane] = top;
-        b.bottom[lane] = bottom;
-    });
-}
-
 double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2>& sums,
                           std::uint32_t visits, const fill_rules& rules) {
     const auto [own, before] = place_edges(edges_, corner);
@@ -152,7 +123,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
         if (open == 0)
             return 1;
         if (open != all_fields)
-            set_heights(open);
+            set_heights(edges_, open);
     }
     if (is_clear && !is_likely && is_same())
         return rules.inside(at_corner) ? 1 : 0;
@@ -224,7 +195,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
                 set(ends_left, begin + (end - begin) * (above / (above - below)));
             set(other.down_left[lane] != 0, end);
         });
-        sort_few(passed_, is_higher);
+        if (passed_.size() > 1)
+            sort_few(passed_, is_higher);
         const row_edge own = border(e, at, i);
         double from = top;
         const auto pass = [&](double to) {

@@ -39,15 +39,12 @@ public:
                   std::uint32_t visits, const fill_rules& rules);
 
 private:
-    /// The fields of a pixel. Each has a bit in a word.
-    static constexpr int rows = 8, columns = 8;
     static constexpr std::uint64_t all_fields = ~std::uint64_t{0};
     /// The least and the most winding anywhere in the pixel.
     struct windings_range {
         int least = 0, most = 0;
     };
     windings_range find_range() const;
-    void set_heights(std::uint64_t open) const;
     std::optional<double> between_borders(const windings& corner, const windings& beside,
                                           const fill_rules& rules);
     row_edge border(const edge_block& b, std::size_t lane, std::size_t i) const;

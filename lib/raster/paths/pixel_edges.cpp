@@ -40,6 +40,12 @@ HWY_ATTR HWY_INLINE mask is_less(number a, number b) {
 HWY_ATTR HWY_INLINE hn::Mask<lane_words> words_of(mask m) {
     return hn::RebindMask(lane_words(), m);
 }
+/// A number from 0 on without its fraction.
+HWY_ATTR HWY_INLINE words word_of(number x) {
+    const auto demoted = hn::DemoteTo(hn::Rebind<std::int32_t, eight_doubles>(), x.v);
+    return hn::BitCast(lane_words(),
+                       hn::PromoteTo(hn::Rebind<std::int64_t, eight_doubles>(), demoted));
+}
 HWY_ATTR HWY_INLINE double sum(number x) {
     return hn::GetLane(hn::SumOfLanes(eight_doubles(), x.v));
 }
@@ -121,11 +127,8 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
         const mask up = hn::Ne(loaded(&b.up_left[at]).v, zero.v);
         const mask down = hn::Ne(loaded(&b.down_left[at]).v, zero.v);
         const auto whole = [&](mask to_less, number y) HWY_ATTR {
-            const auto result =
-                hn::IfThenElse(to_less, hn::Floor((y * fields).v), hn::Ceil((y * fields).v));
-            const auto demoted = hn::DemoteTo(hn::Rebind<std::int32_t, eight_doubles>(), result);
-            return hn::BitCast(
-                du, hn::PromoteTo(hn::Rebind<std::int64_t, eight_doubles>(), demoted));
+            const number scaled = y * fields;
+            return word_of(either(to_less, {hn::Floor(scaled.v)}, {hn::Ceil(scaled.v)}));
         };
         const auto rows_from = [&](words row) HWY_ATTR {
             const words half = hn::ShiftLeft<2>(row); // as a word is not shifted by 64 at once
@@ -166,6 +169,37 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
     return ~total[high];
 }
 
+void set_heights_in_lanes(const pixel_edges& edges, std::uint64_t open) {
+    constexpr double margin = 1e-9; // an edge on the side of a field, but for rounding, belongs to it
+    const lane_words du;
+    const number zero = same(0), last = same(7), fields = same(8);
+    visit_lanes(edges, [&](edge_block& b, std::size_t at, mask) HWY_ATTR {
+        const number x0 = loaded(&b.x0[at]), slope = loaded(&b.slope[at]);
+        const number y0 = loaded(&b.y0[at]), y1 = loaded(&b.y1[at]);
+        const auto column = [&](number x) HWY_ATTR {
+            return word_of(smallest(largest(x * fields, zero), last));
+        };
+        number top = same(1), bottom = zero;
+        for (int row = 0; row < 8; ++row) {
+            const std::uint64_t columns = open >> (row * 8) & 0xff;
+            if (columns == 0)
+                continue;
+            const number from = largest(y0, same(row / 8.0));
+            const number to = smallest(y1, same((row + 1) / 8.0));
+            const number at_top = x0 + (from - y0) * slope, at_bottom = x0 + (to - y0) * slope;
+            const words left = column(smallest(at_top, at_bottom) - same(margin));
+            const words right = column(largest(at_top, at_bottom) + same(margin));
+            const words passed = hn::Sub(hn::Shl(hn::Set(du, 2), right), hn::Shl(hn::Set(du, 1), left));
+            const words meets = hn::And(passed, hn::Set(du, columns));
+            const mask is_open = hn::And(is_less(from, to), hn::RebindMask(eight_doubles(), hn::Ne(meets, hn::Zero(du))));
+            top = either(is_open, smallest(top, from), top);
+            bottom = either(is_open, to, bottom);
+        }
+        store(top, &b.top[at]);
+        store(bottom, &b.bottom[at]);
+    });
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
@@ -176,6 +210,7 @@ namespace l3d_detail {
 
 L3D_SIMD_TABLE(place_in_lanes);
 L3D_SIMD_TABLE(find_open_in_lanes);
+L3D_SIMD_TABLE(set_heights_in_lanes);
 
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner) {
     return L3D_SIMD_CALL(place_in_lanes)(edges, corner);
@@ -183,6 +218,10 @@ edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner) {
 
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign) {
     return L3D_SIMD_CALL(find_open_in_lanes)(edges, beside, sign);
+}
+
+void set_heights(const pixel_edges& edges, std::uint64_t open) {
+    L3D_SIMD_CALL(set_heights_in_lanes)(edges, open);
 }
 
 } // namespace l3d_detail

@@ -103,6 +103,10 @@ edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 /// the negative windings, else 1. Expects: all edges are of layer 0.
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
+/// Sets the heights between which each edge may pass such fields, to an empty range if there are
+/// none.
+void set_heights(const pixel_edges& edges, std::uint64_t open);
+
 } // namespace l3d_detail
 
 #endif
