@@ -210,11 +210,14 @@ void expect_exact_areas(canvas& c, const std::vector<slow_area::shape>& shapes) 
                 << x << ' ' << y;
 }
 
-/// Many outlines upon each other: rows have so many pieces that pixels are found one by one.
+/// Many outlines upon each other, so pixels have many edges, with each set of vector instructions.
 TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
     std::mt19937 random(29);
     canvas c(width, height);
+    const std::vector<std::string> targets = l3d_simd_targets();
     for (int n = 0; n < (thorough ? 60 : 20); ++n) {
+        const std::string& target = targets[static_cast<std::size_t>(n / 2) % targets.size()];
+        l3d_set_simd_target(target);
         std::vector<slow_area::shape> shapes(n % 4 == 0 ? 2 : 1);
         for (slow_area::shape& shape : shapes) {
             shape = random_shape(random);
@@ -228,9 +231,10 @@ TEST(draw_path, has_exact_areas_where_many_outlines_meet) {
                                 .inside = shapes[0].inside,
                                 .clip = shapes.size() > 1 ? &clip : nullptr,
                                 .clip_inside = shapes.back().inside});
-        SCOPED_TRACE(n);
+        SCOPED_TRACE(target + ' ' + std::to_string(n));
         ASSERT_NO_FATAL_FAILURE(expect_exact_areas(c, shapes));
     }
+    l3d_set_simd_target("");
 }
 
 /// Plots of many values: each row has hundreds of edges side by side, which share pixels.
