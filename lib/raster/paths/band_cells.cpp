@@ -112,11 +112,11 @@ struct band_cells::walk {
     const std::int32_t left, top;
     const double band_top, band_bottom;
     edge_record* records = nullptr; ///< all records, and room for more
-    std::uint32_t used;        ///< the number of records
+    std::uint32_t used;             ///< the number of records
 
-    cell* here = nullptr;          ///< the pixel that the outline has reached
-    std::uint32_t edges = 0;       ///< the number of its edges there
-    std::uint32_t ways = 0;        ///< the directions in which they run, as bits of `way`
+    cell* here = nullptr;    ///< the pixel that the outline has reached
+    std::uint32_t edges = 0; ///< the number of its edges there
+    std::uint32_t ways = 0;  ///< the directions in which they run, as bits of `way`
 
     /// Adds an edge's part in a pixel. `right` is the part of the row on the right of its middle.
     HWY_INLINE void put(cell& at, double x, double y, double end_x, double end_y, double right,
@@ -142,8 +142,8 @@ struct band_cells::walk {
                 put(*at, x, y, side, next, (side - x) / 2, edge);
                 x = side;
                 y = next;
-                edge =
-                    (edge & ~edge_record::marks) | static_cast<std::uint32_t>(cell_begin::enters_left);
+                edge = (edge & ~edge_record::marks) |
+                       static_cast<std::uint32_t>(cell_begin::enters_left);
             }
             put(*at, x, y, p.end_x, p.end_y, 1 - (p.end_x - x) / 2, edge);
         } else {

@@ -18,8 +18,8 @@ constexpr auto is_higher = [](const winding_change& a, const winding_change& b) 
 } // namespace
 
 void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t layer) {
-    edge_block* b = blocks_.end() - 1;
     std::size_t lane = edges_.count % edge_block::size;
+    edge_block* b = lane > 0 ? &blocks_.back() : nullptr;
     for (std::uint32_t i = last; i != 0; i = all[i].before) {
         if (lane == 0) {
             b = blocks_.room(1);
@@ -166,8 +166,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
             const std::size_t layer = edges_.layer(k);
             const double upper = other.y0[lane], lower = other.y1[lane];
             if (lower <= top || upper >= bottom) {
-                left.turns[layer] += static_cast<int>(lower <= top ? other.down_left[lane]
-                                                                   : other.up_left[lane]);
+                left.turns[layer] +=
+                    static_cast<int>(lower <= top ? other.down_left[lane] : other.up_left[lane]);
                 return;
             }
             if (k == i)

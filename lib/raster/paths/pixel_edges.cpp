@@ -21,6 +21,11 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// The fields of a pixel, and how far above rounding edges count as those of the next one, too.
+constexpr int rows = 8, columns = 8;
+constexpr double margin = 1e-9;
+constexpr std::uint64_t all_in_row = (1U << columns) - 1;
+
 using mask = hn::Mask<eight_doubles>;
 using lane_words = hn::Rebind<std::uint64_t, eight_doubles>;
 using words = hn::Vec<lane_words>;
@@ -110,14 +115,12 @@ edge_sums place_in_lanes(const pixel_edges& edges, const l3d_point_2d& corner) {
 ///
 /// Bounds are counted in all fields at once: word i has the bits 2^i of their counters.
 std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign) {
-    constexpr int columns = 8;
-    constexpr double margin = 1e-9; // far above rounding
     const lane_words du;
     const std::size_t most = edges.count + static_cast<std::size_t>(std::abs(beside));
     const auto high = static_cast<std::size_t>(std::bit_width(most));
     const number zero = same(0), one = same(1), fields = same(columns);
     const words all = hn::Set(du, ~std::uint64_t{0});
-    const words first_column = hn::Set(du, ~std::uint64_t{0} / 0xff);
+    const words first_column = hn::Set(du, ~std::uint64_t{0} / all_in_row);
     std::array<std::array<std::uint64_t, edge_block::size>, 64> bits;
     for (std::size_t i = 0; i <= high; ++i)
         hn::StoreU(hn::Zero(du), du, bits[i].data());
@@ -170,28 +173,28 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
 }
 
 void set_heights_in_lanes(const pixel_edges& edges, std::uint64_t open) {
-    constexpr double margin = 1e-9; // an edge on the side of a field, but for rounding, belongs to it
     const lane_words du;
-    const number zero = same(0), last = same(7), fields = same(8);
+    const number zero = same(0), last = same(columns - 1), fields = same(columns);
     visit_lanes(edges, [&](edge_block& b, std::size_t at, mask) HWY_ATTR {
         const number x0 = loaded(&b.x0[at]), slope = loaded(&b.slope[at]);
         const number y0 = loaded(&b.y0[at]), y1 = loaded(&b.y1[at]);
-        const auto column = [&](number x) HWY_ATTR {
-            return word_of(smallest(largest(x * fields, zero), last));
+        // The field of a place, as a bit of a row.
+        const auto field = [&](number x) HWY_ATTR {
+            return hn::Shl(hn::Set(du, 1), word_of(smallest(largest(x * fields, zero), last)));
         };
         number top = same(1), bottom = zero;
-        for (int row = 0; row < 8; ++row) {
-            const std::uint64_t columns = open >> (row * 8) & 0xff;
-            if (columns == 0)
+        for (int row = 0; row < rows; ++row) {
+            const std::uint64_t open_columns = open >> (row * columns) & all_in_row;
+            if (open_columns == 0)
                 continue;
-            const number from = largest(y0, same(row / 8.0));
-            const number to = smallest(y1, same((row + 1) / 8.0));
+            const number from = largest(y0, same(static_cast<double>(row) / rows));
+            const number to = smallest(y1, same(static_cast<double>(row + 1) / rows));
             const number at_top = x0 + (from - y0) * slope, at_bottom = x0 + (to - y0) * slope;
-            const words left = column(smallest(at_top, at_bottom) - same(margin));
-            const words right = column(largest(at_top, at_bottom) + same(margin));
-            const words passed = hn::Sub(hn::Shl(hn::Set(du, 2), right), hn::Shl(hn::Set(du, 1), left));
-            const words meets = hn::And(passed, hn::Set(du, columns));
-            const mask is_open = hn::And(is_less(from, to), hn::RebindMask(eight_doubles(), hn::Ne(meets, hn::Zero(du))));
+            const words left = field(smallest(at_top, at_bottom) - same(margin));
+            const words right = field(largest(at_top, at_bottom) + same(margin));
+            const words passed = hn::Sub(hn::Add(right, right), left);
+            const auto meets = hn::Ne(hn::And(passed, hn::Set(du, open_columns)), hn::Zero(du));
+            const mask is_open = hn::And(is_less(from, to), hn::RebindMask(eight_doubles(), meets));
             top = either(is_open, smallest(top, from), top);
             bottom = either(is_open, to, bottom);
         }
