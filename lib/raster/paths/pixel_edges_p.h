@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_edges: edges in a pixel, in lanes, and what vectors find of them.
+// pixel_edges: the edges of a pixel, in lanes, and what vectors find of them.
 #ifndef L3D_RASTER_PATHS_PIXEL_EDGES_P_H
 #define L3D_RASTER_PATHS_PIXEL_EDGES_P_H
 
@@ -88,8 +88,8 @@ struct pixel_edges {
     }
 };
 
-/// What place_edges sums up: the parts of the integrals, and the windings left of all edges, less
-/// those of the pixel's corner.
+/// The sums of all edges: their parts of the integrals, and the windings on the left of all of
+/// them, less those of the pixel's corner.
 struct edge_sums {
     double own, before;
 };
