@@ -18,13 +18,18 @@ public:
         bool is_backwards;
     };
 
-    /// Puts each line into a set of its own.
+    directed_sets() = default;
     explicit directed_sets(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
-            lines_.push_back({{i, false}});
+            add();
     }
 
     std::size_t count() const { return lines_.size(); }
+
+    /// Forgets all lines. Cost: keeps the memory.
+    void clear() { lines_.clear(); }
+    /// Adds a line, in a set of its own.
+    void add() { lines_.push_back({{lines_.size(), false}}); }
 
     /// The line that stands for a line's set, and whether both run in opposite directions.
     /// Cost: logarithmic, as the smaller set always joins the larger one.

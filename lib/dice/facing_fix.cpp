@@ -199,9 +199,9 @@ float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::siz
     const quad_turns turns(v);
     constexpr std::array<std::size_t, 4> piece{0, 2, 3, 1}; // at each side of a folded quad
     const std::int64_t area2 =
-        turns.folded() ? folded_sides(v, turns, position(projective_centre(v, grid.is_parallel)))
-                             .area2(piece[side])
-                       : turns.area2();
+        turns.folded()
+            ? folded_sides(v, turns, projective_centre(v, grid.is_parallel)).area2(piece[side])
+            : turns.area2();
     return area2 > 0 ? -1.0F : 1.0F;
 }
 #endif

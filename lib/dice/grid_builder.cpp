@@ -41,10 +41,7 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
 float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     if (v[0].away == v[1].away && v[1].away == v[2].away)
         return v[0].away ? -1.0F : 1.0F;
-    const l3d_image_point &a = v[0].h, &b = v[1].h, &c = v[2].h;
-    const l3d_image_point across{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
-                                 b[0] * c[1] - b[1] * c[0]};
-    return l3d_dot(a, across) > 0 ? -1.0F : 1.0F;
+    return l3d_dot(v[0].h, l3d_cross(v[1].h, v[2].h)) > 0 ? -1.0F : 1.0F;
 }
 
 /// Where a place of the patch is in a box.

@@ -5,6 +5,7 @@
 #include "dice/edges/shared_polylines.h"
 #include "dice/facing_fix.h"
 #include "dice/grid_light.h"
+#include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +26,6 @@ std::array<double, Corners> middle(const std::array<double, Corners>& a,
     for (std::size_t i = 0; i < Corners; ++i)
         result[i] = (a[i] + b[i]) / 2;
     return result;
-}
-
-std::int64_t double_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
-                         const l3d_micro_vertex& c) {
-    return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
-           (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
 l3d_border_edge side_of(const l3d_micro_vertex& from, const l3d_micro_vertex& to, int row,
@@ -110,7 +105,7 @@ bool l3d_trim_cells::is_unseen(std::size_t row, std::size_t column) const {
 template <class Surface>
 void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
                          const typename Surface::point& b, const typename Surface::point& c) {
-    const std::int64_t area = double_area(a.vertex, b.vertex, c.vertex);
+    const std::int64_t area = l3d_detail::twice_area(a.vertex, b.vertex, c.vertex);
     if (area == 0)
         return;
     std::array<l3d_dice_vertex, 3> p{

@@ -2,12 +2,15 @@
 // l3d_normal_net: product of the derivative nets, and removal of vanishing factors.
 #include "geom/normal_net.h"
 
+#include "geom/nurbs/bernstein_net_p.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace {
 
+using l3d_detail::binomial;
 using vector = l3d_normal_net::vector;
 
 constexpr int degree = 5;
@@ -16,13 +19,6 @@ constexpr int order = degree + 1;
 /// An edge row counts as vanishing below this part of the largest coefficient: the product sums
 /// 36 terms of double precision, so cancellation leaves at most some 100 * 2^-53 = 1e-14.
 constexpr double vanishing = 1e-12;
-
-constexpr double binomial(int n, int k) {
-    double result = 1;
-    for (int i = 1; i <= k; ++i)
-        result = result * (n - k + i) / i;
-    return result;
-}
 
 double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});

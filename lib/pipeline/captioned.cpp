@@ -2,6 +2,8 @@
 // captioned: shows and hides the panel, and keeps the pixels below it.
 #include "pipeline/captioned_p.h"
 
+#include "pipeline/panel_places_p.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -156,12 +158,7 @@ bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
 }
 
 l3d_panel_style captioned::style() const {
-    l3d_panel_style result;
-    result.font = font_;
-    result.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
-    if (screen_.is_slow())
-        result.ground_coverage = l3d_panel_style::opaque;
-    return result;
+    return panel_style_of(screen_, font_);
 }
 
 std::vector<l3d_panel> captioned::help_pages() const {

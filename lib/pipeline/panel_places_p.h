@@ -6,10 +6,22 @@
 #include "raster/rasterizer_2d.h"
 #include "raster/text/panel.h"
 #include "tool_2d/pixels.h"
+#include "tool_2d/screen.h"
 
 #include <vector>
 
 namespace l3d_detail {
+
+/// The style of a screen's panels: letters that suit its picture, and an opaque ground if it is
+/// slow.
+inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) {
+    l3d_panel_style style;
+    style.font = font;
+    style.size = l3d_panel_style::size_for(screen.pixels().size(), screen.text_scale());
+    if (screen.is_slow())
+        style.ground_coverage = l3d_panel_style::opaque;
+    return style;
+}
 
 /// Finds places for panels in the free rest of a picture. The rest is kept as its largest free
 /// rectangles, which overlap.

@@ -258,12 +258,7 @@ bool l3d_viewer_controls::rest(double seconds) {
 }
 
 l3d_panel_style l3d_viewer_controls::panel_style() const {
-    l3d_panel_style style;
-    style.font = font_;
-    style.size = l3d_panel_style::size_for(screen_.pixels().size(), screen_.text_scale());
-    if (screen_.is_slow())
-        style.ground_coverage = l3d_panel_style::opaque;
-    return style;
+    return l3d_detail::panel_style_of(screen_, font_);
 }
 
 /// All keys, on as many pages as the window needs.

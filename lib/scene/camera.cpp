@@ -4,6 +4,7 @@
 
 #include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
+#include "geom/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,7 @@ using vector = l3d_camera::vector;
 
 /// A vector turned about an axis through the origin. Units: degrees.
 vector turned(const vector& v, const vector& axis, double degrees) {
-    const auto m = l3d_rotation<double>(axis, degrees);
-    const auto r = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
-    return {r[0], r[1], r[2]};
+    return l3d_transformed(l3d_rotation<double>(axis, degrees), v);
 }
 
 /// The unit vector of a vector of any length. Squares of very long or short ones would leave a

@@ -2,6 +2,7 @@
 // l3d_framed: four planes through the eye that touch the model.
 #include "scene/camera.h"
 
+#include "geom/transform.h"
 #include "scene/patch_scene.h"
 
 #include <algorithm>
@@ -95,18 +96,13 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
     for (const l3d_patch_instance& instance : scene.instances()) {
         if (instance.opacity() == 0) // it is invisible
             continue;
-        const l3d_matrix<double>& m = instance.placement();
-        vector model{0.0, 0.0, 0.0}; // the direction in the model's coordinates
-        double moved = 0;
-        for (int i = 0; i < 3; ++i) {
-            moved += direction[i] * m(i, 3);
-            for (int k = 0; k < 3; ++k)
-                model[k] += direction[i] * m(i, k);
-        }
+        // The direction in the model's coordinates, and the height of their origin.
+        const auto in_model =
+            l3d_transposed(instance.placement()) * l3d_vector<double, 4>(direction, 0.0);
         for (const l3d_patch_model::patch& patch : instance.model().patches()) {
             heights patch_heights;
             for (std::size_t i = 0; i < 16; ++i)
-                patch_heights[i] = l3d_dot(model, patch.points[i]) + moved;
+                patch_heights[i] = l3d_dot(vector(in_model), patch.points[i]) + in_model[3];
             found.add(patch_heights);
         }
     }

@@ -2,6 +2,7 @@
 // l3d_measured: exact pieces of curved models, and principal curvatures.
 #include "scene/measured_place.h"
 
+#include "geom/transform.h"
 #include "base/formatted_p.h"
 #include "geom/nurbs_surface.h"
 #include "scene/picks/surface_jet.h"
@@ -13,11 +14,6 @@ namespace {
 
 using vector = l3d_measured_place::vector;
 using l3d_detail::formatted;
-
-vector turned(const l3d_matrix<double>& m, const vector& v) {
-    const auto p = m * l3d_vector<double, 4>(v[0], v[1], v[2], 0.0);
-    return {p[0], p[1], p[2]};
-}
 
 l3d_surface_jet::vector around(const vector& v, double radius) {
     return {l3d_interval::around(v[0], radius), l3d_interval::around(v[1], radius),
@@ -46,21 +42,13 @@ l3d_surface_jet exact_jet(const l3d_patch_instance& instance, const l3d_pick& pi
     const double rounding = 0x1p-46 * instance.reach() * unequal;
     const double first = rounding * unequal * degrees, second = first * unequal * degrees;
     const l3d_matrix<double>& m = instance.placement();
-    const auto place = m * l3d_vector<double, 4>(s.place[0], s.place[1], s.place[2], 1.0);
-    return l3d_surface_jet({.point = around({place[0], place[1], place[2]}, rounding),
-                            .by_u = around(turned(m, s.by_u), first),
-                            .by_v = around(turned(m, s.by_v), first),
-                            .by_uu = around(turned(m, s.by_uu), second),
-                            .by_uv = around(turned(m, s.by_uv), second),
-                            .by_vv = around(turned(m, s.by_vv), second)});
-}
-
-double length_of_radii(const l3d_surface_jet::vector& v) {
-    return std::hypot(v[0].radius(), v[1].radius(), v[2].radius()) * (1 + 0x1p-50);
-}
-
-vector middle(const l3d_surface_jet::vector& v) {
-    return {v[0].middle(), v[1].middle(), v[2].middle()};
+    const vector place = l3d_transformed(m, l3d_point<double>(s.place)).from_origin;
+    return l3d_surface_jet({.point = around(place, rounding),
+                            .by_u = around(l3d_transformed(m, s.by_u), first),
+                            .by_v = around(l3d_transformed(m, s.by_v), first),
+                            .by_uu = around(l3d_transformed(m, s.by_uu), second),
+                            .by_uv = around(l3d_transformed(m, s.by_uv), second),
+                            .by_vv = around(l3d_transformed(m, s.by_vv), second)});
 }
 
 /// Sets the curvatures H +- sqrt(H^2 - K). H^2 - K is never negative, so negative parts of its
@@ -90,15 +78,15 @@ l3d_measured_place l3d_measured(const l3d_patch_scene& scene, const l3d_pick& pi
         return result;
     }
     const l3d_surface_jet jet = exact_jet(instance, pick);
-    result.point = middle(jet.point);
-    result.point_error = length_of_radii(jet.point);
+    result.point = l3d_middle(jet.point);
+    result.point_error = l3d_radius(jet.point);
     result.normal = {0.0, 0.0, 0.0};
     if (!jet.normal)
         return result;
-    const vector normal = middle(*jet.normal);
+    const vector normal = l3d_middle(*jet.normal);
     const double side = l3d_dot(normal, pick.normal) < 0 ? -1 : 1;
     result.normal = normal * side;
-    result.normal_error = length_of_radii(*jet.normal);
+    result.normal_error = l3d_radius(*jet.normal);
     const l3d_interval mean = side < 0 ? l3d_interval{-jet.mean.high, -jet.mean.low} : jet.mean;
     take_curvatures(result, mean, jet.gaussian);
     return result;

@@ -5,6 +5,7 @@
 #include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
 #include "base/error.h"
+#include "geom/transform.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,16 +19,6 @@ using vector = l3d_patch_scene::vector;
 
 bool is_affine(const l3d_matrix<double>& m) {
     return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
-}
-
-vector placed_direction(const l3d_matrix<double>& placement, const vector& d) {
-    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 0.0);
-    return {p[0], p[1], p[2]};
-}
-
-vector placed_point(const l3d_matrix<double>& placement, const vector& d) {
-    const auto p = placement * l3d_vector<double, 4>(d[0], d[1], d[2], 1.0);
-    return {p[0], p[1], p[2]};
 }
 
 /// Largest magnitude in the upper left three by three.
@@ -86,12 +77,13 @@ bool can_be_inverted(const l3d_matrix<double>& m) {
 /// A model's box in the world, without its reach.
 l3d_slanted_box box_of(const l3d_patch_model& model, const l3d_matrix<double>& placement) {
     l3d_slanted_box box;
-    box.centre = placed_point(placement, (model.least() + model.most()) * 0.5);
+    box.centre = l3d_transformed(placement, l3d_point<double>((model.least() + model.most()) * 0.5))
+                     .from_origin;
     const vector half = (model.most() - model.least()) * 0.5;
     for (int k = 0; k < 3; ++k) {
         vector axis{0.0, 0.0, 0.0};
         axis[k] = half[k];
-        box.axes[static_cast<std::size_t>(k)] = placed_direction(placement, axis);
+        box.axes[static_cast<std::size_t>(k)] = l3d_transformed(placement, axis);
     }
     return box;
 }

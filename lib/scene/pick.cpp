@@ -80,10 +80,8 @@ patch_3 placed(const patch_3& patch, const l3d_patch_instance& instance) {
     const l3d_matrix<double>& m = instance.placement();
     if (m == l3d_identity<double>())
         return result;
-    for (vector& point : result.points) {
-        const auto p = m * l3d_vector<double, 4>(point[0], point[1], point[2], 1.0);
-        point = {p[0], p[1], p[2]};
-    }
+    for (vector& point : result.points)
+        point = l3d_transformed(m, l3d_point<double>(point)).from_origin;
     return result;
 }
 
@@ -92,26 +90,14 @@ struct place_in_scene {
     std::size_t instance, patch;
 };
 
-/// The length of an error, from its coordinates' radii.
-double length_of_radii(const l3d_surface_jet::vector& v) {
-    double squares = 0;
-    for (const l3d_interval& coordinate : v)
-        squares += coordinate.radius() * coordinate.radius();
-    return std::sqrt(squares) * (1 + 0x1p-50);
-}
-
-vector middle(const l3d_surface_jet::vector& v) {
-    return {v[0].middle(), v[1].middle(), v[2].middle()};
-}
-
 void describe_surface(l3d_pick& pick, const l3d_surface_jet& jet, const vector& ray) {
     pick.normal_error = pick.gaussian_error = pick.mean_error = infinite;
     if (!jet.normal)
         return;
-    const vector normal = middle(*jet.normal);
+    const vector normal = l3d_middle(*jet.normal);
     const double side = l3d_dot(normal, ray) > 0 ? -1 : 1;
     pick.normal = normal * side;
-    pick.normal_error = length_of_radii(*jet.normal);
+    pick.normal_error = l3d_radius(*jet.normal);
     pick.gaussian = jet.gaussian.middle();
     pick.gaussian_error = jet.gaussian.radius();
     pick.mean = jet.mean.middle() * side;
@@ -195,8 +181,8 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
                   .v = hit->v,
                   .u_error = hit->u_error,
                   .v_error = hit->v_error,
-                  .point = middle(jet.point),
-                  .point_error = length_of_radii(jet.point),
+                  .point = l3d_middle(jet.point),
+                  .point_error = l3d_radius(jet.point),
                   .depth = hit->depth,
                   .is_proven = hit->is_proven};
     if (!hit->is_proven) {

@@ -104,21 +104,11 @@ bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice
 
 } // namespace
 
-std::size_t l3d_cell_bounds::root_of(std::size_t i) const {
-    while (members_[i].parent != i)
-        i = members_[i].parent;
-    return i;
-}
-
-void l3d_cell_bounds::join(std::size_t a, std::size_t b) {
-    const std::size_t of_a = root_of(a), of_b = root_of(b);
-    members_[a].parent = members_[b].parent = members_[of_b].parent = of_a;
-}
-
 void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
                              std::span<const l3d_doubt_leaf> leaves) {
     pieces_.clear();
     members_.clear();
+    joined_.clear();
     sheets_.clear();
     for (const std::uint32_t i : touching) {
         const l3d_doubt_leaf& leaf = leaves[i];
@@ -130,8 +120,9 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
         for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k)
             sides |= p.reaches(k) ? 1U << k : 0U;
         pieces_.push_back(&leaf);
-        members_.push_back({b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing,
-                            i, members_.size()});
+        members_.push_back(
+            {b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing, i});
+        joined_.add();
         sheets_.push_back(
             {.may_end = leaf.is_gone() || b.facing == 0 || b.may_be_missing || b.may_end_in(cell)});
     }
@@ -149,7 +140,7 @@ void l3d_cell_bounds::connect() {
             const meeting m(p, q);
             if (!m.is_there)
                 continue;
-            join(i, k);
+            joined_.join({i, false}, {k, false});
             if (m.may_fold)
                 sheets_[i].may_end = true;
         }
@@ -188,7 +179,7 @@ bool l3d_cell_bounds::may_be_seen(std::size_t i, double farthest) const {
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (members_[i].parent == i && sheets_[i].fills())
+        if (root_of(i) == i && sheets_[i].fills())
             result = std::min(result, sheets_[i].farthest);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         sheet& s = sheets_[root_of(i)];

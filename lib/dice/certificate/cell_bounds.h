@@ -3,6 +3,7 @@
 #ifndef L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 
+#include "base/directed_sets_p.h"
 #include "dice/certificate/doubt_bounds.h"
 #include "dice/certificate/light_bounds.h"
 
@@ -50,7 +51,6 @@ public:
         unsigned sides; ///< bits of the sides that it reaches
         int facing;
         std::uint32_t index; ///< index among all pieces
-        std::size_t parent;  ///< another member of the sheet; the root is its own parent
         double nearest = 0;  ///< least w in the cell
     };
 
@@ -71,15 +71,16 @@ private:
     double farthest_seen();
     /// Whether a piece may be seen in front of what is farther than this.
     bool may_be_seen(std::size_t i, double farthest) const;
-    std::size_t root_of(std::size_t i) const;
-    void join(std::size_t a, std::size_t b);
+    /// The member that stands for the sheet of another one.
+    std::size_t root_of(std::size_t i) const { return joined_.find(i).line; }
 
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
     std::vector<const l3d_doubt_leaf*> pieces_;
-    std::vector<member> members_; ///< members for pieces_, in order
-    std::vector<sheet> sheets_;   ///< valid for roots
-    std::size_t only_ = nowhere;  ///< the root of the sheet that is seen alone
+    std::vector<member> members_;      ///< members for pieces_, in order
+    l3d_detail::directed_sets joined_; ///< members of a sheet, without regard to directions
+    std::vector<sheet> sheets_;        ///< valid for roots
+    std::size_t only_ = nowhere;       ///< the root of the sheet that is seen alone
 };
 
 #endif

@@ -2,6 +2,8 @@
 // l3d_flattened, l3d_shape_of: shapes of a model at their places, or alone.
 #include "geom/files/model_file.h"
 
+#include "geom/transform.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -15,8 +17,7 @@ namespace {
 using matrix = l3d_matrix<double>;
 
 l3d_vector<double, 3> placed(const matrix& place, double x, double y, double z) {
-    const auto p = place * l3d_vector<double, 4>(x, y, z, 1.0);
-    return {p[0], p[1], p[2]};
+    return l3d_transformed(place, l3d_point<double>(x, y, z)).from_origin;
 }
 
 l3d_nurbs_curve placed(const matrix& place, const l3d_nurbs_curve& curve) {

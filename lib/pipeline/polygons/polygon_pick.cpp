@@ -4,6 +4,7 @@
 
 #include "base/formatted_p.h"
 #include "base/printable_p.h"
+#include "geom/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,16 +90,13 @@ struct crossing {
     }
 };
 
-vector placed(const l3d_matrix<double>& m, const vector& point) {
-    const auto p = m * l3d_vector<double, 4>(point[0], point[1], point[2], 1.0);
-    return {p[0], p[1], p[2]};
-}
-
 void describe(l3d_polygon_pick& pick, const l3d_polygon_model& model, const l3d_polygon_view& view,
               double rounding) {
     std::array<vector, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
-        p[i] = placed(view.placement(), model.mesh().vertices[pick.corners[i]]);
+        p[i] = l3d_transformed(view.placement(),
+                               l3d_point<double>(model.mesh().vertices[pick.corners[i]]))
+                   .from_origin;
         pick.point += p[i] * pick.weights[i];
     }
     const vector a = p[1] - p[0], b = p[2] - p[0];

@@ -2,6 +2,7 @@
 // l3d_pipeline_polygons: framing, picks, and the reasons for an empty picture.
 #include "pipeline/polygons/pipeline_polygons.h"
 
+#include "geom/transform.h"
 #include "pipeline/empty_picture_p.h"
 #include "scene/camera.h"
 
@@ -16,17 +17,13 @@ using vector = l3d_camera::vector;
 /// The reach of the triangles' corners in the world; other vertices are not drawn.
 l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
     return [&model, placement](const vector& direction) {
-        double moved = 0, most = -std::numeric_limits<double>::infinity();
-        vector in_model{0.0, 0.0, 0.0};
-        for (int i = 0; i < 3; ++i) {
-            moved += direction[i] * placement(i, 3);
-            for (int k = 0; k < 3; ++k)
-                in_model[k] += direction[i] * placement(i, k);
-        }
+        // The direction in the model's coordinates, and the height of their origin.
+        const auto in_model = l3d_transposed(placement) * l3d_vector<double, 4>(direction, 0.0);
+        double most = -std::numeric_limits<double>::infinity();
         for (const l3d_model_triangle& triangle : model.triangles())
             for (const std::uint32_t corner : triangle.corners)
-                most = std::max(most, l3d_dot(in_model, model.mesh().vertices[corner]));
-        return most + moved;
+                most = std::max(most, l3d_dot(vector(in_model), model.mesh().vertices[corner]));
+        return most + in_model[3];
     };
 }
 

@@ -4,6 +4,7 @@
 
 #include "pipeline/zsort/tile_cover_p.h"
 #include "raster/shapes/scan_edge_p.h"
+#include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,11 +13,6 @@
 namespace l3d_detail {
 
 namespace {
-
-bool has_area(const std::array<l3d_micro_vertex, 3>& v) {
-    return (std::int64_t{v[1].x} - v[0].x) * (std::int64_t{v[2].y} - v[0].y) !=
-           (std::int64_t{v[1].y} - v[0].y) * (std::int64_t{v[2].x} - v[0].x);
-}
 
 /// The item of a triangle; nothing if it cannot be seen.
 std::optional<painter_item> item_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size,
@@ -41,7 +37,7 @@ std::optional<painter_item> item_of(const std::array<l3d_micro_vertex, 3>& v, l3
     const bool is_small = !with_sides && side <= painter_item::small_side && box == seen;
     if (is_small)
         tile_cover(v, {box.left, box.top, 1, 1}, &item.cover);
-    if (is_small ? item.cover == 0 : !has_area(v))
+    if (is_small ? item.cover == 0 : twice_area(v[0], v[1], v[2]) == 0)
         return std::nullopt;
     return item;
 }

@@ -2,6 +2,8 @@
 // Overlaps of triangles in the picture: exact for whole ones, cautious for pieces.
 #include "pipeline/zsort/painter_overlap_p.h"
 
+#include "raster/surfaces/quad_cut_p.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,20 +14,13 @@ namespace {
 
 using triangle = std::array<l3d_micro_vertex, 3>;
 
-/// Twice the signed area of a triangle. Coordinates are at most 2^23: differences are below 2^25,
-/// and products below 2^50.
-std::int64_t turn(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c) {
-    return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
-           (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
-}
-
 /// Whether an edge of `a` has all of `b` on its outer side, or on it.
 bool an_edge_parts(const triangle& a, const triangle& b) {
-    const std::int64_t area2 = turn(a[0], a[1], a[2]);
+    const std::int64_t area2 = twice_area(a[0], a[1], a[2]);
     for (std::size_t i = 0; i < 3; ++i) {
         const l3d_micro_vertex &p = a[i], &q = a[(i + 1) % 3];
         const auto outside = [&](const l3d_micro_vertex& v) {
-            const std::int64_t side = turn(p, q, v);
+            const std::int64_t side = twice_area(p, q, v);
             return area2 > 0 ? side <= 0 : side >= 0;
         };
         if (outside(b[0]) && outside(b[1]) && outside(b[2]))

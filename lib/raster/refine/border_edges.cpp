@@ -16,21 +16,15 @@ namespace {
 
 /// How a quad turns at one of its sides: 1 to the right, -1 to the left, 0 if it covers nothing.
 int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
-    const std::size_t p00 = grid.index(edge.row, edge.column);
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    const quad_corners v{grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1),
-                         grid.vertex(p01)};
+    const quad_corners v = corners_of(grid, grid.index(edge.row, edge.column));
     const quad_turns turns(v);
     if (turns.level())
         return 0;
-    if (!turns.folded())
-        return turns.area2() > 0 ? 1 : -1;
-    const auto side = static_cast<std::size_t>(edge.side);
-    const scan_point from = position(v[side]);
-    return cross(position(v[(side + 1) % 4]) - from,
-                 position(projective_centre(v, grid.is_parallel)) - from) > 0
-               ? 1
-               : -1;
+    const bool is_right = turns.folded()
+                              ? piece_turns_right(v, projective_centre(v, grid.is_parallel),
+                                                  static_cast<std::size_t>(edge.side))
+                              : turns.area2() > 0;
+    return is_right ? 1 : -1;
 }
 
 /// How a triangle turns: 1 to the right, -1 to the left, 0 if it covers nothing.

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/surfaces/quad_cut_p.h"
 
@@ -14,26 +15,11 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<std::int32_t, 16> ints;
-constexpr hn::RebindToFloat<decltype(ints)> floats;
-using float_lanes = hn::Vec<decltype(floats)>;
-
-HWY_INLINE std::uint64_t bits_of(hn::Mask<decltype(floats)> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(floats, mask, bytes);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
-}
 
 /// Finds the turns of a row's quads, from column `begin` to `end`. Quad c has bit c % 64 of word c
 /// / 64. Differences and products are exact for quads up to 16 pixels, and rounded for larger ones.
@@ -41,39 +27,41 @@ HWY_INLINE std::uint64_t bits_of(hn::Mask<decltype(floats)> mask) {
 /// Expects: begin is a multiple of 64, and the words are 0.
 void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::uint64_t* right,
                   std::uint64_t* folded) {
-    const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(ints));
+    const ints d;
+    const floats df;
+    constexpr auto step = static_cast<std::ptrdiff_t>(lanes);
     const auto pitch = static_cast<std::ptrdiff_t>(grid.pitch);
     const std::ptrdiff_t size = pitch * grid.rows;
-    std::int32_t copy[hn::MaxLanes(ints)] = {};
+    std::int32_t copy[lanes] = {};
     const auto load = [&](const std::vector<std::int32_t>& of, std::ptrdiff_t at) HWY_ATTR {
-        if (HWY_LIKELY(at + lanes <= size))
-            return hn::LoadU(ints, of.data() + at);
+        if (HWY_LIKELY(at + step <= size))
+            return hn::LoadU(d, of.data() + at);
         // The last element of an array's last vector is not the first corner of any quad.
         std::copy(of.data() + at, of.data() + size, copy);
-        return hn::LoadU(ints, copy);
+        return hn::LoadU(d, copy);
     };
-    for (std::ptrdiff_t column = begin; column < end; column += lanes) {
+    for (std::ptrdiff_t column = begin; column < end; column += step) {
         const std::ptrdiff_t at = pitch * row + column;
         const std::array<std::ptrdiff_t, 4> corner{at, at + 1, at + pitch + 1, at + pitch};
-        hn::Vec<decltype(ints)> x[4], y[4];
+        int_vec x[4], y[4];
         for (std::size_t i = 0; i < 4; ++i) {
             x[i] = load(grid.x, corner[i]);
             y[i] = load(grid.y, corner[i]);
         }
-        float_lanes dx[4], dy[4];
+        float_vec dx[4], dy[4];
         for (std::size_t i = 0; i < 4; ++i) {
-            dx[i] = hn::ConvertTo(floats, hn::Sub(x[(i + 1) % 4], x[i]));
-            dy[i] = hn::ConvertTo(floats, hn::Sub(y[(i + 1) % 4], y[i]));
+            dx[i] = hn::ConvertTo(df, hn::Sub(x[(i + 1) % 4], x[i]));
+            dy[i] = hn::ConvertTo(df, hn::Sub(y[(i + 1) % 4], y[i]));
         }
-        float_lanes least = hn::Zero(floats), most = hn::Zero(floats);
+        float_vec least = hn::Zero(df), most = hn::Zero(df);
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t next = (i + 1) % 4;
-            const float_lanes turn = hn::Sub(hn::Mul(dx[i], dy[next]), hn::Mul(dy[i], dx[next]));
+            const float_vec turn = hn::Sub(hn::Mul(dx[i], dy[next]), hn::Mul(dy[i], dx[next]));
             least = hn::Min(least, turn);
             most = hn::Max(most, turn);
         }
-        const auto any_right = hn::Gt(most, hn::Zero(floats));
-        const auto any_left = hn::Lt(least, hn::Zero(floats));
+        const int_mask any_right = hn::RebindMask(d, hn::Gt(most, hn::Zero(df)));
+        const int_mask any_left = hn::RebindMask(d, hn::Lt(least, hn::Zero(df)));
         right[column / 64] |= bits_of(hn::AndNot(any_left, any_right)) << (column % 64);
         folded[column / 64] |= bits_of(hn::And(any_left, any_right)) << (column % 64);
     }
@@ -92,12 +80,6 @@ L3D_SIMD_TABLE(turns_of_row);
 namespace {
 
 constexpr int word_bits = 64;
-
-/// Whether the piece of a folded quad at one of its sides turns to the right.
-bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre, std::size_t side) {
-    const scan_point from = position(v[side]);
-    return cross(position(v[(side + 1) % 4]) - from, position(centre) - from) > 0;
-}
 
 bool has(const std::uint64_t* bits, int column) {
     return (bits[column / word_bits] >> (column % word_bits) & 1) != 0;

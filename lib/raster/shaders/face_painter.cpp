@@ -11,21 +11,13 @@ namespace l3d_detail {
 
 namespace {
 
-using vector = std::array<double, 3>;
-
-vector cross(const vector& a, const vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const vector& a, const vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using vector = l3d_vector<double, 3>;
 
 /// A vertex in homogeneous coordinates of the picture: x and y in pixels times w, and w.
 vector placed(const l3d_matrix<double>& m, const l3d_vector<double, 3>& v) {
     vector result;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const int row = i == 2 ? 3 : static_cast<int>(i);
+    for (int i = 0; i < 3; ++i) {
+        const int row = i == 2 ? 3 : i;
         result[i] = m(row, 0) * v[0] + m(row, 1) * v[1] + m(row, 2) * v[2] + m(row, 3);
     }
     return result;
@@ -76,16 +68,13 @@ void face_painter::begin_triangle(const l3d_painted_model& model,
     std::array<vector, 3> at;
     for (std::size_t k = 0; k < at.size(); ++k)
         at[k] = placed(model.to_picture, model.vertices[triangle.corners[k]]);
-    const double turn = dot(at[0], cross(at[1], at[2])) < 0 ? -1 : 1;
-    u_ = v_ = all_ = {};
+    const double turn = l3d_dot(at[0], l3d_cross(at[1], at[2])) < 0 ? -1 : 1;
+    u_ = v_ = all_ = vector(0.0);
     for (std::size_t k = 0; k < at.size(); ++k) {
-        sides_[k] = cross(at[(k + 1) % 3], at[(k + 2) % 3]);
-        for (std::size_t i = 0; i < all_.size(); ++i) {
-            sides_[k][i] *= turn;
-            u_[i] += double{triangle.picture_places[k][0]} * sides_[k][i];
-            v_[i] += double{triangle.picture_places[k][1]} * sides_[k][i];
-            all_[i] += sides_[k][i];
-        }
+        sides_[k] = l3d_cross(at[(k + 1) % 3], at[(k + 2) % 3]) * turn;
+        u_ += sides_[k] * double{triangle.picture_places[k][0]};
+        v_ += sides_[k] * double{triangle.picture_places[k][1]};
+        all_ += sides_[k];
         corners_[k] = product(light, light_of(triangle.colors[k]));
     }
     if (texture_ || triangle.colors[0] != triangle.colors[1] ||

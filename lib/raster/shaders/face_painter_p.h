@@ -4,6 +4,7 @@
 #define L3D_RASTER_SHADERS_FACE_PAINTER_P_H
 
 #include "geom/material.h"
+#include "geom/vector.h"
 #include "raster/shaders/paint_batch_p.h"
 #include "raster/shaders/lit_shader_p.h"
 #include "raster/shaders/lit_words_p.h"
@@ -57,7 +58,7 @@ public:
 private:
     /// A linear function of the place in the picture.
     /// Shape: factors of x and y, and the value at (0, 0).
-    using plane = std::array<double, 3>;
+    using plane = l3d_vector<double, 3>;
 
     void paint_face(const named_pixels& from, const pixel_range& range);
     void begin(std::uint32_t name);
@@ -74,7 +75,7 @@ private:
     const l3d_texture* texture_ = nullptr;
     std::array<plane, 3> sides_{};             ///< a function for each corner, 0 on the opposite
                                                ///< side
-    plane u_{}, v_{}, all_{};                  ///< u and v, each times all_; and all_, the sum of
+    plane u_{0.0}, v_{0.0}, all_{0.0};         ///< u and v, each times all_; and all_, the sum of
                                                ///< sides_
     std::array<l3d_light_color, 3> corners_{}; ///< the light of the corners' colours times the
                                                ///< material's

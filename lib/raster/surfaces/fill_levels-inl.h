@@ -119,17 +119,12 @@ private:
         const float_vec grown = hn::Add(uneven, hn::Mul(set(0.25f), square_of(uneven)));
         const float_vec of_shape =
             hn::IfThenElseZero(quads, hn::Mul(grown, hn::Add(size(off_plane_), bends)));
-        const float_vec ratio =
-            hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
         const float_vec range =
             hn::Add(hn::Sub(most_of(level_), least_of(level_)), hn::Add(bends, bends));
-        const float_vec of_depth = hn::Mul(hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f))), range);
+        const float_vec of_depth = hn::Mul(share_of_depth(table), range);
         const float_vec error =
             hn::IfThenElseZero(hn::RebindMask(d, at.fits), hn::Add(of_shape, of_depth));
-        const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_level_error)));
-        const float_vec most = hn::IfThenElseZero(tight, error);
-        counts.level_error = std::max(counts.level_error, hn::GetLane(hn::MaxOfLanes(d, most)));
-        counts.unproven_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+        note_errors(error, l3d_most_level_error, counts.level_error, counts.unproven_levels);
     }
 
     float_vec level_[4];

@@ -73,18 +73,13 @@ private:
         }
         const float_vec of_shape =
             hn::IfThenElseZero(hn::Not(hn::RebindMask(d, at.triangle)), hn::Sqrt(beside));
-        const float_vec ratio =
-            hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
         const float_vec range =
             hn::Add(hn::Sqrt(hn::Max(along1, along2)), hn::Mul(set(0.5f), hn::Sqrt(twist)));
-        const float_vec of_depth = hn::Mul(hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f))), range);
+        const float_vec of_depth = hn::Mul(share_of_depth(table), range);
         const float_vec error =
             hn::IfThenElseZero(hn::RebindMask(d, at.fits),
                                hn::Mul(set(1 / normal_code::scale), hn::Add(of_shape, of_depth)));
-        const auto tight = hn::Le(error, set(static_cast<float>(l3d_most_normal_error)));
-        const float_vec most = hn::IfThenElseZero(tight, error);
-        counts.normal_error = std::max(counts.normal_error, hn::GetLane(hn::MaxOfLanes(d, most)));
-        counts.unproven_levels += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+        note_errors(error, l3d_most_normal_error, counts.normal_error, counts.unproven_levels);
     }
 
     float_vec normal_[numbers][4]; ///< the corners' normals, times normal_code::scale

@@ -237,6 +237,22 @@ struct lane_corners {
     }
 };
 
+/// A bound for the part of a polygon's range of numbers by which its change of w moves them.
+HWY_INLINE float_vec share_of_depth(const fill_table& table) {
+    const floats d;
+    const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
+    return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
+}
+
+/// Notes errors as fill_counts does, in lanes: those of at most `most` in `largest`, and the number
+/// of the others.
+HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
+    const floats d;
+    const auto tight = hn::Le(error, set(static_cast<float>(most)));
+    largest = std::max(largest, hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(tight, error))));
+    unproven += static_cast<std::int64_t>(hn::CountTrue(d, hn::Not(tight)));
+}
+
 /// The cosine of the angle between a unit normal and the light.
 HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal)[3]) {
     return hn::Add(hn::Add(hn::Mul(normal[0], set(shading.light[0])),

@@ -19,6 +19,12 @@ inline scan_point position(const l3d_micro_vertex& vertex) {
     return {vertex.x, vertex.y};
 }
 
+/// Twice the area of a triangle in the picture, positive if its corners turn to the right there.
+inline std::int64_t twice_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
+                               const l3d_micro_vertex& c) {
+    return cross(position(b) - position(a), position(c) - position(a));
+}
+
 /// The corners of a quad in a grid: p00 p10 p11 p01.
 using quad_corners = std::array<l3d_micro_vertex, 4>;
 
@@ -112,6 +118,12 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool para
             {mean(normal[0]), mean(normal[1]), mean(normal[2])}};
 }
 
+/// Whether a folded quad's triangle between a side and the centre turns to the right.
+inline bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& centre,
+                              std::size_t side) {
+    return twice_area(v[side], v[(side + 1) % v.size()], centre) > 0;
+}
+
 /// Finds which side of the surface each triangle around the centre of a folded quad shows.
 ///
 /// A triangle that is turned over shows its back, as at a contour. There is an exception if it is
@@ -121,11 +133,10 @@ inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool para
 /// are inexact, as beside a pole. Then the triangle shows the same side as the others.
 class folded_sides {
 public:
-    folded_sides(const quad_corners& v, const quad_turns& turns, scan_point centre) {
+    folded_sides(const quad_corners& v, const quad_turns& turns, const l3d_micro_vertex& centre) {
         std::int64_t all = 0;
         for (std::size_t i = 0; i < v.size(); ++i) {
-            const scan_point from = position(v[i]);
-            area2_[i] = cross(position(v[(i + 1) % v.size()]) - from, centre - from);
+            area2_[i] = twice_area(v[i], v[(i + 1) % v.size()], centre);
             all += area2_[i];
         }
         std::size_t turned = v.size(), others = 0;
@@ -152,7 +163,7 @@ private:
 template <class Add>
 void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     const l3d_micro_vertex centre = projective_centre(v, parallel);
-    const folded_sides sides(v, turns, position(centre));
+    const folded_sides sides(v, turns, centre);
     for (std::size_t i = 0; i < v.size(); ++i)
         add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
 }

@@ -2,6 +2,7 @@
 // borders_of: sides that meet, curves as chords.
 #include "scene/drawing/borders_p.h"
 
+#include "geom/nurbs/bernstein_net_p.h"
 #include "scene/drawing/curve_chords_p.h"
 #include "scene/sides/side_pairs.h"
 
@@ -93,21 +94,13 @@ bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
 /// the net between them, it is the diagonal, as B_i(t) B_j(t) is a multiple of B_(i+j)(t).
 bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
                             const l3d_trim_place& b) {
-    const auto binomials = [](int n) {
-        std::vector<double> row{1};
-        for (int k = 1; k <= n; ++k)
-            row.push_back(row.back() * (n - k + 1) / k);
-        return row;
-    };
     const bernstein_net part = net.part(a[0], b[0], a[1], b[1]);
-    const auto of_m = binomials(net.m), of_n = binomials(net.n), of_all = binomials(net.m + net.n);
     bernstein_net result(net.m + net.n, 0, net.dims);
     for (int r = 0; r <= net.n; ++r)
         for (int k = 0; k <= net.m; ++k)
             for (int d = 0; d < net.dims; ++d)
-                result.at(0, r + k)[d] += part.at(r, k)[d] * of_m[static_cast<std::size_t>(k)] *
-                                          of_n[static_cast<std::size_t>(r)] /
-                                          of_all[static_cast<std::size_t>(r + k)];
+                result.at(0, r + k)[d] += part.at(r, k)[d] * binomial(net.m, k) *
+                                          binomial(net.n, r) / binomial(net.m + net.n, r + k);
     return result;
 }
 

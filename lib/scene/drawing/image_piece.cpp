@@ -2,6 +2,8 @@
 // image_piece: Bernstein polynomials of any degree, and the determinant of contours.
 #include "scene/drawing/image_piece_p.h"
 
+#include "geom/nurbs/bernstein_net_p.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +12,6 @@ namespace l3d_detail {
 namespace {
 
 using values = std::array<double, bernstein_net::most_degree + 1>;
-
-double binomial(int n, int k) {
-    double result = 1;
-    for (int i = 1; i <= k; ++i)
-        result = result * (n - k + i) / i;
-    return result;
-}
 
 /// All Bernstein polynomials of a degree at t.
 void basis_of(int degree, double t, values& b) {

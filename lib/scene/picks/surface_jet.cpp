@@ -139,3 +139,11 @@ l3d_surface_jet::l3d_surface_jet(const derivatives& of) : point(of.point) {
     mean = (e * square(of.by_v) - two * f * dot(of.by_u, of.by_v) + g * square(of.by_u)) /
            (two * area);
 }
+
+l3d_vector<double, 3> l3d_middle(const l3d_surface_jet::vector& v) {
+    return {v[0].middle(), v[1].middle(), v[2].middle()};
+}
+
+double l3d_radius(const l3d_surface_jet::vector& v) {
+    return std::hypot(v[0].radius(), v[1].radius(), v[2].radius()) * (1 + 0x1p-50);
+}

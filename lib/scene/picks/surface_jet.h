@@ -33,4 +33,10 @@ struct l3d_surface_jet {
                     double v_error, double rounding);
 };
 
+/// The middle of each coordinate's bounds.
+l3d_vector<double, 3> l3d_middle(const l3d_surface_jet::vector& v);
+
+/// A bound of the distance between that middle and the vector.
+double l3d_radius(const l3d_surface_jet::vector& v);
+
 #endif
