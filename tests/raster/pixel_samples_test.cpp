@@ -86,7 +86,8 @@ constexpr double most_moved = 1.0 / 128 + 1.0 / 252 + 1e-3;
 
 fragment_polygon polygon_of(const std::array<l3d_micro_vertex, 3>& corners) {
     fragment_polygon result{};
-    result.set_triangle(corners);
+    const auto& [a, b, c] = corners;
+    result.set({a, b, c, c}, 3, twice_area(a, b, c));
     result.set_plane();
     return result;
 }

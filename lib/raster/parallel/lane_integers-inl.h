@@ -7,8 +7,10 @@
 #define L3D_RASTER_PARALLEL_LANE_INTEGERS_INL_H
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <hwy/highway.h>
 
@@ -32,6 +34,15 @@ HWY_ATTR HWY_INLINE int_vec set(std::int32_t value) {
 
 HWY_ATTR HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
+}
+
+/// Loads numbers from `at` on. Lanes behind the last number have no meaning.
+HWY_ATTR HWY_INLINE int_vec load_from(std::span<const std::int32_t> of, std::size_t at) {
+    if (HWY_LIKELY(at + lanes <= of.size()))
+        return hn::LoadU(ints(), of.data() + at);
+    std::int32_t copy[lanes] = {};
+    std::copy(of.begin() + static_cast<std::ptrdiff_t>(std::min(at, of.size())), of.end(), copy);
+    return hn::LoadU(ints(), copy);
 }
 
 /// The mask of the lanes whose bits are set: lane i is bit i.

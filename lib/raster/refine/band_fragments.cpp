@@ -40,10 +40,11 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
     if (inside_.empty() || !pixels_.reached(inside_))
         return;
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
+    const band_rows* const rows = list.rows(item);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
         // The quads may cover centres of the rows `reached`, and parts of one more row on
         // either side.
-        const band_rows& reached = list.rows(item)[row - item.cells.row_begin];
+        const band_rows& reached = rows[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),
                                   inside_.right, std::min(reached.bottom + 1, inside_.bottom)};
         if (!strip.empty() && pixels_.reached(strip))
@@ -63,35 +64,51 @@ void band_fragments::add_row(const l3d_surface_part& part, const grid_cells& cel
     }
 }
 
+/// Keeps a polygon if it has a fragment in a box.
+void band_fragments::add_polygon(const quad_corners& corners, std::int32_t count,
+                                 std::int64_t area2, const l3d_pixel_box& box,
+                                 std::uint32_t color) {
+    if (polygons_.size() == polygon_count_)
+        polygons_.resize(2 * polygon_count_ + 1);
+    fragment_polygon& polygon = polygons_[polygon_count_];
+    polygon.set(corners, count, area2);
+    const std::size_t room = pixels().size();
+    if (fragments_.size() < count_ + room) {
+        const std::size_t more = count_ + count_ / 2 + room;
+        fragments_.reserve(more); // resize() alone would double it
+        fragments_.resize(more);
+    }
+    const std::size_t covered =
+        cover_samples(polygon, static_cast<std::uint32_t>(polygon_count_), box, pixels_,
+                      fragments_.data() + count_, static_cast<std::uint32_t>(count_));
+    if (covered == 0)
+        return;
+    count_ += covered;
+    polygon.color = color;
+    polygon.set_plane();
+    ++polygon_count_;
+    if (count_ >= most_fragments_)
+        leave_out_hidden();
+}
+
 void band_fragments::add_quad(const l3d_surface_part& part, std::size_t p00,
                               const l3d_pixel_box& box, bool levels) {
     const l3d_micro_grid& grid = part.grid;
-    const std::size_t p01 = p00 + static_cast<std::size_t>(grid.pitch);
-    const std::array<std::size_t, 4> at{p00, p00 + 1, p01 + 1, p01};
-    fragment_polygon& polygon = next_polygon();
-    for (std::size_t i = 0; i < at.size(); ++i)
-        polygon.set_corner(i, grid.x[at[i]], grid.y[at[i]], grid.inv_w[at[i]]);
-    const quad_turns turns(
-        {polygon.place(0), polygon.place(1), polygon.place(2), polygon.place(3)});
+    quad_corners corners = corners_of(grid, p00);
+    const quad_turns turns(corners);
     if (turns.level() || grid.is_cut(p00))
         return;
     const std::uint32_t color = color_of(part, part.material_of_quad(p00));
     if (!turns.folded()) {
-        polygon.close(4, turns.area2());
-        if (!cover(polygon, box))
-            return;
-        const float side = grid.shows_both && turns.area2() > 0 ? -1.0f : 1.0f; // as show_side()
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t i = 0; i < at.size(); ++i)
-                polygon.light[k][i] = side * grid.normal[k][at[i]];
-        return keep(polygon, color);
+        if (grid.shows_both)
+            show_side(corners, turns.area2());
+        return add_polygon(corners, 4, turns.area2(), box, color);
     }
     const auto add_piece = [&](auto piece, std::int64_t area2) {
         if (grid.shows_both)
             show_side(piece, area2);
         add_triangle(piece, color);
     };
-    const quad_corners corners = corners_of(grid, p00);
     if (levels)
         cut_folded_levels(corners, grid.is_parallel, turns, add_piece);
     else
@@ -113,44 +130,9 @@ void band_fragments::add_triangle(const std::array<l3d_micro_vertex, 3>& corners
     const l3d_pixel_box box = samples_between({left, top, right, bottom}).intersected(inside_);
     if (box.empty() || !pixels_.reached(box))
         return;
-    fragment_polygon& polygon = next_polygon();
-    polygon.set_triangle(corners);
-    if (polygon.area2 == 0 || !cover(polygon, box))
-        return;
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < 4; ++i)
-            polygon.light[k][i] = corners[std::min<std::size_t>(i, 2)].normal[k];
-    keep(polygon, color);
-}
-
-/// Room for a polygon that is not kept yet.
-fragment_polygon& band_fragments::next_polygon() {
-    if (polygons_.size() == polygon_count_)
-        polygons_.resize(2 * polygon_count_ + 1);
-    return polygons_[polygon_count_];
-}
-
-/// Makes a polygon's fragments. Returns whether there are any.
-bool band_fragments::cover(const fragment_polygon& polygon, const l3d_pixel_box& box) {
-    const std::size_t room = pixels().size();
-    if (fragments_.size() < count_ + room) {
-        const std::size_t more = count_ + count_ / 2 + room;
-        fragments_.reserve(more); // resize() alone would double it
-        fragments_.resize(more);
-    }
-    const std::size_t covered =
-        cover_samples(polygon, static_cast<std::uint32_t>(polygon_count_), box, pixels_,
-                      fragments_.data() + count_, static_cast<std::uint32_t>(count_));
-    count_ += covered;
-    return covered > 0;
-}
-
-void band_fragments::keep(fragment_polygon& polygon, std::uint32_t color) {
-    polygon.color = color;
-    polygon.set_plane();
-    ++polygon_count_;
-    if (count_ >= most_fragments_)
-        leave_out_hidden();
+    const std::int64_t area2 = twice_area(corners[0], corners[1], corners[2]);
+    if (area2 != 0)
+        add_polygon({corners[0], corners[1], corners[2], corners[2]}, 3, area2, box, color);
 }
 
 /// Keeps the fragments that are seen so far, and their polygons, in the same order.

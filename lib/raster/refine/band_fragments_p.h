@@ -84,9 +84,8 @@ private:
     void add_quad(const l3d_surface_part& part, std::size_t p00, const l3d_pixel_box& box,
                   bool levels);
     void add_triangle(const std::array<l3d_micro_vertex, 3>& corners, std::uint32_t color);
-    fragment_polygon& next_polygon();
-    bool cover(const fragment_polygon& polygon, const l3d_pixel_box& box);
-    void keep(fragment_polygon& polygon, std::uint32_t color);
+    void add_polygon(const quad_corners& corners, std::int32_t count, std::int64_t area2,
+                     const l3d_pixel_box& box, std::uint32_t color);
     void leave_out_hidden();
     std::uint32_t color_of(const l3d_surface_part& part, std::uint32_t material) const {
         return by_material_ ? material : colors_.empty() ? part.error_color : colors_[material];

@@ -29,24 +29,14 @@ void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::
                   std::uint64_t* folded) {
     const ints d;
     const floats df;
-    constexpr auto step = static_cast<std::ptrdiff_t>(lanes);
-    const auto pitch = static_cast<std::ptrdiff_t>(grid.pitch);
-    const std::ptrdiff_t size = pitch * grid.rows;
-    std::int32_t copy[lanes] = {};
-    const auto load = [&](const std::vector<std::int32_t>& of, std::ptrdiff_t at) HWY_ATTR {
-        if (HWY_LIKELY(at + step <= size))
-            return hn::LoadU(d, of.data() + at);
-        // The last element of an array's last vector is not the first corner of any quad.
-        std::copy(of.data() + at, of.data() + size, copy);
-        return hn::LoadU(d, copy);
-    };
-    for (std::ptrdiff_t column = begin; column < end; column += step) {
-        const std::ptrdiff_t at = pitch * row + column;
-        const std::array<std::ptrdiff_t, 4> corner{at, at + 1, at + pitch + 1, at + pitch};
+    const auto pitch = static_cast<std::size_t>(grid.pitch);
+    for (int column = begin; column < end; column += static_cast<int>(lanes)) {
+        const std::size_t at = grid.index(row, column);
+        const std::array<std::size_t, 4> corner{at, at + 1, at + pitch + 1, at + pitch};
         int_vec x[4], y[4];
         for (std::size_t i = 0; i < 4; ++i) {
-            x[i] = load(grid.x, corner[i]);
-            y[i] = load(grid.y, corner[i]);
+            x[i] = load_from(grid.x, corner[i]);
+            y[i] = load_from(grid.y, corner[i]);
         }
         float_vec dx[4], dy[4];
         for (std::size_t i = 0; i < 4; ++i) {

@@ -117,15 +117,12 @@ public:
     }
 
 private:
-    float level_of(const seen_fragment& seen) const {
-        return levels_[seen.polygon].at(polygons_[seen.polygon], seen.x, seen.y);
-    }
-
     light_sum clear(const fragment_polygon& polygon, const seen_fragment& seen) {
         if constexpr (std::is_same_v<Shader, constant_shader>)
             return light_sum::of_word(polygon.color, tables_);
         else if constexpr (has_bends<Shader>)
-            return of_level(level_of(seen), color_of(polygon, seen));
+            return of_level(levels_[seen.polygon].at(polygon, seen.x, seen.y),
+                            color_of(polygon, seen));
         else
             return of_word(word_at(polygon, double{seen.x}, double{seen.y}),
                            color_of(polygon, seen));

@@ -7,10 +7,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/parallel/lane_integers-inl.h"
 #include "raster/parallel/simd_dispatch_p.h"
 #include "raster/refine/half_planes_p.h"
 #include "raster/refine/sample_places_p.h"
-#include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
 
@@ -34,11 +34,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<float, 4> floats;
-constexpr hn::RebindToSigned<decltype(floats)> side_ints;
-constexpr hn::CappedTag<std::int32_t, 16> ints;
+constexpr hn::CappedTag<float, 4> side_floats;
+constexpr hn::RebindToSigned<decltype(side_floats)> side_ints;
 
 /// The four sides of a polygon, and the samples on their inner sides.
 ///
@@ -48,11 +45,11 @@ constexpr hn::CappedTag<std::int32_t, 16> ints;
 class polygon_sides {
 public:
     HWY_ATTR HWY_INLINE void begin(const fragment_polygon& of) {
-        const auto zero = hn::Zero(floats), one = hn::Set(floats, 1.0f);
-        const auto turns_left = hn::Gt(hn::Set(floats, of.area2 > 0 ? 0.0f : 1.0f), zero);
-        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(floats)) {
+        const auto zero = hn::Zero(side_floats), one = hn::Set(side_floats, 1.0f);
+        const auto turns_left = hn::Gt(hn::Set(side_floats, of.area2 > 0 ? 0.0f : 1.0f), zero);
+        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(side_floats)) {
             const auto load = [&](const std::int32_t* from) HWY_ATTR {
-                return hn::ConvertTo(floats, hn::LoadU(side_ints, from + at));
+                return hn::ConvertTo(side_floats, hn::LoadU(side_ints, from + at));
             };
             const auto x0 = load(of.x), x1 = load(of.x + 1), y0 = load(of.y), y1 = load(of.y + 1);
             const auto is_up = hn::Or(hn::Gt(y0, y1), hn::And(hn::Eq(y0, y1), hn::Gt(x0, x1)));
@@ -63,27 +60,27 @@ public:
             const auto is_point = hn::Eq(size, zero);
             const auto scale = hn::Div(one, hn::IfThenElse(is_point, one, size));
             const auto to_steps =
-                hn::Mul(scale, hn::Set(floats, 1.0f * half_planes::steps / l3d_subpixel_one));
-            hn::Store(hn::IfThenElse(is_up, x1, x0), floats, x_ + at);
-            hn::Store(hn::IfThenElse(is_up, y1, y0), floats, y_ + at);
-            hn::Store(hn::Mul(dy, to_steps), floats, per_x_ + at);
-            hn::Store(hn::Mul(dx, to_steps), floats, per_y_ + at);
-            const auto middle = hn::IfThenElse(is_point, hn::Set(floats, last_step),
-                                               hn::Set(floats, half_planes::middle));
+                hn::Mul(scale, hn::Set(side_floats, 1.0f * half_planes::steps / l3d_subpixel_one));
+            hn::Store(hn::IfThenElse(is_up, x1, x0), side_floats, x_ + at);
+            hn::Store(hn::IfThenElse(is_up, y1, y0), side_floats, y_ + at);
+            hn::Store(hn::Mul(dy, to_steps), side_floats, per_x_ + at);
+            hn::Store(hn::Mul(dx, to_steps), side_floats, per_y_ + at);
+            const auto middle = hn::IfThenElse(is_point, hn::Set(side_floats, last_step),
+                                               hn::Set(side_floats, half_planes::middle));
             const auto is_other = hn::AndNot(is_point, hn::Xor(is_up, turns_left));
-            const auto margin = hn::Set(floats, tile_margin * half_planes::steps);
-            hn::Store(middle, floats, middle_ + at);
-            hn::Store(hn::Add(middle, hn::IfThenElse(is_other, hn::Neg(margin), margin)), floats,
-                      in_tile_ + at);
+            const auto margin = hn::Set(side_floats, tile_margin * half_planes::steps);
+            hn::Store(middle, side_floats, middle_ + at);
+            hn::Store(hn::Add(middle, hn::IfThenElse(is_other, hn::Neg(margin), margin)),
+                      side_floats, in_tile_ + at);
             const auto turn = hn::ConvertTo(
                 side_ints,
-                hn::Add(hn::Mul(hn::Mul(dx, scale), hn::Set(floats, half_planes::first_turn)),
-                        hn::Set(floats, half_planes::first_turn + 0.5f)));
+                hn::Add(hn::Mul(hn::Mul(dx, scale), hn::Set(side_floats, half_planes::first_turn)),
+                        hn::Set(side_floats, half_planes::first_turn + 0.5f)));
             const auto others = hn::IfThenElseZero(
-                is_other, hn::BitCast(floats, hn::Set(side_ints, half_planes::others)));
+                is_other, hn::BitCast(side_floats, hn::Set(side_ints, half_planes::others)));
             hn::Store(hn::Sub(hn::Add(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
                                       hn::BitCast(side_ints, others)),
-                              hn::BitCast(side_ints, hn::Set(floats, whole))),
+                              hn::BitCast(side_ints, hn::Set(side_floats, whole))),
                       side_ints, rows_ + at);
         }
     }
@@ -121,15 +118,19 @@ private:
                                              const float* in_middle,
                                              const std::uint64_t* masks) const {
         alignas(16) std::int32_t places[4];
-        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(floats)) {
-            const auto across = hn::Mul(hn::Sub(hn::Load(floats, x_ + at), hn::Set(floats, x)),
-                                        hn::Load(floats, per_x_ + at)),
-                       down = hn::Mul(hn::Sub(hn::Set(floats, y), hn::Load(floats, y_ + at)),
-                                      hn::Load(floats, per_y_ + at));
-            const auto step = hn::Add(hn::Mul(hn::Add(across, down), hn::Set(floats, per_side)),
-                                      hn::Load(floats, in_middle + at));
-            const auto held = hn::Min(hn::Max(step, hn::Zero(floats)), hn::Set(floats, last_step));
-            hn::Store(hn::Add(hn::BitCast(side_ints, hn::Add(held, hn::Set(floats, whole))),
+        for (std::size_t at = 0; at < 4; at += hn::MaxLanes(side_floats)) {
+            const auto across =
+                           hn::Mul(hn::Sub(hn::Load(side_floats, x_ + at), hn::Set(side_floats, x)),
+                                   hn::Load(side_floats, per_x_ + at)),
+                       down =
+                           hn::Mul(hn::Sub(hn::Set(side_floats, y), hn::Load(side_floats, y_ + at)),
+                                   hn::Load(side_floats, per_y_ + at));
+            const auto step =
+                hn::Add(hn::Mul(hn::Add(across, down), hn::Set(side_floats, per_side)),
+                        hn::Load(side_floats, in_middle + at));
+            const auto held =
+                hn::Min(hn::Max(step, hn::Zero(side_floats)), hn::Set(side_floats, last_step));
+            hn::Store(hn::Add(hn::BitCast(side_ints, hn::Add(held, hn::Set(side_floats, whole))),
                               hn::Load(side_ints, rows_ + at)),
                       side_ints, places + at);
         }
@@ -145,11 +146,10 @@ private:
 
 std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                   marked_pixels& pixels, fragment* to, std::uint32_t first) {
-    const std::uint64_t *const of_pixels = planes_of_pixels().masks(), *const of_samples =
-                                                                           planes_of_samples()
-                                                                               .masks();
-    const auto depths = std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
-    const float farthest = depths.first, nearest = depths.second;
+    const std::uint64_t* const of_pixels = planes_of_pixels().masks();
+    const std::uint64_t* const of_samples = planes_of_samples().masks();
+    const auto [farthest, nearest] =
+        std::minmax({of.inv_w[0], of.inv_w[1], of.inv_w[2], of.inv_w[3]});
     std::uint32_t count = 0;
     polygon_sides sides;
     bool has_sides = false;
@@ -185,28 +185,19 @@ void find_boxes(const l3d_micro_grid& grid, std::size_t first, std::size_t count
                 const l3d_pixel_box& inside, std::int32_t* const (&to)[4]) {
     constexpr std::int32_t step = l3d_subpixel_one / sample_places::cells / 2;
     const auto pitch = static_cast<std::size_t>(grid.pitch);
-    const std::size_t lanes = hn::Lanes(ints), size = grid.x.size();
-    std::int32_t copy[hn::MaxLanes(ints)] = {};
-    const auto load = [&](const std::vector<std::int32_t>& of, std::size_t at) HWY_ATTR {
-        if (HWY_LIKELY(at + lanes <= size))
-            return hn::LoadU(ints, of.data() + at);
-        std::copy(of.data() + std::min(at, size), of.data() + size, copy);
-        return hn::LoadU(ints, copy);
-    };
     for (std::size_t i = 0; i < count; i += lanes) {
-        const auto range = [&](const std::vector<std::int32_t>& of, std::int32_t begin,
+        const auto range = [&](std::span<const std::int32_t> of, std::int32_t begin,
                                std::int32_t end, std::int32_t* least_to,
                                std::int32_t* most_to) HWY_ATTR {
-            const auto a = load(of, first + i), b = load(of, first + i + 1),
-                       c = load(of, first + i + pitch), d = load(of, first + i + pitch + 1);
-            const auto least = hn::Min(hn::Min(a, b), hn::Min(c, d)),
-                       most = hn::Max(hn::Max(a, b), hn::Max(c, d));
-            const auto from =
-                hn::ShiftRight<l3d_subpixel_bits>(hn::Add(least, hn::Set(ints, step - 1)));
-            const auto last = hn::ShiftRight<l3d_subpixel_bits>(hn::Sub(most, hn::Set(ints, step)));
-            hn::StoreU(hn::Max(from, hn::Set(ints, begin)), ints, least_to + i);
-            hn::StoreU(hn::Min(hn::Add(last, hn::Set(ints, 1)), hn::Set(ints, end)), ints,
-                       most_to + i);
+            const int_vec a = load_from(of, first + i), b = load_from(of, first + i + 1),
+                          c = load_from(of, first + i + pitch),
+                          d = load_from(of, first + i + pitch + 1);
+            const int_vec least = hn::Min(hn::Min(a, b), hn::Min(c, d)),
+                          most = hn::Max(hn::Max(a, b), hn::Max(c, d));
+            const int_vec from = hn::ShiftRight<l3d_subpixel_bits>(hn::Add(least, set(step - 1)));
+            const int_vec last = hn::ShiftRight<l3d_subpixel_bits>(hn::Sub(most, set(step)));
+            hn::StoreU(hn::Max(from, set(begin)), ints(), least_to + i);
+            hn::StoreU(hn::Min(hn::Add(last, set(1)), set(end)), ints(), most_to + i);
         };
         range(grid.x, inside.left, inside.right, to[0], to[2]);
         range(grid.y, inside.top, inside.bottom, to[1], to[3]);
@@ -215,12 +206,8 @@ void find_boxes(const l3d_micro_grid& grid, std::size_t first, std::size_t count
 
 HWY_ATTR HWY_INLINE seen_fragment measured(const seen_so_far& of, const marked_pixel& pixel) {
     constexpr std::uint64_t all = ~std::uint64_t{0};
-    constexpr std::array digits_x{
-        sample_places::with_digit(the_samples.x, 0), sample_places::with_digit(the_samples.x, 1),
-        sample_places::with_digit(the_samples.x, 2), sample_places::with_digit(the_samples.x, 3)};
-    constexpr std::array digits_y{
-        sample_places::with_digit(the_samples.y, 0), sample_places::with_digit(the_samples.y, 1),
-        sample_places::with_digit(the_samples.y, 2), sample_places::with_digit(the_samples.y, 3)};
+    constexpr auto digits_x = sample_places::digits(the_samples.x);
+    constexpr auto digits_y = sample_places::digits(the_samples.y);
     const auto x = static_cast<float>(pixel.x), y = static_cast<float>(pixel.y);
     if (of.samples == all)
         return {all, of.polygon, sample_places::count, x + 0.5f, y + 0.5f};
@@ -307,30 +294,6 @@ namespace l3d_detail {
 L3D_SIMD_TABLE(cover);
 L3D_SIMD_TABLE(find_boxes);
 L3D_SIMD_TABLE(see_all);
-
-void fragment_polygon::set_triangle(const std::array<l3d_micro_vertex, 3>& of) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        const l3d_micro_vertex& v = of[std::min<std::size_t>(i, 2)];
-        set_corner(i, v.x, v.y, v.inv_w);
-    }
-    close(3, cross(place(2) - place(0), place(3) - place(1)));
-}
-
-void fragment_polygon::set_plane() {
-    constexpr double unit = 0.25 / l3d_subpixel_one;
-    middle_x = static_cast<float>(unit * (double(x[0]) + x[1] + x[2] + x[3]));
-    middle_y = static_cast<float>(unit * (double(y[0]) + y[1] + y[2] + y[3]));
-    depth = plane_of(inv_w);
-}
-
-fragment_plane fragment_polygon::plane_of(const float (&numbers)[4]) const {
-    const double per_area = l3d_subpixel_one / static_cast<double>(area2);
-    const double a = per_area * (double{numbers[2]} - numbers[0]),
-                 b = per_area * (double{numbers[3]} - numbers[1]);
-    return {0.25f * ((numbers[0] + numbers[1]) + (numbers[2] + numbers[3])),
-            static_cast<float>(a * (y[3] - y[1]) - b * (y[2] - y[0])),
-            static_cast<float>(b * (x[2] - x[0]) - a * (x[3] - x[1]))};
-}
 
 std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first) {

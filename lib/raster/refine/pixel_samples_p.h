@@ -6,7 +6,7 @@
 #include "raster/surface_part.h"
 #include "raster/refine/marked_pixels_p.h"
 #include "raster/refine/sample_places_p.h"
-#include "raster/shapes/scan_edge_p.h"
+#include "raster/surfaces/quad_cut_p.h"
 
 #include <array>
 #include <cstddef>
@@ -36,35 +36,44 @@ struct fragment_polygon {
     float middle_x, middle_y; ///< the mean of the four corners; units: pixels
     fragment_plane depth;     ///< the plane of inv_w
 
-    /// Computes the mean and the plane of depth. Expects: all other members are set.
-    void set_plane();
+    /// Sets all numbers of the corners, how many of them differ, and the area.
+    void set(const quad_corners& of, std::int32_t of_corners, std::int64_t twice_area) {
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            x[i] = of[i].x;
+            y[i] = of[i].y;
+            inv_w[i] = of[i].inv_w;
+            for (std::size_t k = 0; k < 3; ++k)
+                light[k][i] = of[i].normal[k];
+        }
+        x[4] = of[0].x;
+        y[4] = of[0].y;
+        corners = of_corners;
+        area2 = twice_area;
+    }
+
+    /// Computes the mean and the plane of depth. Expects: set() was called.
+    void set_plane() {
+        constexpr double unit = 0.25 / l3d_subpixel_one;
+        middle_x = static_cast<float>(unit * (double(x[0]) + x[1] + x[2] + x[3]));
+        middle_y = static_cast<float>(unit * (double(y[0]) + y[1] + y[2] + y[3]));
+        depth = plane_of(inv_w);
+    }
 
     /// The plane of numbers at the corners. It passes through their mean, and is parallel to the
     /// differences along both diagonals.
-    fragment_plane plane_of(const float (&numbers)[4]) const;
+    fragment_plane plane_of(const float (&numbers)[4]) const {
+        const double per_area = l3d_subpixel_one / static_cast<double>(area2);
+        const double a = per_area * (double{numbers[2]} - numbers[0]),
+                     b = per_area * (double{numbers[3]} - numbers[1]);
+        return {0.25f * ((numbers[0] + numbers[1]) + (numbers[2] + numbers[3])),
+                static_cast<float>(a * (y[3] - y[1]) - b * (y[2] - y[0])),
+                static_cast<float>(b * (x[2] - x[0]) - a * (x[3] - x[1]))};
+    }
 
     /// The value of a plane at a place. Units: pixels.
     float at(const fragment_plane& plane, float to_x, float to_y) const {
         return plane.middle + (plane.right * (to_x - middle_x) + plane.down * (to_y - middle_y));
     }
-
-    void set_corner(std::size_t i, std::int32_t to_x, std::int32_t to_y, float to_inv_w) {
-        x[i] = to_x;
-        y[i] = to_y;
-        inv_w[i] = to_inv_w;
-    }
-    /// Sets the number of corners and the area, and closes the outline.
-    /// Expects: all corners are set.
-    void close(std::int32_t of_corners, std::int64_t twice_area) {
-        x[4] = x[0];
-        y[4] = y[0];
-        corners = of_corners;
-        area2 = twice_area;
-    }
-    /// Sets the places and the depths of three corners, and the area.
-    void set_triangle(const std::array<l3d_micro_vertex, 3>& of);
-
-    scan_point place(std::size_t i) const { return {x[i], y[i]}; }
 
     l3d_micro_vertex corner(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {light[0][i], light[1][i], light[2][i]}};

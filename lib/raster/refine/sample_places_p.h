@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
 #define L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,25 +35,20 @@ struct sample_places {
     }
 
     constexpr bool has_four_in_each_line() const {
-        for (std::int16_t line = 0; line < cells; ++line) {
-            int in_row = 0, in_column = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                in_row += y[i] == line ? 1 : 0;
-                in_column += x[i] == line ? 1 : 0;
-            }
-            if (in_row != 4 || in_column != 4)
+        for (std::int16_t line = 0; line < cells; ++line)
+            if (std::ranges::count(x, line) != 4 || std::ranges::count(y, line) != 4)
                 return false;
-        }
         return true;
     }
 
-    /// The samples whose coordinate has the bit `digit` set.
-    static constexpr std::uint64_t with_digit(const std::array<std::int16_t, count>& of,
-                                              unsigned digit) {
-        std::uint64_t mask = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            mask |= static_cast<std::uint64_t>(of[i] >> digit & 1) << i;
-        return mask;
+    /// The samples whose coordinate has each of its four bits set.
+    static constexpr std::array<std::uint64_t, 4>
+    digits(const std::array<std::int16_t, count>& of) {
+        std::array<std::uint64_t, 4> masks{};
+        for (std::size_t digit = 0; digit < masks.size(); ++digit)
+            for (std::size_t i = 0; i < count; ++i)
+                masks[digit] |= static_cast<std::uint64_t>(of[i] >> digit & 1) << i;
+        return masks;
     }
 };
 
