@@ -220,6 +220,63 @@ double size_of(const l3d_polygon_mesh& mesh) {
     return l3d_length(most - least);
 }
 
+/// Arrays of a cage that the model's file does not hold in the plug-in's form.
+struct cage_arrays {
+    std::vector<double> places;
+    std::vector<std::uint32_t> corner_vertices;
+    std::vector<float> corner_sharpness;
+
+    explicit cage_arrays(const l3d_model_file& model) {
+        for (const vector& v : model.mesh.vertices)
+            places.insert(places.end(), {v[0], v[1], v[2]});
+        for (const auto& corner : model.tags.corners) {
+            corner_vertices.push_back(corner.vertex);
+            corner_sharpness.push_back(corner.sharpness);
+        }
+    }
+
+    /// The cage for the plug-in. Lives: borrows the arrays, the model and the creases.
+    l3d_detail::subdivision_cage cage(const l3d_model_file& model, const cage_creases& creases,
+                                      const l3d_subdivision& how, double wanted_error) const {
+        const l3d_polygon_mesh& mesh = model.mesh;
+        const bool keeps_corners = how.boundary == l3d_cage_boundary::as_tagged
+                                       ? model.tags.keeps_corners.value_or(true)
+                                       : how.boundary == l3d_cage_boundary::corners;
+        constexpr std::uint64_t most_patches = std::uint64_t{1} << 17; // some 300 MB when drawn
+        return {.vertices = l3d_polygon_mesh::index_of(mesh.vertices.size()),
+                .places = places.data(),
+                .faces = l3d_polygon_mesh::index_of(mesh.faces()),
+                .face_ends = mesh.face_ends.data(),
+                .corners = mesh.corners.data(),
+                .creases = l3d_polygon_mesh::index_of(creases.sharpness.size()),
+                .crease_vertices = creases.vertices.data(),
+                .crease_sharpness = creases.sharpness.data(),
+                .points = l3d_polygon_mesh::index_of(corner_sharpness.size()),
+                .point_vertices = corner_vertices.data(),
+                .point_sharpness = corner_sharpness.data(),
+                .holes = l3d_polygon_mesh::index_of(model.tags.holes.size()),
+                .hole_faces = model.tags.holes.data(),
+                .keeps_corners = keeps_corners ? 1U : 0U,
+                .wanted_error = wanted_error,
+                .most_patches = most_patches};
+    }
+};
+
+/// Tells how exact the patches are. `size` is that of the model, and `asked` the part of it that
+/// the error was to stay below.
+std::string exactness_of(const l3d_detail::subdivision_outcome& reached, double size,
+                         double asked) {
+    if (reached.caps == 0)
+        return "all exact";
+    std::string result = l3d_detail::formatted(
+        "of which %u are not exact; after %u levels all are within %.2g of "
+        "the limit surface, %.2g of the model's size",
+        reached.caps, reached.levels, reached.error, size > 0 ? reached.error / size : 0.0);
+    if (reached.error > asked * size)
+        result += l3d_detail::formatted(", where %.2g was asked for", asked);
+    return result;
+}
+
 } // namespace
 
 bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how, std::string_view name,
@@ -246,37 +303,9 @@ bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how, std::strin
 
     std::size_t unknown = 0;
     const cage_creases creases(model, edges, how.crease_angle, unknown);
-    std::vector<double> places;
-    for (const vector& v : mesh.vertices)
-        places.insert(places.end(), {v[0], v[1], v[2]});
-    std::vector<std::uint32_t> corner_vertices;
-    std::vector<float> corner_sharpness;
-    for (const auto& corner : model.tags.corners) {
-        corner_vertices.push_back(corner.vertex);
-        corner_sharpness.push_back(corner.sharpness);
-    }
-    const bool keeps_corners = how.boundary == l3d_cage_boundary::as_tagged
-                                   ? model.tags.keeps_corners.value_or(true)
-                                   : how.boundary == l3d_cage_boundary::corners;
-    constexpr std::uint64_t most_patches = std::uint64_t{1} << 17; // some 300 MB when drawn
     const double size = size_of(mesh);
-    const l3d_detail::subdivision_cage cage{
-        .vertices = l3d_polygon_mesh::index_of(mesh.vertices.size()),
-        .places = places.data(),
-        .faces = l3d_polygon_mesh::index_of(mesh.faces()),
-        .face_ends = mesh.face_ends.data(),
-        .corners = mesh.corners.data(),
-        .creases = l3d_polygon_mesh::index_of(creases.sharpness.size()),
-        .crease_vertices = creases.vertices.data(),
-        .crease_sharpness = creases.sharpness.data(),
-        .points = l3d_polygon_mesh::index_of(corner_sharpness.size()),
-        .point_vertices = corner_vertices.data(),
-        .point_sharpness = corner_sharpness.data(),
-        .holes = l3d_polygon_mesh::index_of(model.tags.holes.size()),
-        .hole_faces = model.tags.holes.data(),
-        .keeps_corners = keeps_corners ? 1U : 0U,
-        .wanted_error = how.error * size,
-        .most_patches = most_patches};
+    const cage_arrays arrays(model);
+    const l3d_detail::subdivision_cage cage = arrays.cage(model, creases, how, how.error * size);
     l3d_model_file made = model;
     made.patch_errors.resize(made.patches.size());
     receiver to{made, {}};
@@ -291,17 +320,8 @@ bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how, std::strin
                              " of tags are no edges of polygons, and are skipped");
     if (!mesh.vertex_colors.empty())
         made.notes.push_back(whose + "colours of vertices are skipped: patches have one colour");
-    made.notes.push_back(
-        whose + "subdivided: " + l3d_detail::counted(to.faces.size(), "patches") + ", " +
-        (reached.caps == 0
-             ? std::string("all exact")
-             : l3d_detail::formatted("of which %u are not exact; after %u levels all are within "
-                                     "%.2g of the limit surface, %.2g of the model's size",
-                                     reached.caps, reached.levels, reached.error,
-                                     size > 0 ? reached.error / size : 0.0)) +
-        (reached.caps > 0 && reached.error > how.error * size
-             ? l3d_detail::formatted(", where %.2g was asked for", how.error)
-             : std::string()));
+    made.notes.push_back(whose + "subdivided: " + l3d_detail::counted(to.faces.size(), "patches") +
+                         ", " + exactness_of(reached, size, how.error));
     l3d_polygon_mesh rest;
     rest.materials = std::move(made.mesh.materials);
     rest.looks = std::move(made.mesh.looks);

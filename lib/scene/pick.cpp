@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -116,6 +117,49 @@ std::string part_of(const l3d_patch_model& model, std::size_t patch) {
     return std::string(model.parts().name_of(model.piece_of(patch)));
 }
 
+/// The depths of a ray between which surfaces are drawn; nothing if a section takes all of it.
+std::optional<std::pair<double, double>> depths_drawn(const l3d_pick_view& view,
+                                                      const eye_ray& ray) {
+    const bool is_parallel = view.camera.is_parallel(); // near and far cut nothing then
+    double near = is_parallel ? -infinite : view.camera.near_z;
+    double far = is_parallel ? infinite : view.camera.far_z;
+    if (view.section) {
+        const double side = view.section->side_of_point(l3d_point<double>(ray.at(0)));
+        const double growth = l3d_dot(view.section->normal, ray.direction());
+        if (growth == 0 && side < 0)
+            return std::nullopt;
+        if (growth != 0)
+            (growth > 0 ? near : far) =
+                growth > 0 ? std::max(near, -side / growth) : std::min(far, -side / growth);
+    }
+    return std::pair(near, far);
+}
+
+/// Describes the place of a patch that a ray hits. `patch` is the patch in the world.
+l3d_pick pick_of(const l3d_ray_hit& hit, const eye_ray& ray, const l3d_patch_scene& scene,
+                 const place_in_scene& where, const patch_3& patch) {
+    const l3d_patch_instance& instance = scene.instances()[where.instance];
+    const double rounding = world_rounding * instance.reach();
+    const l3d_surface_jet jet(patch, hit.u, hit.v, hit.u_error, hit.v_error, rounding);
+    l3d_pick pick{.instance = where.instance,
+                  .patch = where.patch,
+                  .part = part_of(instance.model(), where.patch),
+                  .u = hit.u,
+                  .v = hit.v,
+                  .u_error = hit.u_error,
+                  .v_error = hit.v_error,
+                  .point = l3d_middle(jet.point),
+                  .point_error = l3d_radius(jet.point),
+                  .depth = hit.depth,
+                  .is_proven = hit.is_proven};
+    if (!hit.is_proven) {
+        pick.point = ray.at(hit.depth);
+        pick.point_error = ray.length(hit.width, hit.depth_width) + rounding;
+    }
+    describe_surface(pick, jet, ray.direction());
+    return pick;
+}
+
 } // namespace
 
 std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick_view& view,
@@ -134,24 +178,15 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
         const bool mirrored = l3d_determinant(instance.placement()) < 0;
         return (l3d_dot(normal, ray.direction()) < 0) != mirrored;
     };
-    const bool is_parallel = view.camera.is_parallel(); // near and far cut nothing then
-    double near = is_parallel ? -infinite : view.camera.near_z;
-    double far = is_parallel ? infinite : view.camera.far_z;
-    if (view.section) {
-        const double side = view.section->side_of_point(l3d_point<double>(ray.at(0)));
-        const double growth = l3d_dot(view.section->normal, ray.direction());
-        if (growth == 0 && side < 0)
-            return std::nullopt;
-        if (growth != 0)
-            (growth > 0 ? near : far) =
-                growth > 0 ? std::max(near, -side / growth) : std::min(far, -side / growth);
-    }
+    const auto depths = depths_drawn(view, ray);
+    if (!depths)
+        return std::nullopt;
     const auto is_there = [&](const l3d_ray_hit& hit) {
         const auto& [instance, patch] = places[hit.patch];
         const l3d_trim_region* const region = scene.instances()[instance].model().trim(patch);
         return region == nullptr || region->contains({hit.u, hit.v});
     };
-    l3d_ray_search search(near, far, [&](const l3d_ray_hit& hit) {
+    l3d_ray_search search(depths->first, depths->second, [&](const l3d_ray_hit& hit) {
         return is_there(hit) && (!view.one_sided || shows_front(hit));
     });
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
@@ -170,27 +205,7 @@ std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene, const l3d_pick
     const auto hit = search.nearest();
     if (!hit)
         return std::nullopt;
-    const place_in_scene where = places[hit->patch];
-    const double rounding = world_rounding * scene.instances()[where.instance].reach();
-    const l3d_surface_jet jet(world_patch(hit->patch), hit->u, hit->v, hit->u_error, hit->v_error,
-                              rounding);
-    l3d_pick pick{.instance = where.instance,
-                  .patch = where.patch,
-                  .part = part_of(scene.instances()[where.instance].model(), where.patch),
-                  .u = hit->u,
-                  .v = hit->v,
-                  .u_error = hit->u_error,
-                  .v_error = hit->v_error,
-                  .point = l3d_middle(jet.point),
-                  .point_error = l3d_radius(jet.point),
-                  .depth = hit->depth,
-                  .is_proven = hit->is_proven};
-    if (!hit->is_proven) {
-        pick.point = ray.at(hit->depth);
-        pick.point_error = ray.length(hit->width, hit->depth_width) + rounding;
-    }
-    describe_surface(pick, jet, ray.direction());
-    return pick;
+    return pick_of(*hit, ray, scene, places[hit->patch], world_patch(hit->patch));
 }
 
 std::string l3d_pick::text() const {

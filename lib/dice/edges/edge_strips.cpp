@@ -213,23 +213,10 @@ edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_vi
     return result;
 }
 
-} // namespace
-
-void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
-                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
-                      std::array<edge_strips, edges_at_once>& results) {
-    std::array<edge_view, edges_at_once> seen;
-    cubic whole{};
+/// The wishes of some edges' strips.
+strip_wishes wishes_of(const std::array<edge_view, edges_at_once>& seen,
+                       const l3d_dice_view& view) {
     strip_wishes wishes;
-    for (std::size_t e = 0; e < edges_at_once; ++e) {
-        seen[e] = view_edge(edges[e], shares[e], view);
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                whole[i].at[4 * k + e] =
-                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
-    }
-    const bool has_strips = !std::ranges::all_of(seen, &edge_view::one_strip);
-    const std::size_t used = has_strips ? lanes : edges_at_once;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         const double per_budget =
             view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
@@ -239,6 +226,70 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             wishes.grown_by.at[lane] = seen[e].one_strip ? 0 : view.most_moved();
         }
     }
+    return wishes;
+}
+
+/// Steps, errors and polynomials of some edges' strips. Shape: strip s of edge e in lane 4 s + e.
+struct planned_strips {
+    row steps, chord_error;
+    strip_nets powers;
+};
+
+/// Writes the points of edge number e.
+void write_edge(const l3d_image_curve& edge, std::size_t e, const edge_view& seen,
+                const planned_strips& plan, const l3d_dice_view& view, edge_strips& out) {
+    out.strips = {0, {}};
+    out.too_long = false;
+    if (!seen.drawable)
+        return;
+    const std::size_t strips = seen.one_strip ? 1 : most_strips;
+    const bool backwards = seen.backwards;
+    std::array<int, most_strips> n{};
+    int most = 0;
+    out.chord_error = 0;
+    for (std::size_t s = 0; s < strips; ++s) {
+        const std::size_t lane = 4 * s + e;
+        n[s] = static_cast<int>(plan.steps.at[lane]);
+        most = std::max(most, n[s]);
+        out.chord_error = std::max(out.chord_error, plan.chord_error.at[lane]);
+    }
+    out.too_long = most > l3d_most_steps_whole;
+    if (out.too_long)
+        return;
+    out.vertex_error = seen.vertex_error;
+    out.strips.blocks = static_cast<int>(strips);
+    point_writer writer(view, out);
+    if (backwards)
+        writer.corner(edge.points[0], 0, view);
+    for (std::size_t s = 0; s < strips; ++s) {
+        const std::size_t of = backwards ? strips - 1 - s : s;
+        const double t_start = static_cast<double>(of) / static_cast<double>(strips);
+        const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
+        const double balance = strips > 1 && n[of] > 1 ? l3d_balanced_error(n[of]) : 0.0;
+        writer.strip(plan.powers, 4 * of + e, n[of], balance, backwards,
+                     backwards ? 1 - t_start : t_start, backwards ? -t_step : t_step);
+        out.strips.first[s + 1] = out.strips.first[s] + n[of];
+    }
+    if (!backwards)
+        writer.corner(edge.points[3], 1, view);
+}
+
+} // namespace
+
+void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
+                      std::array<edge_strips, edges_at_once>& results) {
+    std::array<edge_view, edges_at_once> seen;
+    cubic whole{};
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        seen[e] = view_edge(edges[e], shares[e], view);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                whole[i].at[4 * k + e] =
+                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
+    }
+    const bool has_strips = !std::ranges::all_of(seen, &edge_view::one_strip);
+    const std::size_t used = has_strips ? lanes : edges_at_once;
     // Vectors may be wider than the lanes that are used, and chance numbers may be denormal: slow.
     strip_nets nets{};
     if (has_strips)
@@ -248,49 +299,13 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
             for (std::size_t k = 0; k < 3; ++k)
                 for (std::size_t i = 0; i < 4; ++i)
                     nets[k][i].at[e] = whole[i].at[4 * k + e];
-    row steps, chord_error;
-    plan_strips(nets, used, view.margin(), view.focal, wishes, steps, chord_error);
-    strip_nets powers;
+    planned_strips plan;
+    plan_strips(nets, used, view.margin(), view.focal, wishes_of(seen, view), plan.steps,
+                plan.chord_error);
     for (std::size_t k = 0; k < 3; ++k)
-        to_powers(nets[k], used, powers[k]);
-
-    for (std::size_t e = 0; e < edges_at_once; ++e) {
-        edge_strips& out = results[e];
-        out.strips = {0, {}};
-        out.too_long = false;
-        if (!seen[e].drawable)
-            continue;
-        const std::size_t strips = seen[e].one_strip ? 1 : most_strips;
-        const bool backwards = seen[e].backwards;
-        std::array<int, most_strips> n{};
-        int most = 0;
-        out.chord_error = 0;
-        for (std::size_t s = 0; s < strips; ++s) {
-            const std::size_t lane = 4 * s + e;
-            n[s] = static_cast<int>(steps.at[lane]);
-            most = std::max(most, n[s]);
-            out.chord_error = std::max(out.chord_error, chord_error.at[lane]);
-        }
-        out.too_long = most > l3d_most_steps_whole;
-        if (out.too_long)
-            continue;
-        out.vertex_error = seen[e].vertex_error;
-        out.strips.blocks = static_cast<int>(strips);
-        point_writer writer(view, out);
-        if (backwards)
-            writer.corner(edges[e].points[0], 0, view);
-        for (std::size_t s = 0; s < strips; ++s) {
-            const std::size_t of = backwards ? strips - 1 - s : s;
-            const double t_start = static_cast<double>(of) / static_cast<double>(strips);
-            const double t_step = 1.0 / (static_cast<double>(strips) * n[of]);
-            const double balance = strips > 1 && n[of] > 1 ? l3d_balanced_error(n[of]) : 0.0;
-            writer.strip(powers, 4 * of + e, n[of], balance, backwards,
-                         backwards ? 1 - t_start : t_start, backwards ? -t_step : t_step);
-            out.strips.first[s + 1] = out.strips.first[s] + n[of];
-        }
-        if (!backwards)
-            writer.corner(edges[e].points[3], 1, view);
-    }
+        to_powers(nets[k], used, plan.powers[k]);
+    for (std::size_t e = 0; e < edges_at_once; ++e)
+        write_edge(edges[e], e, seen[e], plan, view, results[e]);
 }
 
 } // namespace HWY_NAMESPACE

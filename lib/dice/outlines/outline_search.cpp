@@ -160,28 +160,7 @@ void l3d_outline_search::search(const piece& p) {
         return;
     }
     if (size <= longest_line || p.depth >= most_levels) {
-        const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3),
-                                         p.net.column(0)};
-        for (std::size_t k = 0; k < std::size(sides); ++k)
-            if (next.sides >> k & 1)
-                add_curve(sides[k], 0);
-        next.sides = 0;
-        if (next.may_fold && add_level_set(facing, p))
-            next.may_fold = false;
-        bool cut_left = is_cut;
-        if (is_cut) {
-            level_set<4> near, far;
-            near.error = (most_near_ - least_near_) / 2 + view_.error_w;
-            far.error = view_.error_w;
-            for (std::size_t i = 0; i < p.net.points.size(); ++i) {
-                near.at[i] = p.net.points[i][2] - mean(most_near_, least_near_);
-                far.at[i] = p.net.points[i][2] - view_.far;
-            }
-            const bool near_done = w.least >= most_near_ || add_level_set(near, p);
-            const bool far_done = w.most <= view_.far || add_level_set(far, p);
-            cut_left = !near_done || !far_done;
-        }
-        if (!next.may_fold && !cut_left)
+        if (mark_small(next, facing))
             return;
         if (size <= allowed_ || p.depth >= most_levels) {
             add_box(box);
@@ -189,6 +168,35 @@ void l3d_outline_search::search(const piece& p) {
         }
     }
     split(next);
+}
+
+/// Marks the sides of a small piece, and the lines at which it folds or is cut if they are nearly
+/// straight. True if all are marked; the piece keeps note of which are not.
+bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
+    const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3), p.net.column(0)};
+    for (std::size_t k = 0; k < std::size(sides); ++k)
+        if (p.sides >> k & 1)
+            add_curve(sides[k], 0);
+    p.sides = 0;
+    p.may_fold = p.may_fold && !add_level_set(facing, p);
+    const bool are_cuts_marked = mark_cuts(p);
+    return !p.may_fold && are_cuts_marked;
+}
+
+/// Marks the lines at which the near and far planes cut a piece. False if one is not nearly
+/// straight.
+bool l3d_outline_search::mark_cuts(const piece& p) {
+    const l3d_depth_range& w = p.net.w();
+    level_set<4> near, far;
+    near.error = (most_near_ - least_near_) / 2 + view_.error_w;
+    far.error = view_.error_w;
+    for (std::size_t i = 0; i < p.net.points.size(); ++i) {
+        near.at[i] = p.net.points[i][2] - mean(most_near_, least_near_);
+        far.at[i] = p.net.points[i][2] - view_.far;
+    }
+    const bool is_near_marked = w.least >= most_near_ || add_level_set(near, p);
+    const bool is_far_marked = w.most <= view_.far || add_level_set(far, p);
+    return is_near_marked && is_far_marked;
 }
 
 /// Halves a piece along its longer direction in space.

@@ -72,6 +72,8 @@ private:
 
     void take_share(double share);
     void search(const piece& p);
+    bool mark_small(piece& p, const level_set<order>& facing);
+    bool mark_cuts(const piece& p);
     void split(const piece& p);
     bool hides(const l3d_image_box& box, const l3d_depth_range& w) const;
     void add_curve(const l3d_image_curve& curve, int level);

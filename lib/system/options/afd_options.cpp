@@ -82,6 +82,16 @@ void check_shown(const l3d_afd_settings& asked, bool has_texture) {
 } // namespace
 
 l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
+    add_model_options(options);
+    add_camera_options(options);
+    add_accuracy_options(options);
+    add_surface_options(options);
+    add_light_options(options);
+    add_work_options(options);
+    add_notes(options);
+}
+
+void l3d_afd_options::add_model_options(l3d_options& options) {
     options.begin_group("Model");
     options.add(
         "FILE,--model", model_file_,
@@ -101,6 +111,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
         {{"tagged", l3d_cage_boundary::as_tagged},
          {"corners", l3d_cage_boundary::corners},
          {"smooth", l3d_cage_boundary::smooth}});
+}
+
+void l3d_afd_options::add_camera_options(l3d_options& options) {
     options.begin_group("Camera");
     options.add("--eye", eye_,
                 "where the camera is; without it and --target, where the whole model is seen");
@@ -121,6 +134,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add("--turn-speed", turn_speed_,
                 "how much more keys and the mouse turn than usual: 5 degrees a key, 1 a pixel",
                 0.01, 100.0);
+}
+
+void l3d_afd_options::add_accuracy_options(l3d_options& options) {
     options.begin_group("Accuracy");
     // Vertices lie on a grid of 1/256 pixel. With the weights of docs/NUMERICS.md, section 9, their
     // rounding takes 0.0069 of the tolerance. So finer tolerances only add quads.
@@ -141,6 +157,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                 "without it 65536 and 2 a pixel, more below 0.05 px; the report tells where it did "
                 "not suffice",
                 1, std::numeric_limits<int>::max());
+}
+
+void l3d_afd_options::add_surface_options(l3d_options& options) {
     options.begin_group("Surfaces");
     options.add_choice<l3d_shade>(
         "--shade", settings_.shade,
@@ -175,6 +194,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
     options.add("--one-sided", settings_.one_sided,
                 "leave out what shows nothing but its back: faces, patches, or sixteenths of large "
                 "patches; backs beside a fold stay");
+}
+
+void l3d_afd_options::add_light_options(l3d_options& options) {
     options.begin_group("Light, edges and background");
     options.add_each("--light",
                      "direction towards a light and, if it is not white, its colour, as "
@@ -207,6 +229,9 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
                      "view axis, and into which colour; without one, into the background; black "
                      "is depth cueing",
                      "NEAR,FAR[,COLOR]", "", [this](const std::string& text) { read_fog(text); });
+}
+
+void l3d_afd_options::add_work_options(l3d_options& options) {
     options.begin_group("Work and its results");
     options.add("--threads", threads_,
                 "threads to draw with; without it, as many as processors, at most " +
@@ -238,6 +263,10 @@ l3d_afd_options::l3d_afd_options(l3d_options& options) : options_(options) {
          {"--depth-output", "--error-output", "--report", "--explain", "--statistics", "--svg"})
         options.has_result(name);
     options.prints_result("--pick");
+}
+
+/// Adds what the help says after all options.
+void l3d_afd_options::add_notes(l3d_options& options) {
     options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
                      ". Names are those of CSS: " + l3d_detail::color_names() + '.');
     std::string names;

@@ -144,6 +144,13 @@ public:
     bool shows_the_usual() const;
 
 private:
+    void add_model_options(l3d_options& options);
+    void add_camera_options(l3d_options& options);
+    void add_accuracy_options(l3d_options& options);
+    void add_surface_options(l3d_options& options);
+    void add_light_options(l3d_options& options);
+    void add_work_options(l3d_options& options);
+    static void add_notes(l3d_options& options);
     template <class Made>
     Made made_of_file(const std::function<std::string(const Made& made)>& edges_note) const;
     void read_fog(const std::string& text);
