@@ -131,7 +131,7 @@ private:
                       {{';', section([](section_keys& keys) { return keys.flip(); })}}});
     }
 
-    /// Shows what list and section say, and a line about it.
+    /// Draws what the list and the section leave of the model, and shows the line `said`.
     void apply(const std::string& said) {
         const l3d_listed_part* const chosen = this->list().chosen();
         const std::string name = chosen ? chosen->name : "the part";

@@ -98,9 +98,9 @@ struct l3d_block_needs {
     unsigned folds = 0;
 };
 
-/// Largest side of a micro-quad. Nearly all quads then fit in the 64 pixels of the rasterizer's
-/// 32-bit edge functions. The box of a diagonal square is sqrt(2) times its side, 48 sqrt(2) = 68,
-/// and steps are rounded up. Units: pixels.
+/// Largest side of a micro-quad. The rasterizer's 32-bit edge functions take boxes of at most 64
+/// pixels. A square of this size that stands on a corner has a box of 48 sqrt(2) = 68. But numbers
+/// of steps are rounded up, which makes quads smaller, so nearly all fit. Units: pixels.
 inline constexpr double l3d_largest_quad = 48;
 
 /// The needs of a net's blocks. The slow twin of l3d_detail::bounds_in_lanes; it also takes clipped

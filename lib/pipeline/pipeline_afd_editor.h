@@ -145,8 +145,8 @@ public:
                             const l3d_afd_settings& settings);
 
     /// Puts these surfaces into the scene, with handles on them. No earlier change can be undone.
-    /// Expects: the pieces() of the surfaces, in their order, are as many as those of the model,
-    ///          which gives colours and parts.
+    /// Expects: all surfaces together have as many pieces() as the model. Each piece gets colour
+    ///          and part from the model's piece with the same number.
     void edit(const l3d_patch_model& model, std::vector<l3d_nurbs_surface> surfaces);
 
     /// Sets whether the panel tells times in a window; at first it does. Turn this off if each run

@@ -102,9 +102,9 @@ struct L3D_PUBLIC l3d_camera {
     /// Pixels per world unit at the target. In a parallel projection they are the same everywhere.
     double scale_at_target(l3d_size size) const;
 
-    /// World (x, y, z, 1) to homogeneous image (x, y, 0, w). The pixel is the picture's centre plus
-    /// (x / w, y / w), y down. w is the distance along the view axis, or 1 in a parallel
-    /// projection.
+    /// The matrix that takes a place (x, y, z, 1) of the world to (x, y, 0, w) in the picture. The
+    /// place is then seen (x / w, y / w) pixels from the picture's centre, y down. w is the
+    /// distance along the view axis, or 1 in a parallel projection.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
     /// Turns the eye about the target: first around `up`, then around the axis to the right. A turn

@@ -27,7 +27,7 @@ public:
     explicit l3d_space_curve(const l3d_nurbs_curve& curve, l3d_color color = 0x00ffffff,
                              double width = 1);
 
-    /// The same line elsewhere: the placement takes the curve's points to the world.
+    /// A line like this one at another place. The placement takes the curve's points to the world.
     /// Errors: throws l3d_error(bad_input) if a number of the placement is not finite, or if its
     ///         last row is not 0, 0, 0, 1.
     l3d_space_curve placed(const l3d_matrix<double>& placement) const;

@@ -92,9 +92,9 @@ public:
 
     /// The display's own description.
     const l3d_pixel_layout& layout() const { return layout_; }
-    /// The cells of the display's map that show our colours; it has no pixels if masks are used.
+    /// The numbers of the display's colour map that show our colours; none if masks are used.
     const l3d_palette& palette() const { return palette_; }
-    /// Whether pixels are cells of a map.
+    /// Whether pixels are numbers of a colour map, not colours themselves.
     bool has_palette() const { return !palette_.pixels.empty(); }
     /// Bytes that a pixel takes in memory.
     int bytes_per_pixel() const { return layout_.bits_per_pixel / 8; }

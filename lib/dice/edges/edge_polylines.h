@@ -29,7 +29,8 @@ public:
         used_ = sides;
     }
 
-    /// Builds an outer edge anew, of two halves that patches beyond it have, each with its share.
+    /// Builds an outer edge anew from its halves, `first` and `second`. Two smaller patches beyond
+    /// it have them as sides, each with its own share of the view's errors.
     void build_halved(std::size_t side, const l3d_image_curve& first, const l3d_image_curve& second,
                       const l3d_dice_view& view, const std::array<double, 2>& shares) {
         l3d_edge_polyline::build(std::span(halves_).first<sides>(), {first, second, first, second},

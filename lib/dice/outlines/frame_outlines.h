@@ -22,9 +22,9 @@
 class l3d_frame_outlines {
 public:
     /// Starts a frame.
-    /// Shape: to_image takes the world to the view's units. In a parallel projection, depths change
-    ///        by depth_by_pixel where the distance changes by a pixel's width; in perspective it is
-    ///        0.
+    /// Shape: to_image takes the world to the view's units. In a parallel projection, the depth
+    ///        changes by depth_by_pixel where the distance changes by a pixel's width. In
+    ///        perspective, depth_by_pixel is 0.
     /// Units: focal in pixels.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, double focal, double depth_by_pixel);

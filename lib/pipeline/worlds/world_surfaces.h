@@ -18,8 +18,8 @@
 ///
 /// Objects whose ball is outside of the view are left out as a whole. An object that is scaled or
 /// sheared gets a model of its own with this shape, so that its normals are right.
-/// Cost:    linear in the triangles of objects that may be seen. Small objects are placed one a
-///          thread, large ones by all threads together.
+/// Cost:    linear in the triangles of objects that may be seen. One thread places a small object,
+///          all threads together place a large one.
 class l3d_world_surfaces {
 public:
     /// Draws a frame. Returns: the number of triangles drawn, or of lines as wires.

@@ -199,9 +199,9 @@ private:
         }
     }
 
-    /// Adds a light. With e the ray from the eye, l |e| - e is half-way between l and the direction
-    /// to the eye. Its square is 2 |e| (|e| - l.e), and its product with the normal is |e| n.l -
-    /// n.e.
+    /// Adds a light from direction l. A highlight needs the direction half-way between l and the
+    /// eye: with e the ray from the eye, this is that of h = l |e| - e. Then h.h = 2 |e| (|e| -
+    /// l.e) and n.h = |e| n.l - n.e for the normal n.
     void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());

@@ -34,7 +34,8 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
     return run.end;
 }
 
-/// Adds a range to the pixels that wait. Pixels between these and the range show nothing.
+/// Adds a range to the pixels that wait to be painted. These are then one range, and pixels in its
+/// gaps show nothing.
 void paint_batch::add(const l3d_texture* texture, const pixel_range& range) {
     if (texture != texture_)
         finish();

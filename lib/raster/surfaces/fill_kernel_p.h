@@ -154,7 +154,7 @@ struct fill_queue {
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
     alignas(64) std::int32_t corner[4][components][room];
-    /// The index of a quad; minus (the index + 1) of a triangle; `piece` for a piece of a quad.
+    /// The name of each polygon: i for quad i, -(i + 1) for triangle i, `piece` for part of a quad.
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 

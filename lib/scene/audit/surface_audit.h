@@ -16,10 +16,11 @@
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
-    /// A place of the side that is measured from, within the surface's own error.
+    /// The place where the way begins: on the mesh, or on the surface up to the error of its
+    /// patches.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};
-    /// The triangle of the mesh that the place is in; or the piece of the surface, as
-    /// l3d_patch_model::pieces counts them.
+    /// The triangle of the mesh that holds the place, or the piece of the surface by its number in
+    /// l3d_patch_model::pieces.
     std::size_t index = 0;
 };
 
