@@ -6,7 +6,6 @@
 #include "raster/paths/covered_span_p.h"
 #include "raster/paths/pixel_edges_p.h"
 #include "raster/paths/row_areas_p.h"
-#include "tool_2d/pixels.h"
 
 #include <array>
 #include <cstddef>
