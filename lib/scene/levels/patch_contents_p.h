@@ -66,7 +66,7 @@ private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
 };
 
-/// What pieces stand for, beside their own surfaces.
+/// The surfaces that pieces stand for, beside their own.
 struct l3d_patch_model::stated {
     stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
 
