@@ -63,7 +63,9 @@ public:
         program_.after_command_line([this] {
             l3d_refuse(
                 {{"--section-at", place_ && !normal_, "--section says across which direction"},
-                 {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"}});
+                 {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"},
+                 {"--list-edges", lists_edges_ && !mesh_file_.empty(), "--audit prints, too"},
+                 {"--list-edges", lists_edges_ && parts_.lists(), "--list-parts prints, too"}});
             if (lists_edges_)
                 list_edges();
             else if (!mesh_file_.empty())

@@ -2,7 +2,7 @@
 // l3d_normal_net: product of the derivative nets, and removal of vanishing factors.
 #include "geom/normal_net.h"
 
-#include "geom/nurbs/bernstein_net_p.h"
+#include "geom/nurbs/bernstein_products_p.h"
 
 #include <algorithm>
 #include <cmath>

@@ -125,6 +125,8 @@ def refuses_what_is_no_section():
             (("--section-at", "0,0,0"), "--section-at: --section says across which direction"),
             (("--section", "1,0,0", "--error-output", "e.pfm"), "--section: --error-output has bounds of whole "
                                                                "surfaces alone"),
+            (("--list-edges", "--audit", house), "--list-edges: --audit prints, too"),
+            (("--list-edges", "--list-parts"), "--list-edges: --list-parts prints, too"),
             ((house, "--hide", "cellar"), "--hide: 'cellar' names no part; there are floor, roof, walls"),
             ((house, "--opacity", "roof=0.5"), "--opacity: polygons are opaque; only --pipeline afd, which draws "
                                                "patches, has it"),

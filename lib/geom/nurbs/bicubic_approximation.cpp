@@ -3,7 +3,7 @@
 // its error in Bernstein form.
 #include "geom/nurbs/bicubic_approximation.h"
 
-#include "geom/nurbs/bernstein_net_p.h"
+#include "geom/nurbs/bernstein_products_p.h"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +119,7 @@ bicubic interpolated(const l3d_rational_piece& piece) {
     return result;
 }
 
+/// Whether the piece is a polynomial: its derivatives of W are 0.
 bool has_one_weight(const l3d_rational_piece& piece) {
     return std::ranges::all_of(piece.points,
                                [&](const point& p) { return p[3] == piece.points[0][3]; });
@@ -245,6 +246,7 @@ template <std::size_t Order> struct interpolation {
         }
     }
 
+    /// The values at all pairs of nodes.
     template <class V> square<V, Order> values_of(const net<V>& of) const {
         std::array<basis, Order> in_v;
         for (std::size_t row = 0; row < Order; ++row)

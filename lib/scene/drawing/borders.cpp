@@ -2,7 +2,7 @@
 // borders_of: sides that meet, curves as chords.
 #include "scene/drawing/borders_p.h"
 
-#include "geom/nurbs/bernstein_net_p.h"
+#include "geom/nurbs/bernstein_products_p.h"
 #include "scene/drawing/curve_chords_p.h"
 #include "scene/sides/side_pairs.h"
 

@@ -2,7 +2,7 @@
 // image_piece: Bernstein polynomials of any degree, and the determinant of contours.
 #include "scene/drawing/image_piece_p.h"
 
-#include "geom/nurbs/bernstein_net_p.h"
+#include "geom/nurbs/bernstein_products_p.h"
 
 #include <algorithm>
 #include <cmath>

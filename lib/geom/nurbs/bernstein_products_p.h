@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polynomials of two parameters in Bernstein form, of any degree, and their products.
-#ifndef L3D_GEOM_BERNSTEIN_NET_P_H
-#define L3D_GEOM_BERNSTEIN_NET_P_H
+#ifndef L3D_GEOM_BERNSTEIN_PRODUCTS_P_H
+#define L3D_GEOM_BERNSTEIN_PRODUCTS_P_H
 
 #include "geom/files/patch_file.h"
 #include "geom/normal_net.h"
@@ -102,6 +102,7 @@ public:
     /// The Bernstein coefficient.
     double at(int r, int k) const { return row(r)[k] / (binomial(n, r) * binomial(m, k)); }
 
+    /// The least Bernstein coefficient, a lower bound of all values by the convex hull.
     double least() const {
         double result = at(0, 0);
         for (int r = 0; r <= n; ++r)
