@@ -73,7 +73,8 @@ public:
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
     /// Makes a window for a notice before choose(), of the first automatic kind that can serve.
-    /// Null if the options or the environment name a back-end without a window, or none opens.
+    /// Errors:  null if the options or the environment name a back-end without a window, or if no
+    ///          window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,
                                               const l3d_screen_request& request) const;
 
