@@ -30,18 +30,17 @@ using l3d_detail::throw_write_error;
 
 constexpr std::size_t rgb_bytes = 3;
 
-void append_rgb(std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t> words) {
+/// Writes words as red, green, blue, and opacity if `to` has room for it. Shape: bytes a word times
+/// the words.
+template <std::size_t bytes_of_word>
+void put_words(std::span<const std::uint32_t> words, std::uint8_t* to) {
     for (const auto word : words) {
-        bytes.push_back(static_cast<std::uint8_t>(word >> 16));
-        bytes.push_back(static_cast<std::uint8_t>(word >> 8));
-        bytes.push_back(static_cast<std::uint8_t>(word));
-    }
-}
-
-void append_rgba(std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t> words) {
-    for (const auto word : words) {
-        append_rgb(bytes, {&word, 1});
-        bytes.push_back(static_cast<std::uint8_t>(~word >> 24));
+        to[0] = static_cast<std::uint8_t>(word >> 16);
+        to[1] = static_cast<std::uint8_t>(word >> 8);
+        to[2] = static_cast<std::uint8_t>(word);
+        if constexpr (bytes_of_word > rgb_bytes)
+            to[rgb_bytes] = static_cast<std::uint8_t>(~word >> 24);
+        to += bytes_of_word;
     }
 }
 
@@ -171,14 +170,14 @@ l3d_image decoded_ppm(const std::string& text, const std::string& path, std::int
 void write_png(std::FILE* file, const std::string& name, const l3d_pixels& pixels,
                l3d_alpha alpha) {
     const bool with_alpha = alpha == l3d_alpha::transparency;
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve((rgb_bytes + (with_alpha ? 1 : 0)) * static_cast<std::size_t>(pixels.width) *
-                  static_cast<std::size_t>(pixels.height));
-    for (int y = 0; y < pixels.height; ++y)
-        if (with_alpha)
-            append_rgba(bytes, pixels.row(y));
-        else
-            append_rgb(bytes, pixels.row(y));
+    const std::size_t row =
+        (rgb_bytes + (with_alpha ? 1 : 0)) * static_cast<std::size_t>(pixels.width);
+    std::vector<std::uint8_t> bytes(row * static_cast<std::size_t>(pixels.height));
+    for (int y = 0; y < pixels.height; ++y) {
+        std::uint8_t* const to = bytes.data() + row * static_cast<std::size_t>(y);
+        with_alpha ? put_words<rgb_bytes + 1>(pixels.row(y), to)
+                   : put_words<rgb_bytes>(pixels.row(y), to);
+    }
 
     png_picture picture;
     picture.width = static_cast<png_uint_32>(pixels.width);
@@ -226,11 +225,9 @@ std::string l3d_encoded_png(const l3d_pixels& pixels, l3d_alpha alpha) {
 
 void l3d_write_ppm(std::FILE* file, const std::string& name, const l3d_pixels& pixels) {
     write_text(file, name, ppm_head(pixels.size()));
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(rgb_bytes * static_cast<std::size_t>(pixels.width));
+    std::vector<std::uint8_t> bytes(rgb_bytes * static_cast<std::size_t>(pixels.width));
     for (int y = 0; y < pixels.height; ++y) {
-        bytes.clear();
-        append_rgb(bytes, pixels.row(y));
+        put_words<rgb_bytes>(pixels.row(y), bytes.data());
         write_bytes(file, name, bytes);
     }
     if (std::fflush(file) != 0)
