@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_forward_difference: a polynomial held as forward differences and walked by additions, in
-// whole numbers too; its adaptive steps.
+// l3d_forward_difference: a polynomial held as forward differences and walked by additions, with
+// equal or adaptive steps, in whole numbers too.
 #ifndef L3D_GEOM_FORWARD_DIFFERENCE_H
 #define L3D_GEOM_FORWARD_DIFFERENCE_H
 
@@ -167,14 +167,14 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
     return counts;
 }
 
-/// A cubic Bezier polynomial with whole control values, for walks that round nothing. Each doubling
-/// of the number of steps, by halving the cubic or along it, multiplies its values by 8. So every
-/// difference is a whole number.
+/// A cubic Bezier polynomial with whole control values, for walks without rounding. Each doubling
+/// of the number of steps, by a split or in a walk, multiplies its values by 8. So every difference
+/// is a whole number.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.
 /// Expects: control values of at most 2^24 in magnitude at level 0, and levels up to most_level.
 /// Source:  Klassen: Exact Integer Hybrid Subdivision and Forward Differencing of Cubics, ACM
-///          Transactions on Graphics 13 (1994). Which steps are halvings is the caller's choice.
+///          Transactions on Graphics 13 (1994). The caller chooses where to split.
 class L3D_PUBLIC l3d_integer_cubic {
 public:
     /// The largest level. Values have 24 + 3 * 12 = 60 bits there, and differences no more.

@@ -46,7 +46,7 @@ public:
 
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
-    /// Normals of a polynomial's directions, divided likewise.
+    /// The net of these normals, divided in the same way.
     explicit l3d_normal_net(const l3d_normal_polynomial& normals);
 
     static constexpr std::size_t index(int row, int column) {

@@ -37,7 +37,7 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// Spans between different knots within [from, to]: the Bezier segments along this direction.
     std::size_t segments() const;
 
-    /// Why this is no direction of a surface or curve; "" if it is one. Degrees are from 1 to
+    /// The error message for an invalid direction; "" if it is valid. Degrees are from 1 to
     /// l3d_bpt_largest_degree. Knots are finite, of magnitude at most 1e12, and do not decrease. No
     /// knot between the ends is listed more than `degree` times, since the surface would be torn
     /// there. [from, to] lies within the knots that have enough control points.
@@ -97,7 +97,7 @@ public:
     using vector = l3d_vector<double, 3>;
 
     /// A surface of these knots, control points and weights, which are all 1 if none are given.
-    /// Errors: throws l3d_error(bad_input) with what complaint() says.
+    /// Errors: throws l3d_error(bad_input) with the text of complaint().
     l3d_nurbs_surface(l3d_bspline_direction u, l3d_bspline_direction v, std::vector<vector> points,
                       std::vector<double> weights = {});
 
@@ -106,7 +106,7 @@ public:
     /// Errors: as the constructor.
     static l3d_nurbs_surface of_patch(const l3d_patch_points& patch);
 
-    /// Why these make no surface, naming the value at fault; "" if they do.
+    /// The error message for an invalid surface, naming the value at fault; "" if it is valid.
     static std::string complaint(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
                                  const std::vector<vector>& points,
                                  const std::vector<double>& weights);
@@ -120,17 +120,17 @@ public:
     /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
-    /// The loops in (u, v) that trim it, as l3d_patch_points has them; none if all of it is there.
+    /// The loops in (u, v) that trim it, as l3d_patch_points has them; none if it is whole.
     const std::vector<l3d_trim_loop>& trims() const { return trims_; }
     /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
     /// curves.
     ///
-    /// On a surface that comes back to where it began, loops may go across that seam. A curve may
+    /// On a surface that closes on itself, loops may cross the seam where it closes. A curve may
     /// end at one side of the parameters where the next begins at the other, and curves may go on
-    /// beyond the parameters. Loops that go around leave what is on their left, seen from outside.
+    /// beyond the parameters. Loops that go around keep the part on their left, seen from outside.
     /// trims() then has them as closed loops of the plane.
-    /// Errors: throws l3d_error(bad_input) with what l3d_trims_complaint() says, and for loops that
-    ///         go around twice, or both ways.
+    /// Errors: throws l3d_error(bad_input) with the text of l3d_trims_complaint(), and for loops
+    /// that go around twice, or both ways.
     l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
 
     /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
@@ -187,7 +187,7 @@ public:
     using vector = l3d_vector<double, 3>;
 
     /// A curve of these knots, control points and weights, which are all 1 if none are given.
-    /// Errors: throws l3d_error(bad_input) with what complaint() says.
+    /// Errors: throws l3d_error(bad_input) with the text of complaint().
     l3d_nurbs_curve(l3d_bspline_direction along, std::vector<vector> points,
                     std::vector<double> weights = {});
 
@@ -198,7 +198,7 @@ public:
     /// Expects: radius > 0.
     static l3d_nurbs_curve circle(double radius);
 
-    /// Why these make no curve, naming the value at fault; "" if they do.
+    /// The error message for an invalid curve, naming the value at fault; "" if it is valid.
     static std::string complaint(const l3d_bspline_direction& along,
                                  const std::vector<vector>& points,
                                  const std::vector<double>& weights);
@@ -241,12 +241,12 @@ struct L3D_PUBLIC l3d_edge_use {
     double from = 0, to = 1;
 };
 
-/// A loop of curves one after another, whose x and y are u and v; z does not count.
+/// Makes a loop of curves that follow each other. Their x and y are u and v; z is ignored.
 /// Shape: `edges` has an entry for each curve, or none.
 L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
                                           std::span<const l3d_edge_use> edges = {});
 
-/// The surface of a curve that turns once around the y axis, exact.
+/// The exact surface of revolution of a curve that turns once around the y axis.
 ///
 /// Shape: u runs around the axis, v along the curve. A curve beside the axis that runs upwards
 ///        makes a surface whose outside is away from the axis.
@@ -264,16 +264,16 @@ L3D_PUBLIC l3d_nurbs_surface l3d_extruded(const l3d_nurbs_curve& curve,
 /// Errors: throws l3d_error(bad_input) for curves of different degrees or ranges of the parameter.
 L3D_PUBLIC l3d_nurbs_surface l3d_ruled(l3d_nurbs_curve first, l3d_nurbs_curve second);
 
-/// A surface that stands for a pipe along a curve, and its measured error.
+/// A surface that approximates a pipe along a curve, and its measured error.
 struct L3D_PUBLIC l3d_pipe {
     l3d_nurbs_surface surface; ///< u runs around the curve, v along it
-    /// The largest distance of the surface's points from the exact circles that they stand for. It
-    /// is measured at 9 places along each span and 8 around, not proven.
+    /// The largest distance of the surface's points from the exact circles. It is measured at 9
+    /// places along each span and 8 around, not proven.
     double measured = 0;
 };
 
-/// Makes a pipe along a curve: circles around it, each in the plane across the curve. An exact pipe
-/// is no NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
+/// Makes a pipe along a curve: circles around it, each perpendicular to the curve. An exact pipe is
+/// no NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
 /// are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.

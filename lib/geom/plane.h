@@ -99,7 +99,7 @@ double l3d_side_2d(const l3d_position<T>& p, const l3d_position<T>& a,
     }
 }
 
-/// The position at the share t of the way from p to q. Each coordinate stays between those of p and
+/// The position p + t (q - p), on the way from p to q. Each coordinate stays between those of p and
 /// q.
 /// Expects: 0 <= t <= 1.
 template <class T>
@@ -116,13 +116,13 @@ l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
     return result;
 }
 
-/// The place where the way from p to q crosses the line through a and b, and its share of the way.
+/// The point where the segment from p to q crosses the line through a and b, and its parameter.
 template <class T> struct L3D_PUBLIC l3d_crossing_2d {
     l3d_position<T> at; ///< the place of the crossing
     double t;           ///< 0 at p, 1 at q
 };
 
-/// The crossing of the way from p to q with the line through a and b.
+/// The point where the segment from p to q crosses the line through a and b.
 /// Expects: p and q on different sides of the line, neither on it.
 template <class T>
 l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_position<T>& q,
@@ -143,9 +143,10 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
 /// A corner within `thickness` of the plane counts as on it: it is kept, and no edge is cut there.
 /// So a plane that passes through corners leaves no slivers.
 /// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
-///          the vertex where the edge between two vertices crosses the plane; the one in front
-///          comes first. If `cut` depends on these two vertices alone, the two polygons of an edge
-///          get the same cut, without a crack. `kept` is emptied, and gets the corners in order.
+///          the vertex where the edge between two vertices crosses the plane; its first argument is
+///          the one in front. If `cut` depends on these two vertices alone, both polygons at an
+///          edge get the same cut, without a crack. `kept` is emptied, and gets the corners in
+///          order.
 /// Expects: at least one corner.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_polygon_2d: a convex polygon as indices into a list of vertices, and its clipping; the
-// vertices, each a place with its history.
+// vertices, each with its place before and after transformations.
 #ifndef L3D_GEOM_POLYGON_2D_H
 #define L3D_GEOM_POLYGON_2D_H
 
@@ -111,7 +111,7 @@ template <class T> using l3d_vertex_list = l3d_two_part_list<l3d_coordinate<T>>;
 /// step, all arrive exactly.
 ///
 /// Each step starts from the two ends, not from the step before: nothing drifts.
-/// Expects: in fixed point, that a vertex's way times the number of steps is in range.
+/// Expects: in fixed point, the distance that a vertex moves, times the steps, is in range.
 template <class T> class L3D_PUBLIC l3d_vertex_interpolator {
 public:
     /// Begins at `from`; the varying parts are left out.

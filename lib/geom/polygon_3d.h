@@ -18,7 +18,7 @@
 /// Expects: three corners or more, each naming a vertex.
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
-    std::span<const l3d_point<T>> vertices; ///< the list that the indices are of
+    std::span<const l3d_point<T>> vertices; ///< the list that the indices refer to
     /// Indices of its corners.
     std::span<const std::uint32_t> corners;
 

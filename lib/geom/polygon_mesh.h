@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_mesh: the contents of model files of polygons; a mesh cut by a plane.
+// l3d_polygon_mesh: vertices and faces, as files of polygons hold them; cutting them by a plane.
 #ifndef L3D_GEOM_POLYGON_MESH_H
 #define L3D_GEOM_POLYGON_MESH_H
 
@@ -22,7 +22,7 @@
 struct L3D_PUBLIC l3d_mesh_picture {
     std::string name;       ///< the file's path, or the picture's place in the model's file
     std::string bytes{};    ///< contents, if the picture lies in the model's file
-    bool repeats_u = true;  ///< whether it repeats beyond 0 to 1 in u; else its border goes on
+    bool repeats_u = true;  ///< whether it repeats beyond 0 to 1 in u; else its border is continued
     bool repeats_v = true;  ///< the same in v
     bool mirrors_u = false; ///< whether every second repetition in u is mirrored
     bool mirrors_v = false; ///< the same in v
@@ -58,8 +58,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<vector> vertex_normals;
     /// Optional, one per vertex, 0x00RRGGBB: their light is blended over faces.
     std::vector<l3d_color> vertex_colors;
-    /// Optional, one per corner: the place that is seen there in the picture of the face's
-    /// material.
+    /// Optional, one per corner: the place in the picture of the face's material that is shown
+    /// there.
     std::vector<picture_place> picture_places;
     std::vector<l3d_mesh_picture> pictures;    ///< pictures that l3d_material::picture names
     std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
@@ -85,7 +85,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
         end_face();
     }
 
-    /// Makes a face of what was added to `corners` since the last one.
+    /// Makes a face of the corners that were added to `corners` since the last face.
     /// Errors: as index_of.
     void end_face() { face_ends.push_back(index_of(corners.size())); }
 
@@ -99,8 +99,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Source: Newell's sum over the sides.
     vector area_vector(std::span<const std::uint32_t> face) const;
 
-    /// Makes two triangles of each face of four corners two of whose sides cross, as in a bow tie.
-    /// The triangles meet in a new vertex at the crossing, and face the same way.
+    /// Splits each face of four corners two of whose sides cross, as in a bow tie, into two
+    /// triangles. They meet in a new vertex at the crossing, and face the same way.
     /// Errors: as index_of.
     void uncross_faces();
 

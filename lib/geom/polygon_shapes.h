@@ -6,7 +6,7 @@
 #include "base/public.h"
 #include "geom/polygon_mesh.h"
 
-/// A ring about the z axis: `around` times `across` cells of two triangles each.
+/// A torus around the z axis: `around` times `across` quads of two triangles each.
 ///
 /// Units:   `major` from the centre to the middle of the tube, `minor` the tube's radius.
 /// Expects: around, across >= 3; 0 < minor < major.

@@ -47,7 +47,7 @@ template <class T> struct l3d_real_traits;
 template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double unit_roundoff =
         sizeof(T) == 4 ? 0x1p-24 : 0x1p-53; ///< largest relative error of an operation
-    static constexpr double half_ulp = 0;   ///< largest absolute error besides
+    static constexpr double half_ulp = 0;   ///< largest absolute error beyond that
 
     /// The nearest number of this type.
     static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }

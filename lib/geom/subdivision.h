@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_subdivide: patches for the smooth surface that a mesh of polygons is the cage of.
+// l3d_subdivide: patches of the smooth surface whose cage is a mesh of polygons.
 #ifndef L3D_GEOM_SUBDIVISION_H
 #define L3D_GEOM_SUBDIVISION_H
 
@@ -15,15 +15,15 @@ struct l3d_model_file;
 
 /// Sharp edges and vertices of a mesh, for subdivision: `t` of .obj.
 struct L3D_PUBLIC l3d_cage_tags {
-    /// An edge between two vertices, which stays sharp for so many subdivisions; from 10 on it is a
-    /// crease for ever.
+    /// An edge between two vertices, which stays sharp for `sharpness` subdivisions. From 10 on it
+    /// is a crease for ever.
     struct crease {
         std::uint32_t from, to; ///< indices of vertices
         float sharpness;        ///< not negative
 
         friend bool operator==(const crease&, const crease&) = default;
     };
-    /// A vertex that is sharp in the same way.
+    /// A vertex that stays sharp for `sharpness` subdivisions.
     struct corner {
         std::uint32_t vertex; ///< its index
         float sharpness;      ///< as a crease's
@@ -38,28 +38,28 @@ struct L3D_PUBLIC l3d_cage_tags {
     friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;
 };
 
-/// Corners of boundaries, which belong to one face alone.
+/// The treatment of the corners of boundaries: vertices that belong to one face alone.
 enum class L3D_PUBLIC l3d_cage_boundary {
     as_tagged, ///< as the file's tags say; sharp if they say nothing
     corners,   ///< sharp
     smooth,    ///< rounded
 };
 
-/// How l3d_subdivide makes patches.
+/// Settings of l3d_subdivide.
 struct L3D_PUBLIC l3d_subdivision {
-    /// The largest distance from the limit surface that is asked for, as a share of the diagonal of
-    /// the cage's box. At 2^-13, a model over 1000 pixels is off by an eighth of a pixel at most.
+    /// The permitted distance from the limit surface, as a share of the diagonal of the cage's box.
+    /// At 2^-13, a model over 1000 pixels is off by an eighth of a pixel at most.
     double error = 0x1p-13;
-    /// Edges are creases for ever where faces turn by more degrees than this.
+    /// The largest angle between smooth neighbours; beyond, edges are creases. Units: degrees.
     double crease_angle = 180;
     l3d_cage_boundary boundary = l3d_cage_boundary::as_tagged; ///< the corners of boundaries
 };
 
-/// Puts patches of the Catmull-Clark surface in the place of a model's polygons, with their
-/// materials and parts. Most patches are exact. Those at irregular vertices are within the model's
-/// patch_errors of the limit surface (docs/NUMERICS.md, section 29). A note says what was reached.
+/// Replaces a model's polygons by patches of their Catmull-Clark surface, with materials and parts.
+/// Most patches are exact. Those at irregular vertices are within the model's patch_errors of the
+/// limit surface (docs/NUMERICS.md, section 29). A note tells the error that was reached.
 ///
-/// It takes the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
+/// It needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
 /// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
 ///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but
 ///         a vertex. Also if a face has a vertex twice, or the plug-in is missing.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The teapot that every program has at hand.
+// The teapot that is compiled into the library.
 #ifndef L3D_GEOM_TEAPOT_H
 #define L3D_GEOM_TEAPOT_H
 

@@ -265,8 +265,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 /// Source:  Gram and Schmidt.
 template <class T>
 std::optional<l3d_matrix<T>> l3d_orthonormalized(const l3d_matrix<T>& m) noexcept {
-    // Axes at an angle with a smaller sine lose more than a 16th of it to the rounding of floats,
-    // 2^-24.
+    // With a smaller sine of the angle between axes, the rounding of floats, 2^-24, is more than a
+    // 16th of that sine.
     constexpr double least_sine = 0x1p-20;
     l3d_matrix<T> result = m;
     l3d_vector<double, 3> axes[3];

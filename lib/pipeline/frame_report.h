@@ -48,7 +48,7 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
 
 /// The report of one frame of patches.
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
-    double tolerance_px = 0; ///< the error of places that was asked for, in pixels
+    double tolerance_px = 0; ///< the permitted error of places, in pixels
     double near_z = 0; ///< nearest distance drawn: the camera's, unless rounding asks for more
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
@@ -57,7 +57,7 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     std::int64_t pixels_kept = 0;
 
     /// The part of the bounds of places and depth that comes from curved models, whose patches
-    /// stand for surfaces that are not bicubic.
+    /// approximate surfaces that are not bicubic.
     double curved_px = 0;
 
     /// The number of pixels that the bound of an outline reaches, in which it is not certain what

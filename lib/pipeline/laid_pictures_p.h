@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// laid_pictures: names for the quads of a frame's patches that pictures lie on.
+// laid_pictures: the numbers by which a rasterizer finds pictures that lie on patches.
 #ifndef L3D_PIPELINE_LAID_PICTURES_P_H
 #define L3D_PIPELINE_LAID_PICTURES_P_H
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-/// A part of a model, as a user wants it.
+/// A part of a model, with the user's choices for it.
 struct L3D_PUBLIC l3d_listed_part {
     std::string name;                 ///< as the model calls it
     bool is_hidden = false;           ///< whether it is not to be drawn
@@ -27,9 +27,9 @@ struct L3D_PUBLIC l3d_listed_part {
 
 /// The parts of a model, one of which may be chosen, as a list at the left of the picture.
 ///
-/// Slashes in names are those of a tree: "arm/bolt" stands, moved to the right, below a line "arm"
-/// that is of all parts of the arm. A click on that line's square hides or shows them all, one with
-/// the right button gives them the next colour, and a double click shows them alone.
+/// Slashes in names make a tree: "arm/bolt" stands, moved to the right, below a line "arm" for all
+/// parts of the arm. A click on that line's square hides or shows them all, one with the right
+/// button gives them the next colour, and a double click shows them alone.
 ///
 /// It knows no model: its owner shows each part as the list says. Each change returns a line for
 /// people, such as "lid is hidden". A line of the list has a square, filled with the part's colour
@@ -51,7 +51,7 @@ public:
     /// The chosen part; null if none is.
     const l3d_listed_part* chosen() const { return chosen_ ? &parts_[*chosen_] : nullptr; }
 
-    /// Chooses the part that is `step` lines further down, from the last on to the first. Without a
+    /// Chooses the part that is `step` lines further down; the first follows the last. Without a
     /// chosen part, the first or the last one is chosen.
     std::string choose_next(int step = 1);
     /// Chooses the part of this name, such as one that was picked; "" chooses none.
@@ -87,10 +87,10 @@ public:
     bool pointer(const l3d_event& event, std::string& said);
 
 private:
-    /// A line of the list: a part, or the name of those that it is above.
+    /// A line of the list: a part, or the common beginning of the names of parts below it.
     struct line {
         std::string text;
-        std::size_t first, end; ///< the parts that it is of
+        std::size_t first, end; ///< the range of its parts
         int depth = 0;
         bool is_group = false;
     };

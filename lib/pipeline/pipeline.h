@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline: the application, as the dispatcher sees it; the caption that tells people of it,
+// l3d_pipeline: the application, as the dispatcher sees it; the caption that explains it to people,
 // and its steps of time.
 #ifndef L3D_PIPELINE_PIPELINE_H
 #define L3D_PIPELINE_PIPELINE_H
@@ -150,7 +150,7 @@ struct L3D_PUBLIC l3d_caption {
 /// every fifth frame at 300.
 class L3D_PUBLIC l3d_ticker {
 public:
-    /// Units:   steps per second. Expects: positive.
+    /// A ticker for so many steps a second. Expects: per_second > 0.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
 
     /// The number of steps due `seconds` after the last call; the rest is kept for the next call.

@@ -28,11 +28,11 @@ struct l3d_frame_lights;
 class l3d_pixel_bits;
 class l3d_pixel_boxes;
 
-/// Work that a frame does although it could skip it; the picture is the same, or as good. Only
-/// benchmarks set these, to compare with and without a rule.
+/// Switches that make a frame do work that it could skip; the picture is the same, or as good. Only
+/// benchmarks set them, to measure what each rule saves.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false; ///< lambert: made in each pixel, also where less would do
-    bool drawing = false;      ///< a frame is drawn again, also where nothing changed
+    bool drawing = false;      ///< draws a frame again, even if nothing changed
 
     /// All of this work, as if no rule could skip any.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
@@ -144,7 +144,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_method_factory method{};
 };
 
-/// The reason why nothing can be drawn with these values, naming the one at fault; "" if it can.
+/// The reason why these values cannot be drawn with, naming the one at fault; "" if they can.
 L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                                          const l3d_afd_settings& settings);
 

@@ -28,8 +28,8 @@ public:
     /// The parts of all models and their states, up to date. After a change, call apply().
     l3d_part_list& list();
 
-    /// Makes the scene as the list says. At least one part stays shown: if nothing would be left,
-    /// the list's last change is taken back.
+    /// Makes the scene show what the list says. At least one part stays shown: if nothing would be
+    /// left, the list's last change is taken back.
     /// Returns: false for a change that was taken back.
     /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
     bool apply();

@@ -45,7 +45,8 @@ struct L3D_PUBLIC l3d_method_frame {
     bool outlines = false; ///< whether the pixels that outlines reach are wanted
     /// How the pictures that lie on patches are looked up.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
-    double curved_px = 0; ///< how far the scene's patches are off the surfaces that they stand for
+    double curved_px = 0; ///< bound of the patches' distance from the surfaces that they
+                          ///< approximate
 
     /// Whether less than the whole picture is drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }

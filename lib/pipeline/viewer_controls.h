@@ -254,7 +254,7 @@ public:
     bool update(double seconds);
     /// Whether nothing moves by itself: the turntable is off or paused.
     bool is_at_rest() const { return turntable_degrees_ == 0 || paused_; }
-    /// The time until the hint ends, which alone changes the picture while nothing turns; infinite
+    /// The time until the hint ends, the only change of the picture while nothing turns; infinite
     /// without a hint. Units: seconds.
     double rest_left() const {
         return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
@@ -289,7 +289,7 @@ public:
     const std::string& message() const { return message_; }
 
     /// Sets the reason why the picture is empty, a text of l3d_why_unseen; "" if it is not empty.
-    /// The reason is shown with the key that mends it; 0 for none.
+    /// The reason is shown with `key`, which mends it; 0 if no key does.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())

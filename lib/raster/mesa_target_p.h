@@ -20,8 +20,8 @@ namespace l3d_detail {
 /// Row 0 of the picture is row 0 in GL, so pictures are never flipped. Where GL says left and top
 /// of a triangle, it is left and top in the picture. The viewport extends `reach` pixels to all
 /// sides of the picture's middle, whatever its size. So positions on the lattice of 1/256 pixel
-/// stay exact: in clip space they are multiples of 2^-21 and at most 1. Cost:    every call has
-/// locks and checks; batches of thousands of triangles hide that.
+/// stay exact: in clip space they are multiples of 2^-21 and at most 1.
+/// Cost:    every call has locks and checks; batches of thousands of triangles hide that.
 class mesa_target {
 public:
     /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.

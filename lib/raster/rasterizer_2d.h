@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d: points, lines and polygons; and the bridge to what draws them.
+// l3d_rasterizer_2d: points, lines and polygons; and the interface to the code that draws them.
 #ifndef L3D_RASTER_RASTERIZER_2D_H
 #define L3D_RASTER_RASTERIZER_2D_H
 

@@ -63,7 +63,7 @@ struct L3D_PUBLIC l3d_micro_grid {
     /// Whether the projection is parallel. Then w is the same everywhere, whatever inv_w is.
     bool is_parallel = false;
 
-    /// The quads that are not drawn, as triangles stand for them. Each is the index() of its first
+    /// The quads that are not drawn, since triangles replace them. Each is the index() of its first
     /// corner, in rising order.
     std::vector<std::uint32_t> cut;
 

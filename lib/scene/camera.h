@@ -84,9 +84,9 @@ struct L3D_PUBLIC l3d_camera {
     /// Sine of the angle between `up` and the line of sight.
     double up_sine() const;
 
-    /// Why this camera defines no picture, naming the value at fault; "" if it does. A valid camera
-    /// has finite numbers, the eye within l3d_farthest_eye, the target within 1e12 and not at the
-    /// eye, and up_sine() at least l3d_least_up_sine. It has 0 < fov < 180 and
+    /// The error message for an invalid camera, naming the value at fault; "" if it is valid. A
+    /// valid camera has finite numbers, the eye within l3d_farthest_eye, the target within 1e12 and
+    /// not at the eye, and up_sine() at least l3d_least_up_sine. It has 0 < fov < 180 and
     /// l3d_least_distance <= near_z < far_z.
     std::string complaint() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shading as a camera sees it.
+// The lights and the shading of a frame, as its camera sees them.
 #ifndef L3D_SCENE_CAMERA_SHADING_H
 #define L3D_SCENE_CAMERA_SHADING_H
 

@@ -40,8 +40,8 @@ struct L3D_PUBLIC l3d_coarse_patch {
     }
 };
 
-/// Proven error bounds of a diced piece, apart from that of its points' places in the picture. A
-/// bound is infinite where nothing is proven.
+/// Proven error bounds of a diced piece, besides that of places in the picture. A bound is infinite
+/// where nothing is proven.
 struct L3D_PUBLIC l3d_surface_certificate {
     /// The distance of chords from the exact surface, along its normal at the same parameters.
     /// Units: pixels at that depth.
@@ -95,8 +95,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
-    /// How far edges may be off the faces that end at them, in the model itself, where they may be
-    /// seen (l3d_trim_curve::edge). It is measured, and part of the bounds above.
+    /// The distance, in pixels, between edges that may be seen and the faces that end at them in
+    /// the model (l3d_trim_curve::edge). It is measured, and part of the bounds above.
     double edges_px = 0;
 
     /// Largest error of interpolated normals, over quads and slits. They are compared with the

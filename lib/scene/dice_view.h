@@ -88,8 +88,8 @@ struct l3d_dice_view {
     double near = 0, far = std::numeric_limits<double>::infinity();
     double tolerance = 0.25;
 
-    /// Pixels that a length of 1 takes at a distance of 1. Then depth is kept within the tolerance,
-    /// too. 0: only places in the picture are.
+    /// Length in pixels of a unit at distance 1. If it is not 0, depth is kept within the
+    /// tolerance, too; else only places in the picture are.
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of greys, in levels of 255, if depth is kept
     double depth_scale = 1;     ///< scaled w / distance along the view axis
@@ -101,9 +101,9 @@ struct l3d_dice_view {
     double error_xy = 0; ///< error of x and y of a transformed control point
     double error_w = 0;
 
-    /// Bound of the sum of the magnitudes of all terms from which a point's coordinates are added
-    /// up, the eye's included. Errors are in proportion to it. 0: unknown, and of_share() cannot
-    /// reduce errors.
+    /// Bound of the sum of the magnitudes of the terms that add up to a point's coordinates, the
+    /// eye's included. Errors are in proportion to it. 0: unknown, and of_share() cannot reduce
+    /// errors.
     double terms = 0;
     double eye_terms = 0;   ///< the eye's part of terms
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: it is near itself
@@ -177,7 +177,7 @@ struct l3d_dice_view {
         return result;
     }
 
-    /// The share of the view's errors that points have whose own terms add up to `reach`.
+    /// The share of the view's errors that holds for points whose terms add up to `reach`.
     double share_of(double reach) const {
         return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
     }
@@ -203,10 +203,10 @@ struct l3d_dice_view {
         terms = whole.terms * share;
     }
 
-    /// The largest chord error where rounding of vertices already takes `vertex_error`. Where that
-    /// is most of the tolerance, a quarter of the tolerance is left, and the bound says that it is
-    /// exceeded. The budget is never less than a 16th of a sub-pixel, which moves hardly any
-    /// vertex.
+    /// The largest chord error that is allowed if rounding of vertices already takes
+    /// `vertex_error`. At least a quarter of the tolerance is left for it, even if the bound then
+    /// exceeds the tolerance. The budget is never less than a 16th of a sub-pixel, which moves
+    /// hardly any vertex.
     double chord_budget(double vertex_error) const {
         constexpr double finest = 1.0 / (16 * l3d_subpixel_one);
         return std::max({tolerance - vertex_error, tolerance / 4, finest});

@@ -29,7 +29,7 @@ public:
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 
-    /// A plane of the world among the transformed points: they have the same distances from it.
+    /// A plane of the world in the space of the transformed points, with the same distances.
     l3d_image_section section(const l3d_plane<double>& plane) const;
 
     /// How much nearer the camera's eye is than the eye that w is counted from: 0, except in a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspected_scene: the facts on a scene that inspecting shades need.
+// l3d_inspected_scene: the data about a scene that inspecting shades need.
 #ifndef L3D_SCENE_INSPECTED_SCENE_H
 #define L3D_SCENE_INSPECTED_SCENE_H
 

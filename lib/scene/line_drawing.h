@@ -41,7 +41,7 @@ struct L3D_PUBLIC l3d_drawn_line {
     std::vector<l3d_drawn_place> points{};
 };
 
-/// The wishes for a line drawing.
+/// The settings of a line drawing.
 struct L3D_PUBLIC l3d_line_settings {
     static constexpr double least_tolerance = 0.01; ///< the least tolerance, in pixels
     static constexpr double most_tolerance = 10;    ///< the largest tolerance, in pixels
@@ -74,8 +74,7 @@ struct L3D_PUBLIC l3d_line_drawing {
 /// Expects: a valid camera, a size of at least 1 x 1.
 /// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits.
 /// Cost:    some 1.1 million instructions for each piece of a part that fills a picture of a
-/// million
-///          pixels.
+///          million pixels.
 L3D_PUBLIC l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,
                                            l3d_size size, const l3d_line_settings& settings = {});
 

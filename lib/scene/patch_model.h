@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: patches with what can be known of them before any frame.
+// l3d_patch_model: patches, and all that is computed about them before any frame.
 #ifndef L3D_SCENE_PATCH_MODEL_H
 #define L3D_SCENE_PATCH_MODEL_H
 
@@ -43,7 +43,7 @@ struct L3D_PUBLIC l3d_patch_reach {
     std::array<l3d_vector<double, 3>, 4> edges{}; ///< for the four control points of each edge
 };
 
-/// An edge that is off its faces by more than the file allows.
+/// An edge whose distance from its faces exceeds the file's tolerance.
 struct L3D_PUBLIC l3d_loose_edge {
     std::size_t edge = 0;                       ///< index in l3d_patch_model::edges
     double off = 0;                             ///< the largest distance found
@@ -56,9 +56,9 @@ struct L3D_PUBLIC l3d_loose_edge {
 /// the world, unless an l3d_patch_scene places the model elsewhere.
 ///
 /// A curved model is made of pieces that are not all bicubic: some are rational, or of degrees
-/// above 3. Its patches stand for the pieces, and are within surface_error() of them. Where a
-/// picture needs finer patches, a pipeline draws a finer level of the model. Materials and parts
-/// are those of pieces. In any other model each patch is a piece.
+/// above 3. Its patches approximate the pieces within surface_error(). Where a picture needs finer
+/// patches, a pipeline draws a finer level of the model. Materials and parts are those of pieces.
+/// In any other model each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and
@@ -71,7 +71,7 @@ public:
     /// A place in the model's space.
     using vector = l3d_vector<double, 3>;
 
-    /// No patches.
+    /// A model without patches.
     l3d_patch_model();
     /// Shares the contents.
     l3d_patch_model(const l3d_patch_model&) = default;
@@ -83,7 +83,7 @@ public:
     /// Expects: finite coordinates of magnitude at most 1e12.
     explicit l3d_patch_model(std::vector<patch> patches);
 
-    /// The teapot that l3d has at hand, data/teapot.bpt, with its parts.
+    /// The teapot that the library contains, data/teapot.bpt, with its parts.
     static l3d_patch_model teapot();
 
     /// Loads the patches and curves of a file in any format of l3d_read_model, with the colours
@@ -122,7 +122,7 @@ public:
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
 
-    /// The same patches with the colours, parts, curves and error of a file of these patches.
+    /// The same patches, with the colours, parts, curves and errors that this file gives them.
     /// Expects: a file of pieces() patches without placements.
     l3d_patch_model dressed(const l3d_model_file& file) const;
 
@@ -136,13 +136,13 @@ public:
 
     /// The number of pieces that the model is made of: that of patches(), unless it is curved.
     std::size_t pieces() const;
-    /// The index of the piece that a patch stands for. Expects: index < patches().size().
+    /// The index of the piece that a patch belongs to. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
-    /// The part of its piece that a patch stands for: all of it, unless the model is curved.
-    /// Expects: as piece_of.
+    /// The part of its piece that a patch covers: all of it, unless the model is curved. Expects:
+    /// as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
-    /// The number of the face in its file that a piece is of, from 1; 0 if the file numbers none.
+    /// The number of a piece's face in the file, from 1; 0 if the file numbers none.
     /// Expects: piece < pieces().
     std::uint32_t face_of(std::size_t piece) const;
 
@@ -156,7 +156,7 @@ public:
     /// Cost:   as from_surfaces for patches that differ; bounds of equal patches are copied.
     l3d_patch_model reshaped(std::span<const l3d_nurbs_surface> surfaces) const;
 
-    /// Whether its patches stand for pieces that are not bicubic.
+    /// Whether its patches approximate pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with finer or coarser patches; any other model is the same at all
     /// levels. Levels of places and of normals run from 0, the coarsest, with which models are
@@ -180,34 +180,34 @@ public:
     /// Expects: a curved model, a wish with a region in its coordinates.
     /// Cost:    some 50 us a patch when a wish is new; patches of the last eight are kept.
     std::optional<l3d_patch_model> seen(const l3d_cell_wish& wanted) const;
-    /// The largest error of places by what was wished for it, for a model that seen() made.
+    /// The largest ratio of an error to the one that was asked for, in a model that seen() made.
     double share_of_wish() const;
     /// The bound of errors of unit normals that a level is made for; 0 if the model is not curved.
     /// Expects: as at_level.
     double normal_target(int level) const;
 
-    /// The same pieces, which stand for a surface that they are off by these errors. They become
-    /// part of the bounds of pictures.
-    /// Expects: one for each piece, finite and not negative; none say that they are the surface.
+    /// The same pieces, as approximations of a surface. These errors become part of the bounds of
+    /// pictures. Expects: an error for each piece, finite and not negative; none says that the
+    /// piece is the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 
-    /// Whether its patches are the surface itself, and stand for nothing else.
+    /// Whether its patches are the surface itself, not approximations of it.
     bool is_exact() const { return !is_curved() && !stated_; }
 
-    /// Bound of the distance between the patches and what they stand for, at the same parameters:
-    /// the pieces of a curved model, or the surface of standing_for(). 0 for any other model.
+    /// Bound of the distance between the patches and the surface that they approximate, at the same
+    /// parameters: the pieces of a curved model, or the surface of standing_for(). Else 0.
     double surface_error() const;
     /// The same for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
-    /// Bound of the distance between unit normals of the patches and of what they stand for, at the
-    /// same parameters; 0 for models without surface_error(). It is infinite where a normal
-    /// vanishes inside of a patch of a curved model.
+    /// Bound of the distance between unit normals of the patches and of that surface, at the same
+    /// parameters; 0 for models without surface_error(). It is infinite where a normal vanishes
+    /// inside of a patch of a curved model.
     double normal_error() const;
-    /// Whether that bound holds for a patch. It does not where nothing is known of the normals of
-    /// what the patch stands for. Expects: index < patches().size().
+    /// Whether that bound holds for a patch. It does not where nothing is known about the normals
+    /// of the approximated surface. Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 
-    /// Sides where two patches of half the size go on, with the same points as the side's halves.
+    /// Sides that meet the sides of two patches of half the size, whose points are the halves' own.
     /// Pictures draw such a side as these two, so that no gap shows. In the order of patches.
     std::span<const l3d_halved_side> halved_sides() const;
     /// Bits of a patch's edges that are halved, in the order of l3d_patch_reach::edges.
@@ -328,7 +328,7 @@ private:
 
     struct source;
     std::shared_ptr<const source> source_; ///< null unless it is curved
-    // The following take what is known of equal patches from `like`, which may be null.
+    // The following copy the bounds of equal patches from `like`, which may be null.
     l3d_patch_model(std::vector<patch> patches, const contents* like);
     l3d_patch_model(l3d_curved_pieces pieces, const source* like);
     /// Errors:  nothing, with the reason in `why`.

@@ -184,15 +184,15 @@ public:
     /// The factor by which the placement multiplies all lengths; 0 if it does not multiply all
     /// alike.
     double scale() const { return scale_; }
-    /// No length becomes longer by more than this factor: scale(), or else the norm of Frobenius.
+    /// Upper bound of the factor by which lengths grow: scale(), or else the Frobenius norm.
     double stretch() const;
 
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of the sum of the magnitudes of all terms from which a point's world coordinates are
-    /// added up. Rounding errors are in proportion to it. It is for points of the model with
-    /// coordinates of magnitude at most `most`.
+    /// Bound of the sum of the magnitudes of the terms that add up to a point's world coordinates.
+    /// Rounding errors are in proportion to it. It holds for points of the model with coordinates
+    /// of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
     /// The bound reach(most) for all points of the model.
@@ -323,12 +323,12 @@ public:
     }
 
     /// Chooses the level of each curved model that a picture needs, and returns bounds of the
-    /// errors of these levels, and of other patches that stand for a surface. Pipelines do so
+    /// errors of these levels, and of other patches that approximate a surface. Pipelines do so
     /// before each frame. Levels depend on the view and on placements alone, and do not count as a
     /// change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);
 
-    /// Whether any instance's patches stand for other surfaces.
+    /// Whether any instance's patches approximate other surfaces.
     bool is_curved() const { return curved_count_ > 0; }
 
     /// Takes all instances away, and keeps their memory.

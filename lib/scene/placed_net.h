@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control nets from a model's space to the image, in lanes.
+// Control nets in homogeneous image space, computed in lanes from a model's own.
 #ifndef L3D_SCENE_PLACED_NET_H
 #define L3D_SCENE_PLACED_NET_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of a program's frames: l3d_frame_writer as --output says, reports, screenshots, and the
-// frames asked for.
+// Files of a program's frames: l3d_frame_writer for --output, reports and screenshots; and the
+// settings that say which frames are made.
 #ifndef L3D_SYSTEM_FRAME_WRITER_H
 #define L3D_SYSTEM_FRAME_WRITER_H
 

@@ -16,8 +16,8 @@ namespace l3d_detail {
 void check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
                       std::int64_t most_pixels);
 
-/// Lets a reader of steps begin to decode: the header, whose size is checked, then the start.
-/// Returns a check for the results of further steps. Reader and path must outlive it.
+/// Begins to decode with a reader that works in steps: reads the header, checks the size, starts.
+/// Returns a function that checks the results of further steps. Reader and path must outlive it.
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also from that check.
 template <class Reader>
 auto begun(Reader& reader, const std::string& path, std::int64_t most_pixels) {

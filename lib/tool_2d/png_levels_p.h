@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// png_levels: the numbers of a PNG file, all of their bits.
+// png_levels: the levels of a PNG file, with all of their bits.
 #ifndef L3D_TOOL_2D_PNG_LEVELS_P_H
 #define L3D_TOOL_2D_PNG_LEVELS_P_H
 

@@ -20,11 +20,11 @@ inline constexpr std::uint32_t cad_version = 2;
 /// The interface of the plug-in libl3d_cad.so.
 struct cad_plugin : plugin_interface {
     /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
-    /// bytes, size), piece by piece. Lengths are in millimetres. Some times a second it calls
+    /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second it calls
     /// tell(to, share) with the share of the work that is done, and stops if that returns 0.
     ///
     /// Shape:  records as cad_record lists them: the kind's number, then its fields. Texts and
-    /// lists begin with their length.
+    ///         lists begin with their length.
     /// Errors: returns 0, with one line in `why`, which has room for `room` bytes with the zero at
     /// its end.
     int (*read)(const char* text, std::size_t size, int is_iges, void* to,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_model_file: the contents of a file of polygons or patches; readers by content, and writers;
-// NURBS surfaces with their own knots and control points.
+// l3d_model_file: the contents of a file of polygons, patches or curves, with readers that know a
+// format by the contents, and writers. NURBS surfaces can keep their knots and control points.
 #ifndef L3D_GEOM_FILES_MODEL_FILE_H
 #define L3D_GEOM_FILES_MODEL_FILE_H
 
@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_model_camera {
     using vector = l3d_vector<double, 3>;
     std::string name{};           ///< as the file calls it
     vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
-    vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture; not the eye's
+    vector target{0.0, 0.0, 0.0}; ///< the point that it looks at; not equal to eye
     vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture
     double fov = 38;              ///< angle of view over the picture's width, in degrees
 
@@ -76,11 +76,11 @@ struct L3D_PUBLIC l3d_model_edge {
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
 };
 
-/// How far a patch is off the surface that it stands for.
+/// The distance between a patch and the surface that it approximates.
 struct L3D_PUBLIC l3d_patch_error {
-    double places = 0; ///< bound of distances at the same parameters
-    /// Whether the surface is such a patch, too, with control points that are no farther off. If
-    /// not, nothing is known of its normals.
+    double places = 0; ///< bound of the distance between points of equal parameters
+    /// Whether the surface is a patch, too, and its control points differ by no more than this
+    /// bound. If not, nothing is known about its normals.
     bool is_of_points = true;
 
     friend bool operator==(const l3d_patch_error&, const l3d_patch_error&) = default;
@@ -94,15 +94,16 @@ struct L3D_PUBLIC l3d_model_shape {
     friend bool operator==(const l3d_model_shape&, const l3d_model_shape&) = default;
 };
 
-/// The material of patches and curves that have that of the place where their shape stands.
+/// The material index of patches and curves that take the material of their shape's placement.
 inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
 
 /// A shape at a place, such as one of the bolts of an assembly.
 struct L3D_PUBLIC l3d_model_placement {
-    std::string name;                                  ///< the part that the shape is there
+    std::string name;                                  ///< the name of the part that the shape is
+                                                       ///< there
     std::uint32_t shape = 0;                           ///< index in l3d_model_file::shapes
     l3d_matrix<double> place = l3d_identity<double>(); ///< from the shape's coordinates; affine
-    std::uint32_t material = 0; ///< the one that l3d_material_of_place stands for
+    std::uint32_t material = 0; ///< replaces l3d_material_of_place in the shape
 
     friend bool operator==(const l3d_model_placement&, const l3d_model_placement&) = default;
 };
@@ -128,23 +129,23 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
     std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch
-    /// Optional, one per patch: the number of the face in the file that it is of, from 1.
+    /// Optional, one per patch: the number of the face in the file that it belongs to, from 1.
     std::vector<std::uint32_t> patch_faces{};
-    /// Optional: the patches and curves as shapes, in their order. Then the model is what
-    /// `placements` make of them, and there are no patch_parts. l3d_flattened makes copies of it.
+    /// Optional: groups of the patches and curves, in their order. Then `placements` say where each
+    /// group stands, and patch_parts is empty. l3d_flattened makes copies instead.
     std::vector<l3d_model_shape> shapes{};
-    /// Where the shapes stand: at least at one place each. A shape's own coordinates mean nothing.
+    /// The places of the shapes, at least one for each. A shape is seen at these places alone.
     std::vector<l3d_model_placement> placements{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
 };
 
-/// The same model without shapes: each placement has patches, curves and edges of its own, and is a
-/// part of its name. Edges that several shapes share stay shared where they stand at one place.
+/// The same model without shapes: each placement gets its own patches, curves and edges, as a part
+/// with its name. Edges that several shapes share stay shared where they stand at one place.
 L3D_PUBLIC l3d_model_file l3d_flattened(const l3d_model_file& model);
 
-/// The patches, curves and edges of one shape, in its own coordinates. Where it has the material of
-/// its place, it gets this one. Expects: an index of shapes.
+/// The patches, curves and edges of one shape, in its own coordinates. `material` replaces
+/// l3d_material_of_place. Expects: an index of shapes.
 L3D_PUBLIC l3d_model_file l3d_shape_of(const l3d_model_file& model, std::size_t shape,
                                        std::uint32_t material);
 
@@ -163,7 +164,7 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". In a binary part of a file, the line
-///          is that where the part begins, and the message names the byte.
+///          is the one where the part begins, and the message names the byte.
 /// Cost:    time linear in the text; memory at most 80 bytes per byte of text, or 40 MB for glTF.
 ///          Counts in the text are checked before memory is taken for them.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
@@ -227,8 +228,8 @@ L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, but for what is
-/// left out. That is colours of faces, looks of materials, pictures, cameras and notes.
+/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, without colours
+/// of faces, looks of materials, pictures, cameras and notes, which are left out.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;

@@ -54,8 +54,8 @@ public:
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
-    /// The bit of "edges" that are curves of curv2, which are fewer than 2^31: trims follow them
-    /// until connections are read.
+    /// Marks a trim curve's edge as the number of a curve of curv2, of which there are fewer than
+    /// 2^31. Trims have such numbers until connections are read.
     static constexpr std::uint32_t unconnected = 0x80000000;
 
     enum class kind { none, bezier, bspline, other };
@@ -107,7 +107,7 @@ private:
     /// Those of curv2, in their order; nothing for one that is skipped.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
     std::vector<l3d_trim_loop> trims_; ///< those of the open surface
-    bool has_outer_trim_ = false;      ///< and not holes alone
+    bool has_outer_trim_ = false;      ///< it is trimmed from outside, not by holes alone
 
     /// A surface that has ended, for connections.
     struct ended_surface {

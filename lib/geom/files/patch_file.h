@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-/// The edge of a curve that follows none.
+/// The value of l3d_trim_curve::edge for a curve that follows no edge.
 inline constexpr std::uint32_t l3d_no_edge = 0xffffffff;
 
 /// A rational Bezier curve in the plane of a surface's parameters. It may follow an edge of the
@@ -27,19 +27,19 @@ struct L3D_PUBLIC l3d_trim_curve {
     std::vector<std::array<double, 3>> points; ///< u, v, weight
     /// The index of the edge that the curve follows.
     std::uint32_t edge = l3d_no_edge;
-    /// The parameters of the edge's curve where this one begins and ends; between, both run alike.
+    /// The parameters of the edge's curve at both ends of this curve; between, both run alike.
     double from = 0, to = 1;
 
     friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
 };
 
 /// A closed loop of curves in (u, v): each begins where the one before ends, and the first where
-/// the last does. A straight line closes what rounding left open.
+/// the last ends. Straight lines close the gaps that rounding left.
 using l3d_trim_loop = std::vector<l3d_trim_curve>;
 
-/// Why these are no loops, naming the one at fault; "" if they are. Each has a curve. Coordinates
-/// are finite and at most 1e12, weights as l3d_is_weight wants them. The gap between two curves is
-/// at most a 2^-20 of the loop's extent.
+/// The error message for invalid loops, which names the one at fault; "" if all are valid. Each has
+/// a curve. Coordinates are finite and at most 1e12, weights as l3d_is_weight wants them. The gap
+/// between two curves is at most 2^-20 of the loop's extent.
 L3D_PUBLIC std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops);
 
 /// The control points of one Bezier patch of any degrees, rational if it has weights.
@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_patch_points {
     /// The weights of a rational patch, positive, one per point; empty for a polynomial patch.
     std::vector<double> weights = {};
     /// Loops in (u, v), each from 0 to 1, that trim the patch. A point is part of it if an odd
-    /// number of loops winds around its parameters an odd number of times. All is, without loops.
+    /// number of loops winds around it an odd number of times. Without loops, all points are.
     std::vector<l3d_trim_loop> trims = {};
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
@@ -115,14 +115,14 @@ struct L3D_PUBLIC l3d_height_field {
     std::vector<double> heights; ///< along y; NaN where there is none
     double spacing = 1;          ///< from one height to the next, along x and along z
 
-    /// Why this is no height field, naming the value at fault; "" if it is one. A height field has
-    /// at least 2 rows and 2 columns, and only whole rows. Heights are NaN or within
+    /// The error message for an invalid field, which names the value at fault; "" if it is valid.
+    /// It has at least 2 rows and 2 columns, and only whole rows. Heights are NaN or within
     /// l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
     std::string complaint() const;
 };
 
-/// Makes a smooth surface through all heights: a bicubic patch for each four neighbours none of
-/// which is missing. The middle of the rectangle is at x = z = 0.
+/// Makes a smooth surface through all heights: a bicubic patch for each four neighbours, unless one
+/// is missing. The middle of the rectangle is at x = z = 0.
 ///
 /// Neighbours share their border's control points bit for bit, and have the same tangent planes
 /// there: the surface is C1. Its normals dS/du x dS/dv point upwards.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// reading_progress: readers of files that take long, told how far they are, and stopped.
+// reading_progress: readers of files that take long, which report their progress and can be
+// stopped.
 #ifndef L3D_GEOM_FILES_READING_PROGRESS_P_H
 #define L3D_GEOM_FILES_READING_PROGRESS_P_H
 
@@ -12,17 +13,17 @@
 
 namespace l3d_detail {
 
-/// Takes the share of the work that is done, from 0 to 1, some times a second: 1 is the last call.
-/// If it returns false, the reading stops. Only STEP and IGES, which take long, tell of it.
+/// Takes the share of the work that is done, from 0 to 1, a few times a second: 1 is the last call.
+/// If it returns false, the reading stops. Only STEP and IGES, which take long, call it.
 using reading_progress = std::function<bool(double share)>;
 
-/// l3d_read_model_with, which tells how far it is.
+/// Reads as l3d_read_model_with does, and reports its progress.
 /// Errors: as that one; also for a reading that was stopped.
 std::optional<l3d_model_file> read_model(const l3d_other_files& files, std::string_view text,
                                          std::string_view name, std::string& why,
                                          const reading_progress& progress);
 
-/// l3d_read_cad, which tells how far it is.
+/// Reads as l3d_read_cad does, and reports its progress.
 /// Errors: as read_model.
 std::optional<l3d_model_file> read_cad(std::string_view text, std::string_view name,
                                        std::string& why, const reading_progress& progress);

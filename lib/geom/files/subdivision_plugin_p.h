@@ -38,7 +38,7 @@ struct subdivision_sink {
     /// Takes 16 control points, x, y and z of each, u fastest; `face` is the face of the cage. A
     /// patch's normal dS/du x dS/dv points to the side from which the face's corners run
     /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
-    /// That of control points, too, unless the patch is a cap, which is no part of the surface.
+    /// It bounds that of control points, too, unless the patch is a cap, which is not exact.
     void (*take)(void* to, std::uint32_t face, const double* points, double error,
                  std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);

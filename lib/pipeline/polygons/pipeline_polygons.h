@@ -24,7 +24,7 @@
 class l3d_polygon_frame;
 class l3d_polygon_wires;
 
-/// The parts of faces that are shown.
+/// The way in which faces are shown.
 enum class L3D_PUBLIC l3d_polygon_style {
     solid,        ///< faces, filled
     wireframe,    ///< the sides of all faces but culled ones
@@ -190,12 +190,12 @@ protected:
     l3d_workers& workers() { return workers_; }
 
 private:
-    /// Both functions draw the whole picture, and add to the report's times and counts.
+    /// Both functions below draw the whole picture, and add to the report's times and counts.
     virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
-    /// Whether the parts of a frame are drawn, together with its list of triangles or instead of
-    /// it.
+    /// Whether the frame is made with parts (l3d_polygon_frame::parts), beside its list of
+    /// triangles or instead of it.
     virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);

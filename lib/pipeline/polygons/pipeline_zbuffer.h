@@ -23,8 +23,8 @@ public:
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings);
 
-    /// A pipeline whose surfaces the rasterizers of `surfaces` fill, which may be of another kind
-    /// than the canvas's. `method` is its name in reports.
+    /// A pipeline whose surfaces are filled by the rasterizers of `surfaces`, which may be of
+    /// another kind than the canvas's. `method` is its name in reports.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,

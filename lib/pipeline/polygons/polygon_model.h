@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_model: a mesh, with everything that frames need of it computed once; made of patches
-// or of a file.
+// l3d_polygon_model: a mesh, with everything that frames need computed once; made from patches or
+// from a file.
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_MODEL_H
 
@@ -39,8 +39,8 @@ struct L3D_PUBLIC l3d_facing_block {
     double reach = 0;  ///< largest distance of a corner from the middle
 };
 
-/// Faces whose normals differ by more have a crease where they meet. A prism of 12 and more sides,
-/// which stands for a round body, is smooth. Units: degrees.
+/// Faces whose normals differ by more have a crease where they meet. A prism of 12 or more sides is
+/// meant as a round body, and looks smooth. Units: degrees.
 inline constexpr double l3d_usual_crease_angle = 30;
 
 /// A polygon mesh ready to be drawn: faces as triangles, normals of faces and vertices, its box.

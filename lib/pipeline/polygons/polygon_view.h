@@ -80,7 +80,7 @@ public:
     }
 
     /// Whether all planes with normals within `spread` of `axis` and points within `reach` of
-    /// `middle` show their fronts or, if `front` is false, their backs. It may say no in doubt.
+    /// `middle` show their fronts or, if `front` is false, their backs. In doubt it says no.
     /// Expects: normals of length 1 or 0.
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;
@@ -91,9 +91,8 @@ public:
     l3d_view_depths depths(const vector& middle, double radius) const;
 
     /// The shading for rasterizers, with the light in world space. Its rays are zero, so that
-    /// rasterizers turn no pixel's normal round, since the plane of a face says which of its sides
-    /// is seen. Smooth normals near an outline point away from the eye in some pixels, and are
-    /// right as they are.
+    /// rasterizers turn no normal round: the plane of a face decides which side is seen. Near an
+    /// outline, smooth normals point away from the eye in some pixels, and are right as they are.
     l3d_shading shading(l3d_shade mode, const vector& light,
                         const l3d_lighting& lighting = {}) const;
 
@@ -112,7 +111,7 @@ struct L3D_PUBLIC l3d_polygon_pick {
     std::size_t face = 0;                   ///< index in the mesh
     std::string part{};                     ///< its name; empty if the face belongs to none
     std::array<std::uint32_t, 3> corners{}; ///< vertices of the triangle of the face that is met
-    std::array<double, 3> weights{};        ///< weights of the corners, whose mean the point is
+    std::array<double, 3> weights{};        ///< the point is the corners' mean with these weights
     double weights_error = 0;               ///< error of each weight
 
     l3d_camera::vector point{0.0, 0.0, 0.0}; ///< in the world

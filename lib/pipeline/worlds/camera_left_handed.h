@@ -21,7 +21,7 @@ inline constexpr double l3d_book_rate = 60;
 /// degrees.
 /// Shape: left-handed: right x up = forward, up x forward = right, forward x right = up; the book
 ///        calls them VRI, VUP and VFW, and the place VRP.
-/// Units: world units, degrees, seconds; a turn is clockwise for one who sees its axis come at him.
+/// Units: world units, degrees, seconds; a turn is clockwise for someone at whom its axis points.
 template <class T> class L3D_PUBLIC l3d_moveable {
 public:
     /// A place in the world.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_sight: shows what the sort alone would paint of the triangles in a tile.
+// tile_sight: the cells of a tile that each triangle would show if the sort alone decided.
 #ifndef L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
 #define L3D_PIPELINE_ZSORT_TILE_SIGHT_P_H
 

@@ -33,7 +33,7 @@ public:
         return light_ != nullptr ? light_->level(value) : static_cast<std::uint32_t>(value + 0.5);
     }
 
-    /// The mixed colour of a place of which a share has a word's colour.
+    /// The colour of a place of which a share is covered by a word's colour.
     mixed_color color(std::uint32_t word, double share = 1) const {
         mixed_color result{{}, share};
         for (std::size_t k = 0; k < 3; ++k)

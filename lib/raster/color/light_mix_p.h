@@ -35,7 +35,7 @@ private:
     template <class Visit> void for_rows(l3d_workers& workers, const Visit& visit) const;
 
     l3d_pixel_box box_;
-    std::vector<sum> sums_; ///< row by row
+    std::vector<sum> sums_; ///< one for each of the box's pixels, row by row
 };
 
 } // namespace l3d_detail

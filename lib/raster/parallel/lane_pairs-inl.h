@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours in memory, gathered together.
+// lane_pairs: elements of an array, gathered together with the elements behind them.
 #if defined(L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H
@@ -18,7 +18,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Elements of an array of 32 bits each, and those behind them.
+/// Gathers elements of an array of 32 bits each, and the element behind each of them.
 ///
 /// Cost: processors that gather take about as long for an element of 64 bits as for one of 32.
 template <class D> struct lane_pairs {

@@ -9,8 +9,8 @@
 
 namespace l3d_detail {
 
-/// The area inside of a pixel, if windings there take two values that follow each other. `sum` is
-/// their integral, `is_nonzero` the rule.
+/// The area inside of a pixel, if windings there take two consecutive values. `sum` is their
+/// integral, `is_nonzero` the rule.
 inline double area_inside(double sum, bool is_nonzero) {
     return is_nonzero ? (std::abs(sum) < 1 ? std::abs(sum) : 1)
                       : std::abs(sum - 2 * std::rint(sum / 2));

@@ -20,8 +20,8 @@ namespace l3d_detail {
 ///
 /// Each edge adds its signed area to the pixels that it passes. Their sum is the integral of the
 /// winding number. Where an outline passes a pixel once, and nothing else does, windings there take
-/// two values that follow each other, so the integral tells the area. Some of the other
-/// pixels are surely covered as the sum is large; the rest go to pixel_area.
+/// two consecutive values, so the integral tells the area. Some of the other pixels are surely
+/// covered as the sum is large; the rest go to pixel_area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {

@@ -190,7 +190,7 @@ void visit_curve_pixels(const l3d_path& path, l3d_size size, const Light& light)
         if (x >= 0 && x < size.width && y >= 0 && y < size.height)
             light(static_cast<int>(x), static_cast<int>(y));
     };
-    // Whether a pixel is a corner, its neighbours tell.
+    // The neighbours of a pixel tell whether it is a corner.
     constexpr double beside = 2;
     struct {
         seen_box seen;

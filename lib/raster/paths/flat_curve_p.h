@@ -16,7 +16,7 @@ namespace l3d_detail {
 
 /// The point of the plane that homogeneous coordinates stand for.
 inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
-    // Ends mostly weigh 1, and then nobody waits for a division.
+    // Weights of ends are mostly 1, and need no division.
     if (p[2] == 1)
         return {p[0], p[1]};
     return {p[0] / p[2], p[1] / p[2]};

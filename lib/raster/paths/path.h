@@ -100,8 +100,8 @@ private:
         return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
     }
     bool all_within_reach() const {
-        // Whole numbers of the same bits have the same order, and those of no number come last. So
-        // differences tell by their highest bit, which lanes gather to the end.
+        // As whole numbers, the bits of |x| keep their order, and NaN comes last. So the highest
+        // bit of each difference tells whether x is beyond, and lanes only have to join these bits.
         constexpr auto limit = std::bit_cast<std::uint64_t>(most);
         const auto rest = [](double x) {
             return limit - std::bit_cast<std::uint64_t>(std::abs(x));

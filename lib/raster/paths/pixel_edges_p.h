@@ -21,7 +21,7 @@ enum class cell_begin : std::uint8_t {
     enters_left, ///< by the pixel's left side
 };
 
-/// The number of visits of pixels where an outline may cross itself, or more.
+/// The number of visits that marks a pixel in which an outline may cross itself.
 constexpr std::uint32_t unclear_visits = 1 << 30;
 
 /// A part of an edge in a pixel, in the direction of its outline.
@@ -64,7 +64,7 @@ struct alignas(64) edge_block {
         return static_cast<cell_begin>(edge[lane] & edge_record::begins);
     }
     std::uint32_t index(std::size_t lane) const { return edge[lane] >> edge_record::mark_bits; }
-    /// From its begin to its end.
+    /// The vector from its beginning to its end.
     l3d_point_2d way(std::size_t lane) const {
         return {(x0[lane] - x1[lane]) * turns[lane], (y0[lane] - y1[lane]) * turns[lane]};
     }
@@ -94,7 +94,7 @@ struct edge_sums {
     double own, before;
 };
 
-/// Places the edges in the pixel whose top left corner is given, and finds all else of them.
+/// Places the edges in the pixel whose top left corner is given, and computes all other members.
 /// Rounding never puts them beyond the pixel.
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 

@@ -31,7 +31,7 @@ public:
     /// Adds columns of one value.
     void add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value);
 
-    /// The lists, for those who add to them by themselves.
+    /// The lists, for callers that add to them directly.
     kept_list<covered_span>& spans() { return spans_; }
     kept_list<std::uint8_t>& values() { return values_; }
     const kept_list<std::uint8_t>& values() const { return values_; }

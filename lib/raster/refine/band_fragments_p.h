@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_fragments: what polygons show in the marked pixels of a band.
+// band_fragments: the parts of polygons that are seen in the marked pixels of a band.
 #ifndef L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
 #define L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
 
@@ -25,7 +25,7 @@ namespace l3d_detail {
 ///        Hidden fragments are removed whenever their number has doubled.
 class band_fragments {
 public:
-    /// Starts a band of a picture, or so many of its rows that at least `most` pixels are marked.
+    /// Starts a band of a picture, or only its first rows with at least `most` marked pixels.
     /// Returns: the end of these rows.
     /// Expects: the band begins at a tile of marked_pixels.
     std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
@@ -103,7 +103,7 @@ private:
     std::size_t count_ = 0;                  ///< fragments in use
     std::size_t most_fragments_ = 0;         ///< number of fragments at which hidden ones are
                                              ///< removed
-    std::vector<std::uint32_t> names_;       ///< the polygons' indices after that
+    std::vector<std::uint32_t> names_;       ///< the polygons' indices once hidden ones are removed
 };
 
 } // namespace l3d_detail

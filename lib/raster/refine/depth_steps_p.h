@@ -10,9 +10,9 @@
 
 namespace l3d_detail {
 
-/// The difference of two neighbours' levels in a channel that makes an edge between them, after the
-/// part that shading explains is taken off. At edges that are not refined, a picture may be wrong
-/// by half of this.
+/// The least difference of two neighbours' levels in a channel that makes an edge between them,
+/// without the part that shading explains. At edges that are not refined, a picture may be wrong by
+/// half of this.
 ///
 /// Steady shading explains twice the smaller one of the differences before and behind, if they have
 /// the same sign. A kink of the shading explains the larger one.

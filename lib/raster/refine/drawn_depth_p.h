@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// drawn_depth: what is hidden in a picture that has been drawn.
+// drawn_depth: the depths of a drawn picture, and what they hide.
 #ifndef L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
 #define L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
 

@@ -40,7 +40,7 @@ public:
         std::uint32_t first = 0; ///< the index of its first marked pixel
     };
 
-    /// Starts a band, or so many rows of its tiles that at least `most` pixels are marked.
+    /// Starts a band, or only its first rows of tiles with at least `most` marked pixels.
     /// Expects: the band begins at a tile.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
                std::size_t most);
@@ -59,7 +59,7 @@ public:
               next_(column_of(box.left)), top_(box.top & -side), row_(&of.at(0, top_ / side)),
               rows_(rows_inside()) {}
 
-        /// Goes on to the first one, or the next. Returns whether there is one.
+        /// Goes to the first tile, or to the next one. Returns whether there is one.
         bool next() {
             constexpr std::uint64_t a_row = (1u << side) - 1, a_column = 0x0101010101010101;
             for (;;) {
@@ -85,7 +85,7 @@ public:
         const tile& here() const { return row_[next_ - 1]; }
         std::int32_t left() const { return static_cast<std::int32_t>(next_ - 1) * side; }
         std::int32_t top() const { return top_; }
-        /// Its open pixels in the box.
+        /// The tile's open pixels in the box.
         std::uint64_t bits() const { return bits_; }
 
     private:

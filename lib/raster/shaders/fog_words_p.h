@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fog_words: fog before the pixels of a picture.
+// fog_words: fog in front of the surfaces of a picture.
 #ifndef L3D_RASTER_SHADERS_FOG_WORDS_P_H
 #define L3D_RASTER_SHADERS_FOG_WORDS_P_H
 

@@ -52,10 +52,10 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// A bound for the error of levels, compared with those of the true parameters. Take weights of
-    /// corners that add up to 1, and multiply each by its corner's w. They change by (ratio - 1) /
-    /// 4, for the ratio of the largest and the least w. The weighed levels lie in the range of all
-    /// interpolated numbers.
+    /// A bound for the error of levels, compared with those of the true parameters. Weights of
+    /// corners that add up to 1 change by (ratio - 1) / 4 at most if each is multiplied by its
+    /// corner's w, where ratio is the largest w by the least. They weight levels in the range of
+    /// all numbers.
     float error() const { return error_; }
 
 private:

@@ -30,7 +30,7 @@ public:
     /// The index of a name's material among those of the frame. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Takes the pixels from `begin` on that show one part or nothing. Returns the one behind them.
+    /// Takes the pixels from `begin` on that show one part or nothing. Returns the next index.
     /// Expects: has() the name of the first.
     std::size_t add_part(const named_pixels& from, std::size_t begin);
 
@@ -46,7 +46,7 @@ public:
                   pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.end), color);
     }
 
-    /// Colours what still waits. Then words() are the colours of all pixels that were taken.
+    /// Colours the pixels that still wait. Then words() has the colours of all pixels taken.
     void finish();
     const std::uint32_t* words() const { return pixels_.words.data(); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// exact_steps: a quotient that is stepped without rounding. Lines and edges of polygons stand on
-// it.
+// exact_steps: a quotient that is stepped without rounding, on which lines and edges of polygons
+// are built.
 #ifndef L3D_RASTER_SHAPES_EXACT_STEPS_P_H
 #define L3D_RASTER_SHAPES_EXACT_STEPS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_scalar: parts of surfaces into a band, one polygon after the other, with any shader.
+// band_scalar: fills parts of surfaces into a band, one polygon after the other, with any shader.
 #ifndef L3D_RASTER_SURFACES_BAND_SCALAR_P_H
 #define L3D_RASTER_SURFACES_BAND_SCALAR_P_H
 

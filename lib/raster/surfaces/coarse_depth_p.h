@@ -30,9 +30,9 @@ struct tile_table {
                                       ///< was found
 };
 
-/// Knows about each tile of a picture how far its pixels are. So it finds hidden shapes, and tiles
+/// Keeps a bound of the depths in each tile of a picture. By it, hidden shapes are found, and tiles
 /// whose depths nobody has set to 0 yet. A tile's depths are set to 0 when something is drawn
-/// there, as they are needed in the nearest cache then.
+/// there, since they are needed in the nearest cache then.
 ///
 /// Depths only become nearer in a frame, so the farthest depth that was found for a tile stays a
 /// bound.

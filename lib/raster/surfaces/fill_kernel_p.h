@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_kernel: micro-quads and triangles into a band of rows, many at a time in SIMD lanes.
+// fill_kernel: fills micro-quads and triangles into a band, many at a time in SIMD lanes.
 #ifndef L3D_RASTER_SURFACES_FILL_KERNEL_P_H
 #define L3D_RASTER_SURFACES_FILL_KERNEL_P_H
 

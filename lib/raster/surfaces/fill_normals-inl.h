@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_normals: normals that are shaded when all is filled, one polygon a lane.
+// fill_normals: interpolates normals, which are lit after filling; one polygon a lane.
 #if defined(L3D_RASTER_SURFACES_FILL_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_NORMALS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_NORMALS_INL_H

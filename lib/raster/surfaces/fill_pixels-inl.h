@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_pixels: the rows of a table into picture and depth. The product's inner loop.
+// fill_pixels: writes rows of a table into picture and depth, in the library's innermost loop.
 #if defined(L3D_RASTER_SURFACES_FILL_PIXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_PIXELS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_PIXELS_INL_H

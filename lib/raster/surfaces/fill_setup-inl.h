@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_setup: from corners to rows, one polygon a lane.
+// fill_setup: finds the rows of polygons from their corners, one polygon a lane.
 #if defined(L3D_RASTER_SURFACES_FILL_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_SETUP_INL_H
 #undef L3D_RASTER_SURFACES_FILL_SETUP_INL_H
@@ -237,7 +237,7 @@ struct lane_corners {
     }
 };
 
-/// A bound for the part of a polygon's range of numbers by which its change of w moves them.
+/// A bound of what w's change over a polygon adds to numbers, as a share of their range.
 HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     const floats d;
     const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));

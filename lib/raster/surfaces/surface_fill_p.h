@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// surface_fill: quads and triangles into picture and depth buffer, pixel by pixel.
+// surface_fill: fills quads and triangles into picture and depth buffer, pixel by pixel.
 #ifndef L3D_RASTER_SURFACES_SURFACE_FILL_P_H
 #define L3D_RASTER_SURFACES_SURFACE_FILL_P_H
 

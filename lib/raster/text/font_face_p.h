@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_font::face: what draws the letters of a font.
+// l3d_font::face: the interface of the code that draws the letters of a font.
 #ifndef L3D_RASTER_TEXT_FONT_FACE_P_H
 #define L3D_RASTER_TEXT_FONT_FACE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text_shaper: which glyphs a line of text has, of which fonts, and where.
+// text_shaper: the glyphs of a line of text, with their fonts and places.
 #ifndef L3D_RASTER_TEXT_TEXT_SHAPER_P_H
 #define L3D_RASTER_TEXT_TEXT_SHAPER_P_H
 

@@ -45,10 +45,10 @@ struct picture_map {
     }
 };
 
-/// That map in floats, about some parameters. Shape: u and v of the picture.
+/// The same map in floats, around some parameters. Shape: u and v of the picture.
 ///
-/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. That counts only where a
-///       patch has a picture more often than pixels could show.
+/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. It counts only where a
+/// patch repeats a picture more often than pixels could show.
 struct near_map {
     std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
 };
@@ -60,9 +60,10 @@ struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
     std::uint32_t material = 0; ///< index of its material among the frame's
     const l3d_surface_part* part = nullptr;
-    l3d_patch_parameters origin; ///< those of the grid's first vertex; of `near` and its parameters
+    l3d_patch_parameters origin; ///< the grid's first vertex's, from which `near` and its
+                                 ///< parameters count
     near_map near;
-    std::size_t columns = 0, rows = 0; ///< where parameters of columns and rows begin
+    std::size_t columns = 0, rows = 0; ///< indices of the first parameters of columns and of rows
     std::array<std::span<const l3d_patch_parameters>, 3>
         triangles; ///< parameters of the triangles, for each corner
     const l3d_texture* texture = nullptr;

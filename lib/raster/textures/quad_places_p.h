@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// quad_places: what pixels see of the quads of patches, as places in pictures.
+// quad_places: the places in pictures that pixels of patches' quads show.
 #ifndef L3D_RASTER_TEXTURES_QUAD_PLACES_P_H
 #define L3D_RASTER_TEXTURES_QUAD_PLACES_P_H
 
@@ -12,25 +12,26 @@
 
 namespace l3d_detail {
 
-/// The pixels from `begin` on that show one part or nothing.
+/// The run of pixels from `begin` on that show one part or nothing.
 struct part_run {
     std::size_t end = 0;
     bool has_triangles = false; ///< some show a triangle, and have no place yet
 };
 
-/// Finds places and ways of the pixels of a run. Pixels beside a quad see its nearest side; of a
-/// pixel that shows nothing the ways are 0. The same bits on every processor.
+/// Finds the place in the picture for each pixel of a run, and its steps to the next pixels. Beside
+/// a quad it is that of the nearest side; where nothing is shown, steps are 0. Same bits
+/// everywhere.
 /// Expects: the pixel at `begin` shows the part; `parameters` of all parts.
 part_run find_quad_places(const painted_part& part, const float* parameters,
                           const named_pixels& from, std::size_t begin, painted_pixels& pixels);
 
-/// The same for a pixel that shows a triangle, as half of a quad. Units: pixels from the picture's
-/// top left corner. Shape: `triangle` counts those of the part.
+/// The same for a pixel that shows a triangle, number `triangle` of the part, as half of a quad.
+/// Units: pixels from the picture's top left corner.
 void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
                          std::size_t pixel, painted_pixels& pixels);
 
-/// That triangle. Shape: x and y from the first corner, of which the pixel is `left` and `top`;
-/// places of corners in the picture.
+/// Such a triangle. x and y are relative to the first corner, and so are `left` and `top` of the
+/// pixel. `places` are those of the corners in the picture.
 struct seen_triangle {
     float left, top;
     std::array<float, 3> x, y, inv_w;

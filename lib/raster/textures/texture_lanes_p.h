@@ -108,7 +108,7 @@ struct named_pixels {
     double x = 0, y = 0; ///< place of the first one; the others follow by 1
 };
 
-/// Takes the names of `count` words, which are above the lowest byte; none where depths are 0.
+/// Takes the names from the upper three bytes of words; no_name where a depth is 0.
 void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
                 named_pixels& to);
 

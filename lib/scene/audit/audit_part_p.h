@@ -25,7 +25,7 @@ public:
     /// How far a place is beyond the line through the corners k and k + 1, seen from above.
     double beyond(std::size_t k, const vector& place) const;
     /// Whether all of another triangle is beyond one of the sides, or above or below the plane, by
-    /// more than a distance.
+    /// more than `by`.
     bool is_apart(const flat_triangle& other, double by) const;
 
 private:
@@ -44,7 +44,7 @@ struct bent_patch {
     explicit bent_patch(const patch& p);
 
     /// Parameters whose place is likely to be the nearest one, by some steps of Newton's method.
-    /// The patch goes on beyond 0 and 1, and so may they.
+    /// They may lie beyond 0 and 1, where the patch's polynomials continue it.
     patch_place place_near(const flat_triangle::vector& to, patch_place begin) const;
 
     /// Bounds of the lengths of the derivatives by u twice, by u and v, and by v twice, in a
@@ -59,7 +59,7 @@ private:
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A rectangle of a patch of which all is there; or the part of a trimmed patch beside its border,
+/// A rectangle of a patch that trims leave whole; or the part of a trimmed patch near its border,
 /// which has no rectangle.
 struct patch_sheet {
     const bent_patch* patch;
@@ -70,8 +70,8 @@ struct patch_sheet {
 
 /// A triangle of a mesh; or the part of a patch over a triangle of parameters.
 ///
-/// The part over (u, v) is within `off` of the place with the same weights in the flat triangle, so
-/// each is within `off` of the other. A triangle of a mesh is its own: off is 0.
+/// Each place (u, v) is within `off` of the place with the same weights in the flat triangle, so
+/// part and triangle are within `off` of each other. For a triangle of a mesh, off is 0.
 struct audit_part {
     using vector = l3d_vector<double, 3>;
     using place = patch_place;
@@ -82,12 +82,12 @@ struct audit_part {
     /// The part of a patch over a triangle. Lives: borrows the sheet and its patch.
     audit_part(const patch_sheet& of, const std::array<place, 3>& at_corners);
 
-    /// The place in the middle: of the surface itself.
+    /// The place in the middle, on the surface itself.
     vector middle() const;
-    /// Both parts that a cut from the corner across leaves, at `share` of the side from corner k to
-    /// the next.
+    /// Both parts after a cut from the opposite corner to the side from corner k to the next, which
+    /// it meets at `share`.
     std::array<audit_part, 2> cut(std::size_t k, double share) const;
-    /// The side that counts most in `off`. Expects: a part of a patch.
+    /// The side that contributes most to `off`. Expects: a part of a patch.
     std::size_t bent_side() const;
     /// The longest side, in space.
     std::size_t longest_side() const;

@@ -33,7 +33,7 @@ struct audit_box {
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
 };
 
-/// Parts by boxes. Parts of patches are halved where a search needs it, for this search alone.
+/// A tree of boxes with parts. A search may halve parts of patches, for itself alone.
 class part_tree {
 public:
     using vector = audit_part::vector;
@@ -43,19 +43,20 @@ public:
 
     std::span<const audit_part> parts() const { return parts_; }
 
-    /// A bound of how far some places are from a part, and the part.
+    /// Bounds of the distance from some places to a part, and the part.
     struct found {
         double least = 0; ///< the farthest of the places is at least this far from each part
         double most = 0;  ///< all places are at most this far from this part
         std::optional<audit_part> part; ///< none if none was near enough
     };
 
-    /// How long a search goes on.
+    /// The conditions under which a search ends.
     struct wanted {
         double enough;   ///< a part so near ends the search
         double hopeless; ///< parts that cannot be nearer than this are not looked at
         double slack;    ///< the search ends when most - least is no larger
-        /// So many boxes and parts are opened at most. `least` is then 0, and `most` is valid.
+        /// The most boxes and parts to open. If these are not enough, `least` is 0; `most` is
+        /// valid.
         std::size_t steps = std::numeric_limits<std::size_t>::max();
     };
 
@@ -70,7 +71,7 @@ public:
         std::vector<audit_part> parts;
     };
 
-    /// Searches for the part to which the farthest of some places is nearest.
+    /// Finds the part with the least distance to the farthest of some places.
     found nearest(std::span<const vector> places, const wanted& until, memory& use) const;
 
     /// Adds the parts whose boxes are at most `distance` from the box of another part. Returns

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_audit: how far a mesh is from the surface that it stands for, and back.
+// l3d_surface_audit: bounds of the distances between a mesh and the surface that it stands for.
 #ifndef L3D_SCENE_AUDIT_SURFACE_AUDIT_H
 #define L3D_SCENE_AUDIT_SURFACE_AUDIT_H
 
@@ -12,12 +12,12 @@
 #include <memory>
 #include <span>
 
-/// A largest distance, as proven bounds, and where it is.
+/// Proven bounds of the largest distance, and the place where it occurs.
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
-    /// The place where the way begins: on the mesh, or on the surface up to the error of its
-    /// patches.
+    /// The place from which the distance is measured: on the mesh, or on the surface up to the
+    /// error of its patches.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};
     /// The triangle of the mesh that holds the place, or the piece of the surface by its number in
     /// l3d_patch_model::pieces.
@@ -27,8 +27,10 @@ struct L3D_PUBLIC l3d_audited_way {
 /// The distances between a mesh and a surface, each from all places of one to the nearest place of
 /// the other. The larger one is Hausdorff's distance.
 struct L3D_PUBLIC l3d_mesh_audit {
-    l3d_audited_way from_mesh;    ///< from the triangles to the surface: what is too much
-    l3d_audited_way from_surface; ///< from the surface to the triangles: what is missing
+    l3d_audited_way from_mesh;    ///< from the triangles to the surface: large where the mesh has
+                                  ///< too much
+    l3d_audited_way from_surface; ///< from the surface to the triangles: large where the mesh lacks
+                                  ///< a part
 };
 
 /// Measures distances to the trimmed pieces of a model, from below and from above.
@@ -43,7 +45,7 @@ public:
     /// The corners of a triangle.
     using triangle = std::array<vector, 3>;
 
-    /// The width of bounds that programs ask for, by the diagonal of the model's box.
+    /// The width of bounds that programs ask for, as a share of the diagonal of the model's box.
     static constexpr double usual_tolerance = 1e-4;
 
     /// Prepares a model. `tolerance` is the width that bounds should have.
@@ -68,8 +70,8 @@ public:
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
-    /// So many cuts of triangles are made each way, if they are needed, and as many as there are
-    /// triangles and cells on both sides if those are more.
+    /// The number of cuts of triangles that are allowed each way. As many as the triangles and
+    /// cells on both sides are allowed, if those are more.
     static constexpr std::size_t least_cuts = std::size_t{1} << 13;
 
 private:

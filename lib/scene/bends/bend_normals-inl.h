@@ -28,8 +28,8 @@ constexpr double factorial(std::size_t n) {
     return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1);
 }
 
-/// The factor from a Taylor coefficient to the derivative by parameters that run from 0 to 1 across
-/// the part, half as fast.
+/// The factor that turns a Taylor coefficient into a derivative by parameters from 0 to 1 across
+/// the part, which run half as fast.
 constexpr double as_derivative(std::size_t k, std::size_t l) {
     return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
 }
@@ -53,7 +53,7 @@ constexpr double no_length = 0x1p-32;
 /// largest of the points.
 constexpr double point_noise = 0x1p-44;
 
-/// A factor above the relative rounding of sums of positive numbers here.
+/// A factor that exceeds the relative rounding error of the sums of positive numbers below.
 constexpr double relative = 1 + 0x1p-40;
 
 // Functions with series of their own, 3 KB each with the longest lanes, are not inlined: so the
@@ -280,13 +280,14 @@ public:
     }
 
 private:
-    /// The factor of a derivative of order k by one parameter at the power `rest` that is left.
+    /// The factor by which k derivatives by a parameter multiply its power k + rest.
     static constexpr double taken_out(std::size_t k, std::size_t rest) {
         return factorial(k + rest) / factorial(rest);
     }
 
-    /// Coefficients of N are multiplied out below this order. With order 4, the teapot has 0.2 %
-    /// more quads; with 7, it has 1 % fewer, and bounds take a third more instructions.
+    /// The order below which products with coefficients of N keep their signs. With order 4, the
+    /// teapot has 0.2 % more quads; with 7, it has 1 % fewer, and bounds take a third more
+    /// instructions.
     static constexpr std::size_t exact_order = 5, room = exact_order + 3;
 
     const taylor_net<3>& s_;

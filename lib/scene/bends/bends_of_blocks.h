@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bends_of_blocks: parts of a patch, those quartered whose bounds are loose.
+// bends_of_blocks: bounds over parts of a patch, which are quartered where bounds are loose.
 #ifndef L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
 #define L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
 
@@ -24,7 +24,7 @@ public:
     double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
 
 private:
-    /// The first rows of parts, and five groups of quarters: as many as 60 us a patch allow.
+    /// The most groups: the first rows of parts, and five of quarters, as 60 us a patch allow.
     static constexpr std::size_t groups = bend_parts + 5;
     static constexpr std::size_t blocks = l3d_surface_bends::blocks;
 

@@ -27,7 +27,7 @@ struct l3d_placed_patch {
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
     /// The least w of its box, but not less than near, in the view's units. In a parallel
-    /// projection it is counted from a w that nothing is nearer than.
+    /// projection it is counted from a w below which nothing lies.
     float nearest_w = 0;
     std::int32_t middle = 0; ///< row of its box's middle; 0 if that is not known
 };

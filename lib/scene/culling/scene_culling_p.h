@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// Gives the bound of terms (l3d_patch_instance::reach) for points in boxes. It is
+/// Gives the sum of magnitudes that bounds rounding errors (l3d_patch_instance::reach), for boxes:
 /// l3d_slanted_box::reach, plus `columns` times the largest coordinates of each box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
@@ -34,7 +34,7 @@ struct culled_boxes {
     row left, right, top, bottom;
 };
 
-/// The way from boxes to the picture.
+/// The input that all boxes share: the matrix, the view and the wanted part of the picture.
 /// Lives: borrows all.
 struct box_placing {
     const l3d_matrix<double>& to_image; ///< from the boxes' space to (x, y, -, w) in view's units

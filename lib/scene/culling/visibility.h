@@ -30,7 +30,7 @@ std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_di
 }
 
 /// Whether a patch need not be diced, since its net proves that it is not seen, and no switch of
-/// view.keep has it drawn. The reason is counted.
+/// view.keep asks for it. The reason is counted.
 bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

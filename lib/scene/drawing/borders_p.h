@@ -13,30 +13,30 @@
 
 namespace l3d_detail {
 
-/// A line on surfaces, before anything is known of what hides it.
+/// A line on surfaces, before the search for what hides it.
 struct drawn_chain {
     l3d_line_kind kind = l3d_line_kind::contour;
     surface_line points;
     /// The pieces that meet along the whole line; none for contours inside of pieces.
     std::vector<std::size_t> sides{};
     std::vector<std::size_t> cusps{}; ///< vertices at which the picture of a contour turns back
-    /// The edge of the model that the line is; then each vertex has its parameter as u.
+    /// The edge of the model, if the line is one; then u of each vertex is the edge's parameter.
     std::optional<std::size_t> edge{};
 };
 
-/// The lines along the sides of pieces, and along their trims, but for those along edges of a
-/// model (edge_joints).
+/// The lines along the sides of pieces, and along their trims, except those along edges of a model
+/// (edge_joints).
 ///
-/// Two sides at the same places are one, walked either way; so are the half of a side and a whole
-/// one. They are a crease if the normals differ by two degrees or more, in any of some places.
-/// Otherwise the side is a contour wherever one piece shows its front and the other its back. So
-/// contours of pieces that are not quite smooth join too. Shape: `contours` holds the lines of
-/// contours_of for each piece, trimmed.
+/// Two sides at the same places count as one, in either direction; so do a half of a side and a
+/// whole one. They are a crease if the normals differ by two degrees or more at any of some places.
+/// Else the side is a contour wherever one piece shows its front and the other its back. So
+/// contours of pieces that are not quite smooth join too.
+/// Shape: `contours` holds the lines of contours_of for each piece, trimmed.
 std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
                                     std::span<const std::vector<surface_line>> contours,
                                     const drawing_view& view, double tolerance);
 
-/// Whether two unit normals differ by less than two degrees, or one of them is not there.
+/// Whether two unit normals differ by less than two degrees, or one of them is missing.
 bool have_one_plane(const l3d_vector<double, 3>& n, const l3d_vector<double, 3>& o);
 
 /// The parts of a line that the piece's trims leave.

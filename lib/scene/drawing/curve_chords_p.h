@@ -24,7 +24,7 @@ public:
     curve_chords(std::size_t piece, const drawing_view& view, double tolerance)
         : piece_(piece), view_(view), tolerance_(tolerance) {}
 
-    /// Adds a net with n = 0. `place` tells the parameters of t, from 0 to 1.
+    /// Adds a curve, a net with n = 0. `place(t)` gives its parameters at t, from 0 to 1.
     void add(const bernstein_net& curve,
              const std::function<std::array<double, 2>(double)>& place) {
         add(curve, place, 0, 1, 0);

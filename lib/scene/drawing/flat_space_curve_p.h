@@ -17,9 +17,9 @@ namespace l3d_detail {
 
 using depth_chord = std::array<depth_point, 2>;
 
-/// Divides a curve into chords as a camera sees it, in its order. Chords are cut off at the near
-/// and far plane, which a parallel projection has not, and behind the section. They are also cut
-/// off outside of the picture, where the line's width does not reach into it.
+/// Divides a curve into chords as a camera sees it, in its order. Chords are cut off behind the
+/// section and at the near and far plane, which a parallel projection lacks. They are also cut off
+/// outside of the picture, where the line's width does not reach into it.
 ///
 /// Every point of the curve in the picture is within `tolerance` pixels of its chord, and so is its
 /// depth in pixels at its distance. The exception is a curve of over 2^16 chords between two knots.

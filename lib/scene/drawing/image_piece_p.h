@@ -76,10 +76,10 @@ public:
     double ahead(const double* p) const { return is_parallel_ ? 1 : p[3] - near_ * p[2]; }
     /// The distance along the view axis.
     double depth_of(double z) const;
-    /// Pixels for a unit of the world across the line of sight, at a depth of the picture.
+    /// The length in pixels of a unit of the world across the line of sight, at a depth.
     double scale_at(double z) const;
     l3d_size size() const { return size_; }
-    /// The error by the shear, in pixels.
+    /// The error that the shear adds, in pixels.
     double error() const { return error_; }
 
 private:
@@ -101,13 +101,13 @@ struct image_bounds {
     double height() const { return bottom - top; }
 };
 
-/// The sides of a region's polygons in rows of equal heights of v, for questions about many places.
+/// The sides of a region's polygons, in rows of equal height in v: for many calls of contains().
 class region_rows {
 public:
     region_rows() = default;
     explicit region_rows(const l3d_trim_region& region);
 
-    /// Whether a place is inside, as l3d_trim_region::contains tells but for rounding.
+    /// Whether a place is inside, as l3d_trim_region::contains tells, except for rounding.
     bool contains(double u, double v) const;
 
 private:
@@ -132,8 +132,8 @@ struct image_piece {
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Makes the region of these loops by polygons, and returns how far they are off. Where the
-    /// piece reaches the near plane, that is no bound.
+    /// Makes the region from these loops, as polygons, and returns the largest distance between
+    /// both. Where the piece reaches the near plane, that is no bound.
     /// Units: pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_curved_pieces: rational patches of any degree, cut until bicubic ones can stand for them.
+// l3d_curved_pieces: rational patches of any degree, cut into cells that bicubic ones approximate.
 #ifndef L3D_SCENE_CURVED_PIECES_H
 #define L3D_SCENE_CURVED_PIECES_H
 
@@ -32,9 +32,9 @@ struct l3d_cell_wish {
 
     friend bool operator==(const l3d_cell_wish&, const l3d_cell_wish&) = default;
 
-    /// The error of places that is allowed in the hull of points as l3d_seen_region has them.
+    /// The error of places that is allowed in the hull of these points (see l3d_seen_region).
     double allowed(std::span<const l3d_vector<double, 4>> points) const;
-    /// The error of unit normals that is allowed in a cell with this part of its piece.
+    /// The error of unit normals that is allowed in a cell that is this part of its piece.
     double normals_of(const l3d_parameter_range& cell) const;
 };
 
@@ -43,14 +43,14 @@ inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter
     return {static_cast<double>(piece), at.u0, at.u1, at.v0, at.v1};
 }
 
-/// A table of something for each cell.
+/// A table with a value for each cell.
 template <class T>
 using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
 
-/// The bicubic patches and the normals that stand for cells, kept from one search to the next.
+/// The bicubic patches and normals that approximate cells, kept from one search to the next.
 class l3d_found_cells {
 public:
-    /// The patch for a part of a piece, which make() makes if nothing is known of it.
+    /// The patch for a part of a piece; make() computes it if it is not known yet.
     /// Expects: parts are the same bit for bit whenever they are made.
     /// Lives:   until forget_if_many().
     template <class Make>
@@ -96,8 +96,8 @@ public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
-    /// Expects: each piece as l3d_rational_piece expects. Edges that trims name and that are not
-    /// there do not count.
+    /// Expects: each piece as l3d_rational_piece expects. Trims may name edges that do not exist;
+    ///          these are ignored.
     explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
                                std::vector<l3d_model_edge> edges = {});
 
@@ -139,14 +139,16 @@ public:
         std::vector<l3d_trim_region> trims;
         /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
         std::vector<double> errors;
-        double share = 0; ///< the largest of these by what is allowed for its patch
-        /// How far the edges may be off that each patch follows; negative where it follows none.
+        double share = 0; ///< the largest ratio of an error to the one that is allowed for its
+                          ///< patch
+        /// For each patch, how far the edges that it follows may be off; negative if there are
+        /// none.
         std::vector<double> edges_off;
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
-    /// About how many corners the polygons of trims have at a level, beside the ends of curves.
+    /// The approximate number of corners of trims' polygons at a level, besides ends of curves.
     double trim_corners(int level) const { return trim_bends_ / std::sqrt(place_target(level)); }
     /// The halvings of all pieces.
     struct cuts {
@@ -176,7 +178,7 @@ private:
     l3d_detail::directed_sets alike_; ///< lines 2 i and 2 i + 1 run along u and v of piece i
     vector least_{0.0, 0.0, 0.0}, most_{0.0, 0.0, 0.0};
     bool has_trims_ = false;
-    double trim_bends_ = 0; ///< square roots of what trims are off the chords between their ends
+    double trim_bends_ = 0; ///< sum of the square roots of the distances from trims to their chords
 };
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which level of a curved model a picture needs.
+// The choice of the level of a curved model that a picture needs.
 #ifndef L3D_SCENE_LEVEL_CHOICE_H
 #define L3D_SCENE_LEVEL_CHOICE_H
 

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-/// The bends of a patch, from the first question on: cells outside the window never need theirs.
+/// The bends of a patch, computed at the first call: cells outside the window never need theirs.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
@@ -37,9 +37,9 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Takes facts of the same patch at the same place in `like`, if any, from there.
+    /// Copies the data of each patch that `like`, if it is not null, has at the same index.
     contents(std::vector<patch> of, const contents* like);
-    /// The cells of a curved model. Facts are taken from the same cells of a curved model.
+    /// The cells of a curved model. Data of equal cells are copied from `like`, if it is not null.
     contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
@@ -54,23 +54,23 @@ struct l3d_patch_model::contents {
     l3d_box_lanes boxes;
 
     // The following are for a curved model.
-    std::vector<std::uint32_t> pieces;       ///< the piece that each patch stands for
-    std::vector<l3d_parameter_range> ranges; ///< the part of it
+    std::vector<std::uint32_t> pieces;       ///< the piece that each patch belongs to
+    std::vector<l3d_parameter_range> ranges; ///< the part of that piece
     std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
     std::vector<double> edges_off;           ///< as l3d_curved_pieces::cells has it
     std::vector<double> errors;              ///< errors of places, one for each patch
     double surface_error = 0, normal_error = 0;
-    double share = 0; ///< the largest error of places by what the wish allows there
+    double share = 0; ///< the largest ratio of an error of places to the one that is allowed there
 
 private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
 };
 
-/// The surfaces that pieces stand for, beside their own.
+/// The errors of pieces that approximate another surface.
 struct l3d_patch_model::stated {
     stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
 
-    /// Those of points are without normals if rounding may turn their normals by anything.
+    /// is_of_points is false where errors of points may turn normals by any angle.
     std::vector<l3d_patch_error> errors;
     double places = 0;  ///< the largest
     double normals = 0; ///< the largest of pieces of points

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_halved_sides: sides of patches at which two patches of half the size go on.
+// l3d_halved_sides: sides of patches at which two patches of half the size continue the surface.
 #ifndef L3D_SCENE_HALVED_SIDES_H
 #define L3D_SCENE_HALVED_SIDES_H
 
@@ -49,8 +49,8 @@ inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& 
     return result;
 }
 
-/// Finds all halved sides, in the order of their patches. Only sides that no other side equals are
-/// such, and so are those beyond.
+/// Finds all halved sides, in the order of their patches. Both they and the sides beyond are equal
+/// to no other side.
 /// Cost: some 1 us a patch.
 std::vector<l3d_halved_side>
 l3d_find_halved_sides(std::span<const l3d_bezier_patch<double, 3>> patches);

@@ -20,7 +20,7 @@ struct l3d_shared_edge {
     };
     l3d_nurbs_curve curve; ///< as the file has it
     std::vector<span> spans;
-    /// The ends, which edges have in common that end nearer to each other than they are exact.
+    /// The ends. Edges share an end if theirs are no farther apart than both edges' tolerances.
     std::array<l3d_vector<double, 3>, 2> ends{};
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.
@@ -38,8 +38,7 @@ struct l3d_shared_edge {
 };
 
 /// The longest chord of a shared edge in the picture. A straight edge has as many points as its
-/// length asks for, so that strips beside what is far out of the picture do not reach into it.
-/// Units: pixels.
+/// length asks for, so that strips far outside the picture do not reach into it. Units: pixels.
 inline constexpr double l3d_longest_shared_chord = 16;
 
 /// The edges that trims of these pieces follow. Where a face begins or ends with an edge, the edge

@@ -14,7 +14,8 @@
 ///
 /// The surface goes on where exactly one other side has the same control points, in either
 /// direction; or where the halves of a side are two others. Sides are v = 0, u = 1, v = 1, u = 0,
-/// in the order in which one walks round the patch. Cost: some microseconds a patch.
+/// in the order in which one walks round the patch.
+/// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
     static constexpr std::size_t sides = 4; ///< sides of a patch
@@ -34,8 +35,8 @@ public:
         /// Whether both sides are walked in the same direction, so that the normals of the two
         /// patches are opposite.
         bool turns = false;
-        /// The other side of the pair, or that which this one is a half of; nothing if it is halved
-        /// itself.
+        /// The other side of the pair, or the side of which this one is a half. They mean nothing
+        /// if it is halved itself.
         std::uint32_t patch = 0, side = 0;
         std::uint32_t part = 0; ///< a half has 0 for the other side's first half, 1 for its second
     };

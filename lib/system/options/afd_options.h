@@ -30,7 +30,7 @@ public:
     ///          the file has no camera of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
-    /// The same camera if places_camera(). Otherwise `framed` makes another one of it, with the
+    /// The same camera if places_camera(). Otherwise `framed` makes another one from it, with the
     /// planes that --near and --far ask for. If `framed` changes the camera, the model of a file is
     /// seen from higher up than the teapot.
     /// Errors:  as camera().
@@ -60,8 +60,7 @@ public:
     /// unless the user places one. Returns whether the option was given: then the program has
     /// nothing more to do. A line on stderr tells why a drawing is empty.
     /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
-    /// file
-    ///         and the system's reason.
+    /// file and the system's reason.
     bool write_svg(const l3d_patch_scene& scene) const;
     /// Whether --svg was given.
     bool gives_svg() const { return !svg_.empty(); }

@@ -44,7 +44,7 @@ public:
     /// The same as --opacity asks, whatever other options say: for a viewer with a list of parts.
     /// Errors:  l3d_error(usage) as scene().
     l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
-    /// Has a list of parts hide and colour what --color, --hide and --show-only name.
+    /// Makes a list of parts hide and colour those that --color, --hide and --show-only name.
     /// Errors:  as applied().
     void put_into(l3d_part_list& list, const l3d_parts& parts) const;
     /// Refuses --opacity, which a model of polygons has not. Errors: l3d_error(usage).

@@ -22,7 +22,7 @@ inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_d
 
 const char* name_of(mesa_way way);
 
-/// Whether the user's wish permits this way. The wish is auto, egl or osmesa. An empty wish stands
+/// Whether the user's choice permits this way. `wish` is auto, egl or osmesa. An empty one stands
 /// for the variable L3D_MESA, and for auto if that is empty or unset, too.
 bool may_try(mesa_way way, const std::string& wish);
 
