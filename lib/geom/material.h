@@ -12,7 +12,7 @@
 /// The colour of a surface, and its highlights.
 ///
 /// Units: colours are pixel words 0x00RRGGBB, encoded as pictures are. Where a white surface would
-/// show the grey level g, a channel of colour c shows round(c g / 255).
+///        show the grey level g, a channel of colour c shows round(c g / 255).
 struct L3D_PUBLIC l3d_material {
     l3d_color color = 0xffffff; ///< colour of light that is scattered to all sides
     l3d_color highlight = 0;    ///< colour of mirrored light; black mirrors none

@@ -130,7 +130,7 @@ public:
     /// beyond the parameters. Loops that go around keep the part on their left, seen from outside.
     /// trims() then has them as closed loops of the plane.
     /// Errors: throws l3d_error(bad_input) with the text of l3d_trims_complaint(), and for loops
-    /// that go around twice, or both ways.
+    ///         that go around twice, or both ways.
     l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
 
     /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were

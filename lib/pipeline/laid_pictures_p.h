@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// The part of a piece's picture that lies on a patch, which may be a part of the piece.
+    /// The map from a patch, which may be a part of a piece, to the picture on the piece.
     static picture_map map_of(const l3d_patch_model& model, const l3d_laid_picture& picture,
                               std::size_t patch) {
         const std::size_t piece = model.piece_of(patch);

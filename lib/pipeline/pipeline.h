@@ -94,7 +94,7 @@ public:
     /// Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
-    /// Lets time of a rest pass, for which no update_event comes. Units: seconds.
+    /// Lets the time of a rest pass, at its end and in place of update_event. Units: seconds.
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
     /// Whether anything would look different if draw_event were called now. The dispatcher

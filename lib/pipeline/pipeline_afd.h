@@ -31,7 +31,8 @@ class l3d_pixel_boxes;
 /// Switches that make a frame do work that it could skip; the picture is the same, or as good. Only
 /// benchmarks set them, to measure what each rule saves.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
-    bool unit_normals = false; ///< lambert: made in each pixel, also where less would do
+    bool unit_normals = false; ///< lambert: a unit normal in each pixel, also where a plane would
+                               ///< do
     bool drawing = false;      ///< draws a frame again, even if nothing changed
 
     /// All of this work, as if no rule could skip any.

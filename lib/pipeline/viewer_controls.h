@@ -259,8 +259,8 @@ public:
     double rest_left() const {
         return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
     }
-    /// Lets time of a rest pass. Returns whether the hint ends, so that a picture is due. Units:
-    /// seconds.
+    /// Lets the time of a rest pass. Returns true if the hint ends by that, so that a picture is
+    /// due. Units: seconds.
     bool rest(double seconds);
     /// Whether the user wants things to stand still, as after the key p.
     bool is_paused() const { return paused_; }

@@ -67,10 +67,10 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
            static_cast<std::int64_t>(a_pixel * static_cast<double>(size.width) * size.height);
 }
 
-/// The widest error a of outlines of smooth edges. With the tolerance b, they keep the bound
-/// 1 / (1 / a + 1 / b): a twelfth of a pixel at the usual tolerance of a quarter. Measured outlines
-/// have a root mean square error of a sixth of this bound. Counting 64 samples errs by 0.73 / 64 of
-/// a pixel, which is nearly as much.
+/// The largest error a that outlines of smooth edges may have. With a tolerance of b, their bound
+/// is 1 / (1 / a + 1 / b): a twelfth of a pixel at the usual tolerance of a quarter. Measured
+/// outlines have a root mean square error of a sixth of this bound. Counting 64 samples errs by
+/// 0.73 / 64 of a pixel, which is nearly as much.
 /// Units: pixels.
 inline constexpr double l3d_widest_outline = 0.125;
 

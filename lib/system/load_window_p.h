@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 /// A small window with the name of the file that is read, and the share that is done. It opens
 /// after half a second, and only for programs that will show a window and whose messages go to no
-/// terminal. There, long_work and stop_key do the same.
+/// terminal. On a terminal, long_work and stop_key do the same.
 ///
 /// Lives: borrows the factories and the options.
 class load_window {

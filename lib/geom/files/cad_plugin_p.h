@@ -26,7 +26,7 @@ struct cad_plugin : plugin_interface {
     /// Shape:  records as cad_record lists them: the kind's number, then its fields. Texts and
     ///         lists begin with their length.
     /// Errors: returns 0, with one line in `why`, which has room for `room` bytes with the zero at
-    /// its end.
+    ///         its end.
     int (*read)(const char* text, std::size_t size, int is_iges, void* to,
                 void (*take)(void* to, const void* bytes, std::size_t size),
                 int (*tell)(void* to, double share), char* why, std::size_t room);

@@ -53,9 +53,8 @@ private:
     /// The entry of a face whose groups the file does not give.
     static constexpr std::uint64_t unsaid = ~std::uint64_t{0};
 
-    // said_by() returns the index of a normal, which is less than `none`, or else groups that are
-    // `numbered`, groups as bits with `grouped`, `unsaid`, or `flat`. A vertex without a corner is
-    // `free`.
+    // said_by() returns the index of a normal, less than `none`; or groups that are `numbered`; or
+    // groups as bits, with `grouped`; or `unsaid`; or `flat`. A vertex without a corner is `free`.
     static constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
 
     struct faces_around;

@@ -167,8 +167,8 @@ public:
         value = 0;
     }
 
-    /// Whether nothing uses a vertex with such coordinates: neither a corner nor, by
-    /// is_used(index), something else.
+    /// Whether no vertex with such coordinates is used: by no corner and, as is_used(index) tells,
+    /// by nothing else.
     /// Errors: as text_cursor::is_coordinate, at the first coordinate in the text that is used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
@@ -237,8 +237,8 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
         mesh.vertex_normals.clear();
 }
 
-/// Reads a model by read(cursor, model), which returns success; the reader of each format returns
-/// the result. Text from `comment`, if any, to the end of its line is skipped.
+/// Reads a model by read(cursor, model), which returns whether it succeeded. Each format's reader
+/// returns this function's result. Text from `comment`, if any, to the end of its line is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

@@ -104,7 +104,7 @@ private:
     std::vector<std::uint32_t> indices_; ///< control points of the open surface or curve
     std::vector<bool> is_control_point_;
     std::vector<std::array<double, 3>> parameter_vertices_; ///< u, v and weight
-    /// Those of curv2, in their order; nothing for one that is skipped.
+    /// The curves of curv2, in their order; nothing for one that is skipped.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
     std::vector<l3d_trim_loop> trims_; ///< those of the open surface
     bool has_outer_trim_ = false;      ///< it is trimmed from outside, not by holes alone

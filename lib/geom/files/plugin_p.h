@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// The head of every plug-in's interface, which is a struct of functions derived from this one.
+/// The common part of the interfaces of plug-ins, structs of functions that derive from this one.
 ///
 /// Functions take and give numbers of C's own types, never l3d_real. So one plug-in serves the
 /// libraries of all number types, and it links nothing of them.

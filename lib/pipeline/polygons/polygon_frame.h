@@ -25,9 +25,10 @@
 /// Finds the triangles of a model that may be seen, and places them in the picture. It projects
 /// each vertex once, then leaves out faces that are not seen, and clips some.
 ///
-/// Projection is in double for every number type, then rounded to 1/256 pixel; l3d_real is only for
-/// what is stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and
-/// 1 at the farthest end of the model's sphere, linear in between, as rasterizers need it.
+/// Projection is in double for every number type, then rounded to 1/256 pixel; l3d_real serves only
+/// numbers that are stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the
+/// nearest and 1 at the farthest end of the model's sphere, linear in between, as rasterizers need
+/// it.
 /// Expects: workers, model and view outlive each make().
 /// Cost:    keeps its memory: 32 bytes per vertex and 8 per triangle drawn, 72 more in parts. For
 ///          anti-aliasing, 13 more per triangle of the model.
@@ -82,9 +83,10 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// The wanted number of chunks, and the least and most triangles of the model in one. Without
-    /// `ends`, a chunk is one item of work and one part. The smallest takes some 10^4 cycles. 16
-    /// chunks give workers even shares. Larger ones would not stay in a cache of the second level.
+    /// The wanted number of chunks, and the least and the largest number of triangles in one.
+    /// Without `ends`, a chunk is one item of work and one part. The smallest takes some 10^4
+    /// cycles. 16 chunks give workers even shares. Larger ones would not stay in a cache of the
+    /// second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {

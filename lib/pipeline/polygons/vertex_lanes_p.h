@@ -44,7 +44,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to);
 
-/// The wanted triangles of a model.
+/// The choice among the triangles of a model.
 struct triangle_choice {
     const l3d_polygon_model& model;
     const l3d_polygon_view& view;

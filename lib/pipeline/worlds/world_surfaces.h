@@ -33,10 +33,11 @@ private:
     /// for its shape.
     struct placed {
         const l3d_object* object = nullptr;      ///< perhaps gone: only to be compared
-        std::optional<l3d_polygon_model> plain;  ///< the object's, which `shaped` was made of
+        std::optional<l3d_polygon_model> plain;  ///< the object's own model, from which `shaped`
+                                                 ///< was made
         std::optional<l3d_polygon_model> shaped; ///< scaled and sheared; none if it is rigid
-        /// The inverse of the placement that `shaped` was made for. A placement times this places
-        /// `shaped`, also after the object has turned.
+        /// The inverse of the placement that `shaped` was made for. A placement times this inverse
+        /// places `shaped`, also after the object has turned.
         l3d_matrix<double> unshape = l3d_identity<double>();
         std::optional<l3d_polygon_view> view;
         l3d_polygon_frame frame;

@@ -23,7 +23,7 @@ namespace l3d_detail {
 /// since a piece is never divided by the same plane again.
 class cycle_cutter {
 public:
-    /// The most members of a knot in which hidden ones are not searched for. In so small a knot,
+    /// The largest knot, in members, that is not searched for hidden ones. For so small a knot,
     /// clearing the bits of the picture would take longer than painting what is hidden.
     static constexpr std::size_t few = 48;
 

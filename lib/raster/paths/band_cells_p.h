@@ -48,8 +48,8 @@ public:
 private:
     /// Pixels whose values are found together.
     static constexpr std::size_t group = 8;
-    /// The sum of all edges in a pixel: the integrals of what they add to the windings, on the
-    /// pixel's right side and within the pixel, and how often outlines pass.
+    /// The sums over all edges in a pixel: the integrals of the windings that they add, on the
+    /// pixel's right side and within the pixel, and the number of times that outlines pass.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

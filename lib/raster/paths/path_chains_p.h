@@ -90,8 +90,8 @@ private:
     l3d_point_2d begin_;
 };
 
-/// Takes outlines, and cuts them at the sides of a picture. Those that turn up or down only twice
-/// are cut into two chains, too.
+/// Takes outlines, and cuts them at the sides of a picture. An outline that turns only once upwards
+/// and once downwards is cut into two chains, too.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
 /// of the picture stay the same. Level edges belong to the chain before them.
@@ -123,7 +123,8 @@ public:
     struct outline {
         l3d_pixel_box box;               ///< the box of all pixels that it reaches
         std::size_t first_block, blocks; ///< its first block, and how many
-        std::size_t chains;              ///< the first of its two chains; `none` if it has not two
+        std::size_t chains;              ///< the first of its two chains; `none` if it is not cut
+                                         ///< into two
         std::uint8_t layer;              ///< 0: of the filled path; 1: of its clip path
         bool apart;                      ///< set by find_apart: its box meets no other outline's
 

@@ -19,8 +19,8 @@ struct pen_point {
     l3d_point_2d arrives{}, leaves{};
 };
 
-/// Adds the outline of a pen along chains of chords to a path: one outline for each chain, or two
-/// if the chain is closed.
+/// Adds to a path the outline of a pen that runs along chains of chords: one outline for each
+/// chain, or two if the chain is closed.
 ///
 /// An outline is the sum of a rectangle for each chord and a wedge for each joint, all wound in the
 /// same direction. For that, it passes through the joint itself on the joint's inner side. So the

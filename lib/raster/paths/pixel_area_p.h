@@ -17,8 +17,9 @@ namespace l3d_detail {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// The range of windings may tell that all of the pixel is inside, or none. Where many visits meet
-/// under the nonzero rule, fields of the pixel may be surely inside, and all of them often are.
+/// Bounds of the windings often tell that all of the pixel is inside, or nothing. Where many
+/// outlines pass under the nonzero rule, parts of the pixel, and often all, are proven to lie
+/// inside.
 ///
 /// Otherwise the borders of the inside are found: along each edge, the winding on its left changes
 /// where other edges cross it, begin or end. The parts with the inside on one side alone add to the

@@ -15,8 +15,8 @@ namespace l3d_detail {
 
 /// How an outline comes to be in a pixel where an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,      ///< by another side than the left one, or not known to
-    continues,   ///< by the edge before
+    enters,      ///< by a side other than the left one, or by one that is not known
+    continues,   ///< it continues the edge before
     unclear,     ///< its first corner lies in the pixel, or it may cross itself there
     enters_left, ///< by the pixel's left side
 };
@@ -38,9 +38,9 @@ struct edge_record {
 
 /// Edges of a pixel, a lane each.
 ///
-/// Where an edge's upper end lies on the pixel's left side, that side above is taken as a part of
-/// it, and where its lower end does, the side below. So the winding does not change where it comes
-/// to the side. A level edge counts as its part of the side alone.
+/// If an edge's upper end lies on the pixel's left side, the edge goes on upwards along that side;
+/// if its lower end does, it goes on downwards. So the winding does not change where the edge meets
+/// the side. A level edge counts by this part on the side alone.
 /// Units:   x and y from 0 to 1, seen from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
@@ -99,8 +99,8 @@ struct edge_sums {
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 
 /// Finds the fields of a pixel in which the winding may be 0, a bit for each, row by row: 8 rows of
-/// 8. `beside` is the winding on the left of all edges. `sign` is -1 if bounds are to be those of
-/// the negative windings, else 1. Expects: all edges are of layer 0.
+/// 8. `beside` is the winding on the left of all edges. `sign` is -1 if negated windings are to be
+/// bounded, else 1. Expects: all edges are of layer 0.
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
 /// Sets the heights between which each edge may pass such fields, to an empty range if there are

@@ -88,8 +88,9 @@ struct winding_change {
 
 /// Finds the exact covered areas of the pixels of one row, as running sums from left to right.
 ///
-/// A border between inside and outside adds to the columns that it reaches the area on its right.
-/// So the running sum over columns is the covered area of each pixel, also behind the last border.
+/// Each border between inside and outside adds the area on its right to the columns that it
+/// reaches. So the running sum over columns is the covered area of each pixel, also behind the last
+/// border.
 /// Cost:    add_border: linear in the columns that are reached. add_cluster: n log n for n edges,
 ///          times the number of their ends and crossings.
 class row_areas {
@@ -97,8 +98,8 @@ public:
     /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as callers leave them.
     void set_width(std::int32_t width);
 
-    /// Adds the edges of a cluster. `left` are the windings on the left of all of them at the top.
-    /// `changes`, from top to bottom, are those of the windings on the left down the row.
+    /// Adds the edges of a cluster. `left` has the windings on the left of all edges at the row's
+    /// top. `changes` lists from top to bottom how these change down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
     /// two cuts edges have an order from left to right. Edges count only if one side is inside and

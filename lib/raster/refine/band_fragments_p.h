@@ -44,9 +44,9 @@ public:
     /// are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
-    /// Empties and opens the closed pixels with samples that no polygon covers, and returns whether
-    /// there are any. Slits leave such samples, or gaps through which farther things are seen. All
-    /// items are then to be added once more, for these pixels only.
+    /// Opens again each closed pixel with a sample that no polygon covers, and removes its
+    /// fragments. Returns whether there are any. Slits leave such samples, or gaps through which
+    /// farther things are seen. All items are then to be added once more, for these pixels only.
     bool reopen() { return pixels_.reopen(); }
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }

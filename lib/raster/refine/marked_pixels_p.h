@@ -45,9 +45,9 @@ public:
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
                std::size_t most);
 
-    /// Empties the closed pixels that the added polygons do not cover wholly. It opens them for all
-    /// polygons, also those behind what was drawn there. All other pixels take no more fragments.
-    /// Returns whether any pixel is open.
+    /// Opens again the closed pixels that the added polygons do not cover wholly, and empties them.
+    /// They take all polygons, also those behind the surfaces drawn there. All other pixels take no
+    /// more fragments. Returns whether any pixel is open.
     bool reopen();
 
     /// The tiles that have open pixels in a box, one after the other.

@@ -57,7 +57,7 @@ private:
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
     const painted_part* part_ = nullptr;   ///< the last one
-    const l3d_texture* texture_ = nullptr; ///< that of the pixels that wait
+    const l3d_texture* texture_ = nullptr; ///< the texture of the pixels that wait
     pixel_range waiting_;
     painted_pixels pixels_{};
 };

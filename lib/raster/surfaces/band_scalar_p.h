@@ -40,7 +40,7 @@ public:
     void fill(const fill_rest& rest);
 
     /// Fills the part of a triangle that cuts leave.
-    /// Expects: another mode than `error`, in which such a triangle has no colour of a part.
+    /// Expects: a mode other than `error`, as such a triangle has no part that gives a colour.
     void fill(const cut_triangle& triangle, std::span<const plane_cut> cuts);
 
     const fill_counts& counts() const { return target_.counts; }

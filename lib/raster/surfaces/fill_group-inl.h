@@ -118,8 +118,8 @@ private:
         return hn::AndNot(others, candidates);
     }
 
-    /// The slivers at the picture's right edge. There a run begins left of the polygon to fit the
-    /// picture, and a sliver's numbers there are some hundred times the corners'. Pieces of quads
+    /// Finds the slivers at the picture's right edge. There a run begins left of the polygon to fit
+    /// the picture, where a sliver's numbers are some hundred times the corners'. Pieces of quads
     /// would be thin, so quads at the edge are not cut.
     HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))

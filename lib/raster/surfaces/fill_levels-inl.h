@@ -106,7 +106,8 @@ private:
     }
 
     /// Notes a bound for the error of the parabola, compared with the levels of the same
-    /// parameters. Errors arise as a quad's picture is no parallelogram, and as w changes over it.
+    /// parameters. Errors arise where a quad's picture is no parallelogram, and where w changes
+    /// over it.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {
         const floats d;

@@ -57,7 +57,7 @@ public:
 
 private:
     /// Notes a bound for the error of normals, compared with those of the same parameters. Errors
-    /// arise as a quad's picture is no parallelogram, and as w changes over it. See NUMERICS,
+    /// arise where a quad's picture is no parallelogram, and where w changes over it. See NUMERICS,
     /// section 24.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {

@@ -38,7 +38,7 @@ static_assert(lanes <= fill_queue::widest_vector);
 enum class fill_shape {
     grey,    ///< lit is the grey level, clamped between darkest and brightest
     flat,    ///< lit is the cosine times 229.5
-    twisted, ///< lit / sqrt(bend) is that; its sign changes where facing < 0
+    twisted, ///< lit / sqrt(bend) is that number; its sign changes where facing < 0
     bent,    ///< lit is the cosine times 229.5, as a parabola instead of a plane
     normal   ///< lit is one of three components of a normal, each a plane
 };

@@ -15,8 +15,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Shuffles that make a word of a sum's lowest byte. Greys repeat it in the three lower bytes.
-/// Levels take it once, as the other bytes are a material's.
+/// Shuffles that make a pixel word from the lowest byte of each sum. Greys repeat it in the three
+/// lower bytes. Levels take it once, as the other bytes are a material's.
 alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
                                                          8, 8, 8, 0x80, 12, 12, 12, 0x80};
 alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {

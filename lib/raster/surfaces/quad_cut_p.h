@@ -80,8 +80,8 @@ public:
         return std::abs(at(1)) * std::abs(at(0)) / (std::abs(at(0)) + std::abs(at(3)));
     }
 
-    /// The corner, 0 or 1, from which a diagonal cuts the quad best: the smaller half is the larger
-    /// one.
+    /// The corner, 0 or 1, from which a diagonal cuts the quad best: so that the smaller half is as
+    /// large as possible.
     std::size_t diagonal() const {
         const auto smaller = [this](std::size_t i) {
             return std::min(std::abs(at_[i]), std::abs(at_[i + 2]));
@@ -126,11 +126,11 @@ inline bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& cen
 
 /// Finds which side of the surface each triangle around the centre of a folded quad shows.
 ///
-/// A triangle that is turned over shows its back, as at a contour. There is an exception if it is
-/// the only one. The other three then go once around the centre and cover it again. They leave only
-/// the part between its outer side and the place where the quad's sides beside that cross. If this
-/// is less than half of it, or the sides do not cross, the quad is as narrow there as its corners
-/// are inexact, as beside a pole. Then the triangle shows the same side as the others.
+/// A triangle that is turned over shows its back, as at a contour, unless it is the only one. Then
+/// the other three go once around the centre and cover it again, except for the part between its
+/// outer side and the crossing of the quad's sides beside that. If this part is less than half of
+/// it, or the sides do not cross, the quad is as narrow there as its corners are inexact, as beside
+/// a pole. Then the triangle shows the same side as the others.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, const l3d_micro_vertex& centre) {

@@ -38,8 +38,8 @@ public:
     ~l3d_surface_rasterizer_sw() override;
 
     /// Starts a frame over a picture that was drawn in another way, from the same parts that draw
-    /// will get. finish puts the shading's fog before it. With anti-aliasing, finish also draws
-    /// pixels at edges again, as means over their squares. All other pixels stay as they are.
+    /// will get. finish adds the shading's fog to it. With anti-aliasing, finish also draws pixels
+    /// at edges again, as means over their squares. All other pixels stay as they are.
     /// Expects: the picture outlives the frame, and nobody else writes to it.
     void begin_over(l3d_pixels picture, const l3d_shading& shading);
 
@@ -99,7 +99,7 @@ private:
                                  ///< depth are cleared
     bool finished_ = false;      ///< whether the last frame is finished: tiles without drawing are
                                  ///< empty in the picture
-    bool untouched_ = false;     ///< whether this is still so when this frame begins
+    bool untouched_ = false;     ///< whether the target still holds the last frame, unchanged
     l3d_surface_counts counts_;
 };
 

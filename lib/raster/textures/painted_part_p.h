@@ -48,7 +48,7 @@ struct picture_map {
 /// The same map in floats, around some parameters. Shape: u and v of the picture.
 ///
 /// Cost: a float's rounding of parameters, which is 2^-24 of the patch. It counts only where a
-/// patch repeats a picture more often than pixels could show.
+///       patch repeats a picture more often than pixels could show.
 struct near_map {
     std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
 };

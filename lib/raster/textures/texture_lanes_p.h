@@ -83,8 +83,8 @@ struct level_steps {
     static constexpr float least = 0x1p-13F; ///< less than half a level
     static constexpr int lower_bits = 16;
     static constexpr std::size_t steps = 13 * 128 + 1; ///< the last one is 1
-    /// The lowest byte is the level where the step begins. The others are the lower bits from which
-    /// on it is the next level.
+    /// The lowest byte is the level where the step begins. The upper bytes are the least lower bits
+    /// of a float that belong to the next level.
     std::array<std::int32_t, steps> level{};
     level_steps();
 };

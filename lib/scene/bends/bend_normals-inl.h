@@ -136,9 +136,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// A product of two series of sizes, in the corner. `all` is its value and its derivatives there.
-/// `beyond` is the part of them from coefficients beyond the order: `all` less the part of the
-/// first coefficients.
+/// The product of two series of sizes at the corner: `all` is its value and its derivatives there.
+/// `beyond` is their part from coefficients beyond the order: `all` less the part of the first
+/// coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -162,7 +162,7 @@ struct product_in_corner {
 
 /// Finds the bounds `most_`. Let a be the normal in the middle, and p m = f + z a + x. f is exact;
 /// z and x are the rest beyond the order, along a and across it. Divided by 1 + z, which changes no
-/// direction, it is f + (x - z (f - a)) / (1 + z). So in a plane there is nothing beyond the order,
+/// direction, it is f + (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order,
 /// and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];
@@ -218,7 +218,7 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 /// Bounds of |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
 /// The product is a series whose coefficients are exact but for those of N beyond its order. So
-/// signs are lost only when its terms are added up. Terms of even powers keep theirs over the part.
+/// signs are lost only when its terms are added up. Terms of even powers keep their signs.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)

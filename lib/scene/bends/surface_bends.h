@@ -37,8 +37,8 @@ inline constexpr double l3d_of_thirds = 0.0080187537387448;
 /// Units: levels. NUMERICS, section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
-/// Bounds of how a patch, and each of its 4 x 4 blocks, bends and how its normals turn, edges
-/// included.
+/// Bounds of the bending of a patch and of its 4 x 4 blocks, and of the turning of their normals,
+/// edges included.
 ///
 /// The bounds include all rounding (docs/NUMERICS.md, section 11). Where the normal vanishes or is
 /// not proven to exist, they are infinite, except for uuvv.
@@ -57,8 +57,8 @@ public:
     const l3d_bend_numbers<lanes>& of_blocks() const { return of_blocks_; }
 
     /// The number of steps of each block with which levels are off by one at most (l3d_levels_off).
-    /// Steps along u and v turn the normal by the same angle. For another error, the number goes
-    /// with its power of -1/3. It is 1 where nothing is known.
+    /// Steps along u and v turn the normal by the same angle. For an error of e levels, multiply
+    /// the number by e^(-1/3). It is 1 where nothing is known.
     const lanes& steps_u() const { return steps_u_; }
     const lanes& steps_v() const { return steps_v_; }
 
@@ -67,7 +67,8 @@ public:
 
     /// The bounds of the patch after an affine map, of which the upper left three by three counts.
     /// A similarity, mirrored or not, multiplies numbers that have a length by its scale and leaves
-    /// the rest. Any other map makes the bounds larger, the more the less it is like a similarity.
+    /// the rest. Any other map enlarges the bounds, the more so the farther it is from a
+    /// similarity.
     /// Errors: infinite, but for uuvv, if the map cannot be inverted.
     /// Cost:   some 2000 operations.
     l3d_surface_bends under(const l3d_matrix<double>& placement) const;

@@ -37,7 +37,7 @@ struct l3d_placed_patch {
 /// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
 /// costs nothing of its own. The other instances are opened in turn, nearest first, and the boxes
 /// of their patches are looked at. A box proves less than a control net. So some patches are handed
-/// out that their nets would prove unseen.
+/// out although their nets would prove them unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
 /// Cost:  measured by tests/bench/scaling_bench.cpp; no allocation once the largest frame has been
 ///        seen.
@@ -131,7 +131,7 @@ private:
     std::vector<ticket> instance_line_; ///< farthest first
     std::vector<seen_patch> patches_;   ///< patches of the instances that were opened
     std::vector<ticket> patch_line_;
-    std::size_t sorted_ = 0; ///< the nearest at the end of patch_line_, nearest last
+    std::size_t sorted_ = 0; ///< how many at the end of patch_line_ are sorted, the nearest last
     std::vector<l3d_matrix<double>> matrices_;
     std::vector<l3d_placed_patch> batch_;
     std::int64_t left_ = 0; ///< patches not yet handed out or left out

@@ -12,7 +12,7 @@
 /// a sub-pixel.
 bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view);
 
-/// The counter of the reason for which a thing at those depths is left out; null if it may be seen.
+/// The counter for the reason why a thing at these depths is left out; null if it may be seen.
 /// `is_outside` and `holds_no_centre` are asked only if depth gives no reason.
 template <class Outside, class Centreless>
 std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_dice_view& view,

@@ -21,7 +21,7 @@ namespace l3d_detail {
 ///
 /// Shape: (m + 1) * (n + 1) places, u fastest, each with its values side by side.
 struct bernstein_net {
-    /// The degree of contours of patches of degree 15 is 44.
+    /// The largest degree: that of contours of patches of degree 15.
     static constexpr int most_degree = 44;
 
     int m = 0, n = 0, dims = 1;

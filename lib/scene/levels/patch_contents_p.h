@@ -90,8 +90,8 @@ struct l3d_patch_model::source {
     }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
-    /// The largest error of places of a level, and its patches. Corners of trims count as a part of
-    /// a patch, since they are cut at in each frame.
+    /// The largest error of places of a level, and the number of its patches. Each corner of a trim
+    /// counts as a part of a patch, since frames cut quads there.
     std::pair<double, double> error_and_count(int places, int normals) const {
         const std::scoped_lock lock(mutex_);
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
@@ -110,8 +110,8 @@ private:
     l3d_cell_wish wish(int places, int normals) const {
         return {.places = pieces.place_target(places), .normals = normals};
     }
-    /// The cuts of a level. Levels of places begin with the level before, and the first one with
-    /// that of normals. So a level is the same whichever is asked for first.
+    /// The cuts of a level, which start from those of the coarser level of places or, at its level
+    /// 0, of normals. So a level is the same whichever is asked for first.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;

@@ -41,8 +41,8 @@ struct l3d_shared_edge {
 /// length asks for, so that strips far outside the picture do not reach into it. Units: pixels.
 inline constexpr double l3d_longest_shared_chord = 16;
 
-/// The edges that trims of these pieces follow. Where a face begins or ends with an edge, the edge
-/// has a span's end. Parameters of trims that are nearly those of such ends become equal to them.
+/// The edges that trims of these pieces follow. An edge has a span's end wherever a face begins or
+/// ends along it. Parameters of trims that are nearly those of such ends become equal to them.
 std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> edges,
                                               std::span<l3d_patch_points> pieces);
 

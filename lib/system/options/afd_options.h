@@ -60,7 +60,7 @@ public:
     /// unless the user places one. Returns whether the option was given: then the program has
     /// nothing more to do. A line on stderr tells why a drawing is empty.
     /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
-    /// file and the system's reason.
+    ///         file and the system's reason.
     bool write_svg(const l3d_patch_scene& scene) const;
     /// Whether --svg was given.
     bool gives_svg() const { return !svg_.empty(); }

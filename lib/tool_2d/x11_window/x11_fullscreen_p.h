@@ -58,7 +58,7 @@ private:
     x11_window& window_;
     x11_wm_facts& state_;
 
-    /// The wish of set(), until it is done.
+    /// The state that set() asked for, until it is reached.
     std::optional<bool> wanted_;
 
     /// The request to the manager, and the time until which we wait for its answer. A manager may

@@ -47,7 +47,7 @@ private:
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
         double increment = 0;       ///< how far a notch is; 0: the axis is no wheel
-        std::optional<double> last; ///< its place; nothing: the pointer was elsewhere
+        std::optional<double> last; ///< its position; nothing after the pointer was elsewhere
     };
 
     void proceed();
