@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// number_hash: tables of the library that look up arrays of numbers.
+// number_hash: the hash of arrays of numbers, for the library's tables.
 #ifndef L3D_BASE_NUMBER_HASH_P_H
 #define L3D_BASE_NUMBER_HASH_P_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The standard headers that most sources include, compiled once for all of them. A source includes
-// what it uses all the same.
+// The standard headers that most sources include, compiled once for all of them. A source still
+// includes what it uses.
 #ifndef L3D_BASE_PRECOMPILED_H
 #define L3D_BASE_PRECOMPILED_H
 

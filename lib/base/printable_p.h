@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// printable: texts of others, made fit for messages on a terminal.
+// printable: makes texts of others fit for messages on a terminal.
 #ifndef L3D_BASE_PRINTABLE_P_H
 #define L3D_BASE_PRINTABLE_P_H
 

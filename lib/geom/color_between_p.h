@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// color_between: colours where an edge is cut.
+// color_between: interpolates colours, as where an edge is cut.
 #ifndef L3D_GEOM_COLOR_BETWEEN_P_H
 #define L3D_GEOM_COLOR_BETWEEN_P_H
 

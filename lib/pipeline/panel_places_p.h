@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel_places: where panels of one picture lie, so that none covers another.
+// panel_places: finds places for the panels of a picture, so that none covers another.
 #ifndef L3D_PIPELINE_PANEL_PLACES_P_H
 #define L3D_PIPELINE_PANEL_PLACES_P_H
 

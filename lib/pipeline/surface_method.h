@@ -72,7 +72,7 @@ public:
     /// Whether counts() bound the error of greys, in frames shaded like this.
     bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
 
-    /// Whether it can draw a part of a picture alone (l3d_method_frame::part).
+    /// Whether it can draw a part of a picture without the rest (l3d_method_frame::part).
     bool draws_parts() const { return do_draws_parts(); }
 
     /// Draws a frame; adds the times of its stages to `times`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wire_lines: the rows and columns of diced surfaces as lines.
+// wire_lines: draws the rows and columns of diced surfaces as lines.
 #ifndef L3D_PIPELINE_WIRE_LINES_P_H
 #define L3D_PIPELINE_WIRE_LINES_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_two_layer_depths: in each pixel the two nearest sheets of surfaces, and how close they are.
+// l3d_two_layer_depths: finds the two nearest sheets of surfaces in each pixel, and their gap.
 #ifndef L3D_RASTER_TWO_LAYER_DEPTHS_H
 #define L3D_RASTER_TWO_LAYER_DEPTHS_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dice_view: the picture's data that dicing needs.
+// l3d_dice_view: the data about the picture that dicing needs.
 #ifndef L3D_SCENE_DICE_VIEW_H
 #define L3D_SCENE_DICE_VIEW_H
 

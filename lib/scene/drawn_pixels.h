@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_drawn_pixels: the pixels that may show the contents of some boxes.
+// l3d_drawn_pixels: finds the pixels that may show the contents of some boxes.
 #ifndef L3D_SCENE_DRAWN_PIXELS_H
 #define L3D_SCENE_DRAWN_PIXELS_H
 

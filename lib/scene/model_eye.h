@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The eye's place in a model's space, and its nearness.
+// The eye's place in a model's space, and the least depth of the model.
 #ifndef L3D_SCENE_MODEL_EYE_H
 #define L3D_SCENE_MODEL_EYE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_load_model: a model file, and the files of materials beside it.
+// l3d_load_model: reads a model file, and the files of materials beside it.
 #ifndef L3D_SCENE_MODEL_LOADER_H
 #define L3D_SCENE_MODEL_LOADER_H
 

@@ -393,7 +393,8 @@ private:
     mutable whole extent_; ///< extent of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
     mutable std::vector<l3d_material> materials_;
-    mutable std::vector<std::uint32_t> first_materials_; ///< by instance, in materials_
+    mutable std::vector<std::uint32_t> first_materials_; ///< for each instance, the first index in
+                                                         ///< materials_
     mutable bool knows_materials_ = true;
     bool is_rebuilt_ = true;
     std::vector<std::size_t> moved_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_pacer: when the next frame is due.
+// l3d_frame_pacer: tells when the next frame is due.
 #ifndef L3D_SYSTEM_FRAME_PACER_H
 #define L3D_SYSTEM_FRAME_PACER_H
 

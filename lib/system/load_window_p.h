@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// load_window: tells how far a file is where no terminal does, and ends the work when asked to.
+// load_window: shows how far a file is read where no terminal does, and lets users stop it.
 #ifndef L3D_SYSTEM_LOAD_WINDOW_P_H
 #define L3D_SYSTEM_LOAD_WINDOW_P_H
 

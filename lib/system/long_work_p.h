@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// long_work: what a program is busy with before it shows anything, on one line of a terminal.
+// long_work: tells on a terminal what a program is busy with before it shows anything.
 #ifndef L3D_SYSTEM_LONG_WORK_P_H
 #define L3D_SYSTEM_LONG_WORK_P_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_plugin_loader: makes objects whose behaviour comes from shared libraries; where those and
-// data lie.
+// l3d_plugin_loader: makes objects whose behaviour comes from shared libraries; the folders of
+// these and of data.
 #ifndef L3D_SYSTEM_PLUGIN_LOADER_H
 #define L3D_SYSTEM_PLUGIN_LOADER_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// present: how both dispatchers make a frame once the pipeline is up to date.
+// present: makes a frame once the pipeline is up to date, for both dispatchers.
 #ifndef L3D_SYSTEM_PRESENT_P_H
 #define L3D_SYSTEM_PRESENT_P_H
 

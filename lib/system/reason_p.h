@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reason_of: any exception in words that users understand.
+// reason_of: describes any exception in words that users understand.
 #ifndef L3D_SYSTEM_REASON_P_H
 #define L3D_SYSTEM_REASON_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check_written: whether printed text has arrived.
+// check_written: checks that printed text has arrived.
 #ifndef L3D_SYSTEM_STANDARD_OUTPUT_P_H
 #define L3D_SYSTEM_STANDARD_OUTPUT_P_H
 

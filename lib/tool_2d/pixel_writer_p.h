@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_writer: pixel words become rows of the display's own pixels.
+// pixel_writer: turns pixel words into rows of the display's own pixels.
 #ifndef L3D_TOOL_2D_PIXEL_WRITER_P_H
 #define L3D_TOOL_2D_PIXEL_WRITER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free-form surfaces and curves of an .obj file, statements up to end; and its lines.
+// obj_surfaces: reads the free-form surfaces and curves of an .obj file, and its lines.
 #ifndef L3D_GEOM_FILES_OBJ_SURFACES_P_H
 #define L3D_GEOM_FILES_OBJ_SURFACES_P_H
 
@@ -106,13 +106,13 @@ private:
     std::vector<std::array<double, 3>> parameter_vertices_; ///< u, v and weight
     /// The curves of curv2, in their order; nothing for one that is skipped.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
-    std::vector<l3d_trim_loop> trims_; ///< those of the open surface
+    std::vector<l3d_trim_loop> trims_; ///< the trims of the open surface
     bool has_outer_trim_ = false;      ///< it is trimmed from outside, not by holes alone
 
     /// A surface that has ended, for connections.
     struct ended_surface {
         std::size_t first_patch, end_patch;
-        std::optional<l3d_nurbs_surface> whole; ///< if it is trimmed
+        std::optional<l3d_nurbs_surface> whole; ///< the whole surface, if it is trimmed
     };
     std::vector<ended_surface> surfaces_;
 };

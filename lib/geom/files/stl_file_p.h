@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells binary .stl files, which have no word of their own, from all other models.
+// Tells binary .stl files, which begin with no keyword, from all other models.
 #ifndef L3D_GEOM_FILES_STL_FILE_P_H
 #define L3D_GEOM_FILES_STL_FILE_P_H
 

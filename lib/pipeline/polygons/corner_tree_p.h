@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// corner_tree: the remaining corners of a flat polygon, and whether any is in a triangle.
+// corner_tree: tells whether any remaining corner of a flat polygon is in a triangle.
 #ifndef L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 #define L3D_PIPELINE_POLYGONS_CORNER_TREE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crease_normals: the normals of corners where faces meet at a visible edge.
+// crease_normals: finds the normals of corners where faces meet at a visible edge.
 #ifndef L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
 #define L3D_PIPELINE_POLYGONS_CREASE_NORMALS_P_H
 

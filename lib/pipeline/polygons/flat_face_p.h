@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_face: a polygon in its plane, and the triangles that it is cut into.
+// flat_face: cuts a polygon in its plane into triangles.
 #ifndef L3D_PIPELINE_POLYGONS_FLAT_FACE_P_H
 #define L3D_PIPELINE_POLYGONS_FLAT_FACE_P_H
 

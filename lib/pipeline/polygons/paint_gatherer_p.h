@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_gatherer: names for the painted triangles of a frame's models.
+// paint_gatherer: gives names to the painted triangles of a frame's models.
 #ifndef L3D_PIPELINE_POLYGONS_PAINT_GATHERER_P_H
 #define L3D_PIPELINE_POLYGONS_PAINT_GATHERER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_frame: the triangles of a model that may be seen, in the picture.
+// l3d_polygon_frame: finds the triangles of a model that may be seen, and places them.
 #ifndef L3D_PIPELINE_POLYGONS_POLYGON_FRAME_H
 #define L3D_PIPELINE_POLYGONS_POLYGON_FRAME_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_world_surfaces: a world's objects through a depth buffer, as single models of polygons are.
+// l3d_world_surfaces: draws a world's objects through a depth buffer.
 #ifndef L3D_PIPELINE_WORLDS_WORLD_SURFACES_H
 #define L3D_PIPELINE_WORLDS_WORLD_SURFACES_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ordered_components: an order in which nodes come after those they need, and cycles of nodes.
+// ordered_components: puts nodes into an order after those they need, and finds cycles.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_COMPONENTS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of two triangles, or pieces of them, must be painted first.
+// Tells which of two triangles, or pieces of them, must be painted first.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_OVERLAP_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_OVERLAP_P_H
 

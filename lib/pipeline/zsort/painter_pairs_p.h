@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_pairs: which of two items must be painted after the other.
+// painter_pairs: tells which of two items must be painted after the other.
 #ifndef L3D_PIPELINE_ZSORT_PAINTER_PAIRS_P_H
 #define L3D_PIPELINE_ZSORT_PAINTER_PAIRS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// linear_light: levels of a picture to amounts of light, and back.
+// linear_light: converts levels of a picture to amounts of light, and back.
 #ifndef L3D_RASTER_COLOR_LINEAR_LIGHT_P_H
 #define L3D_RASTER_COLOR_LINEAR_LIGHT_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// for_each_chunk: a range of items, shared by the workers a chunk at a time.
+// for_each_chunk: shares a range of items among the workers, a chunk at a time.
 #ifndef L3D_RASTER_PARALLEL_CHUNKS_P_H
 #define L3D_RASTER_PARALLEL_CHUNKS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// height_order: things from the picture's top down, for l3d_workers::for_each_beside.
+// height_order: sorts things from the picture's top down, for l3d_workers::for_each_beside.
 #ifndef L3D_RASTER_PARALLEL_HEIGHT_ORDER_P_H
 #define L3D_RASTER_PARALLEL_HEIGHT_ORDER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One function, compiled once for each vector instruction set, and the choice among them.
+// Compiles a function once for each vector instruction set, and chooses among the results.
 //
 // Highway's own choice lives in its shared library, whose loading costs 7 ms, more than all the
 // rest of a small program's start. So its headers compile the functions, and the choice is made

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_cells: the areas of pixels in a band of rows, from the signed areas of edges.
+// band_cells: finds the areas of pixels in a band of rows, from the signed areas of edges.
 #ifndef L3D_RASTER_PATHS_BAND_CELLS_P_H
 #define L3D_RASTER_PATHS_BAND_CELLS_P_H
 

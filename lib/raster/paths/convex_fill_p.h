@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convex_fill: the area between two chains of edges, many rows at once.
+// convex_fill: fills the area between two chains of edges, many rows at once.
 #ifndef L3D_RASTER_PATHS_CONVEX_FILL_P_H
 #define L3D_RASTER_PATHS_CONVEX_FILL_P_H
 

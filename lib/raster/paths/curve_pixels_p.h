@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// visit_curve_pixels: curves one pixel wide, by adaptive forward differences.
+// visit_curve_pixels: draws curves one pixel wide, by adaptive forward differences.
 #ifndef L3D_RASTER_PATHS_CURVE_PIXELS_P_H
 #define L3D_RASTER_PATHS_CURVE_PIXELS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// visit_flat: a path as straight lines, by forward differences, within a certified distance.
+// visit_flat: turns a path into lines within a certified distance, by forward differences.
 #ifndef L3D_RASTER_PATHS_FLAT_CURVE_P_H
 #define L3D_RASTER_PATHS_FLAT_CURVE_P_H
 

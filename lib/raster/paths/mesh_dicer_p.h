@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_dicer: patches with colours at their corners as triangles.
+// mesh_dicer: dices patches with colours at their corners into triangles.
 #ifndef L3D_RASTER_PATHS_MESH_DICER_P_H
 #define L3D_RASTER_PATHS_MESH_DICER_P_H
 

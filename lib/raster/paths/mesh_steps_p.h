@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_steps: how finely the patches of a mesh are diced.
+// mesh_steps: finds how finely the patches of a mesh are diced.
 #ifndef L3D_RASTER_PATHS_MESH_STEPS_P_H
 #define L3D_RASTER_PATHS_MESH_STEPS_P_H
 

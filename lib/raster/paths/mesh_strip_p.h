@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_strip: the triangles between two rows of a diced mesh, in SIMD lanes.
+// mesh_strip: fills the triangles between two rows of a diced mesh, in SIMD lanes.
 #ifndef L3D_RASTER_PATHS_MESH_STRIP_P_H
 #define L3D_RASTER_PATHS_MESH_STRIP_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_chains: outlines as runs of edges that all lead down or all lead up.
+// path_chains: cuts outlines into runs of edges that all lead down or all lead up.
 #ifndef L3D_RASTER_PATHS_PATH_CHAINS_P_H
 #define L3D_RASTER_PATHS_PATH_CHAINS_P_H
 

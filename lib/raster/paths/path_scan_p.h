@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_scan: the coverage of pixels by a path, row by row, where its edges are.
+// path_scan: finds the coverage of pixels by a path, row by row.
 #ifndef L3D_RASTER_PATHS_PATH_SCAN_P_H
 #define L3D_RASTER_PATHS_PATH_SCAN_P_H
 

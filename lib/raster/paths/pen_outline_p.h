@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pen_outline: the area of a pen along a chain of chords, as outlines wound clockwise.
+// pen_outline: outlines the area that a pen covers along a chain of chords.
 #ifndef L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 #define L3D_RASTER_PATHS_PEN_OUTLINE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_area: the area of one pixel that lies inside of edges that cross each other.
+// pixel_area: finds the area of one pixel that lies inside of edges that cross each other.
 #ifndef L3D_RASTER_PATHS_PIXEL_AREA_P_H
 #define L3D_RASTER_PATHS_PIXEL_AREA_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_edges: the edges of a pixel, in lanes, and what vectors find of them.
+// pixel_edges: the edges of a pixel in lanes, and the numbers that vectors find for them.
 #ifndef L3D_RASTER_PATHS_PIXEL_EDGES_P_H
 #define L3D_RASTER_PATHS_PIXEL_EDGES_P_H
 

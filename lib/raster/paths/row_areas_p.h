@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// row_areas: the area of each pixel of a row that lies inside of edges that cross each other.
+// row_areas: finds the area of each pixel of a row that lies inside of crossing edges.
 #ifndef L3D_RASTER_PATHS_ROW_AREAS_P_H
 #define L3D_RASTER_PATHS_ROW_AREAS_P_H
 

@@ -99,7 +99,8 @@ private:
     std::vector<fragment_polygon> polygons_; ///< polygons, with room for more
     std::size_t polygon_count_ = 0;          ///< polygons in use
     std::vector<fragment> fragments_;        ///< fragments, with room for more
-    std::vector<fragment> kept_;             ///< those that are left when hidden ones are removed
+    std::vector<fragment> kept_;             ///< the fragments that are left when hidden ones are
+                                             ///< removed
     std::size_t count_ = 0;                  ///< fragments in use
     std::size_t most_fragments_ = 0;         ///< number of fragments at which hidden ones are
                                              ///< removed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contour_edges: the edges of grids at which surfaces fold over.
+// contour_edges: finds the edges of grids at which surfaces fold over.
 #ifndef L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
 #define L3D_RASTER_REFINE_CONTOUR_EDGES_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// depth_steps: neighbours whose levels are far apart.
+// depth_steps: finds neighbours whose levels are far apart.
 #ifndef L3D_RASTER_REFINE_DEPTH_STEPS_P_H
 #define L3D_RASTER_REFINE_DEPTH_STEPS_P_H
 

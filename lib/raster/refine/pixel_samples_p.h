@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_samples: which samples of pixels polygons cover, and which of them are seen.
+// pixel_samples: finds which samples of pixels polygons cover, and which of these are seen.
 #ifndef L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 #define L3D_RASTER_REFINE_PIXEL_SAMPLES_P_H
 

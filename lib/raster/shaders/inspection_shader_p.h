@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspection_shader: exact properties of a patch at each pixel, as colours.
+// inspection_shader: shows exact properties of a patch at each pixel as colours.
 #ifndef L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
 #define L3D_RASTER_SHADERS_INSPECTION_SHADER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lit_words: from normals to lit pixels, when a picture's surfaces are filled.
+// lit_words: lights the normals in pixels, once a picture's surfaces are filled.
 #ifndef L3D_RASTER_SHADERS_LIT_WORDS_P_H
 #define L3D_RASTER_SHADERS_LIT_WORDS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material_words: from levels of materials to colours, when a picture's surfaces are filled.
+// material_words: turns levels of materials into colours, once a picture is filled.
 #ifndef L3D_RASTER_SHADERS_MATERIAL_WORDS_P_H
 #define L3D_RASTER_SHADERS_MATERIAL_WORDS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// own_shader: colours by a function of the program.
+// own_shader: colours surfaces by a function of the program.
 #ifndef L3D_RASTER_SHADERS_OWN_SHADER_P_H
 #define L3D_RASTER_SHADERS_OWN_SHADER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// with_shader: from a frame's mode to the shader that draws it.
+// with_shader: chooses the shader that draws a frame's mode.
 #ifndef L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
 #define L3D_RASTER_SHADERS_SHADER_CHOICE_P_H
 

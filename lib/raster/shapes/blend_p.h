@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// blended: a word moved towards a colour.
+// blended: moves a word towards a colour.
 #ifndef L3D_RASTER_SHAPES_BLEND_P_H
 #define L3D_RASTER_SHAPES_BLEND_P_H
 

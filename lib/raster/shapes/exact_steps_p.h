@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact_steps: a quotient that is stepped without rounding, on which lines and edges of polygons
-// are built.
+// exact_steps: steps a quotient without rounding. Lines and edges of polygons are built on it.
 #ifndef L3D_RASTER_SHAPES_EXACT_STEPS_P_H
 #define L3D_RASTER_SHAPES_EXACT_STEPS_P_H
 

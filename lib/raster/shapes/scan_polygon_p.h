@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scan_polygon: the pixels of a convex polygon, one span per row, by the fill rule of all shapes.
+// scan_polygon: finds the pixels of a convex polygon, a span a row, by the rule of all shapes.
 #ifndef L3D_RASTER_SHAPES_SCAN_POLYGON_P_H
 #define L3D_RASTER_SHAPES_SCAN_POLYGON_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaded_triangle: the spans of a triangle whose colours are linear.
+// shaded_triangle: finds the spans of a triangle whose colours are linear.
 #ifndef L3D_RASTER_SHAPES_SHADED_TRIANGLE_P_H
 #define L3D_RASTER_SHAPES_SHADED_TRIANGLE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filling a small triangle by its edge functions, at all pixels of its box.
+// Fills a small triangle by its edge functions, at all pixels of its box.
 #if defined(L3D_RASTER_SHAPES_SMALL_FILL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SHAPES_SMALL_FILL_INL_H
 #undef L3D_RASTER_SHAPES_SMALL_FILL_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles of a few pixels, in SIMD lanes.
+// Fills triangles of a few pixels, in SIMD lanes.
 #ifndef L3D_RASTER_SHAPES_SMALL_TRIANGLE_P_H
 #define L3D_RASTER_SHAPES_SMALL_TRIANGLE_P_H
 

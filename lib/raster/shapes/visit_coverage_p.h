@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// visit_coverage: the rows of a covered rectangle that are in a picture.
+// visit_coverage: visits the rows of a covered rectangle that are in a picture.
 #ifndef L3D_RASTER_SHAPES_VISIT_COVERAGE_P_H
 #define L3D_RASTER_SHAPES_VISIT_COVERAGE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// winding_scan: the pixels inside of outlines of any form, span by span.
+// winding_scan: finds the pixels inside of outlines of any form, span by span.
 #ifndef L3D_RASTER_SHAPES_WINDING_SCAN_P_H
 #define L3D_RASTER_SHAPES_WINDING_SCAN_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_grey: grey made in the corners and interpolated, one polygon a lane.
+// fill_grey: makes grey in the corners and interpolates it, one polygon a lane.
 #if defined(L3D_RASTER_SURFACES_FILL_GREY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_GREY_INL_H
 #undef L3D_RASTER_SURFACES_FILL_GREY_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_group: polygons of a queue become a table of rows.
+// fill_group: turns polygons of a queue into a table of rows.
 #if defined(L3D_RASTER_SURFACES_FILL_GROUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_GROUP_INL_H
 #undef L3D_RASTER_SURFACES_FILL_GROUP_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_lambert: grey from a unit normal in every pixel, one polygon a lane.
+// fill_lambert: makes grey from a unit normal in every pixel, one polygon a lane.
 #if defined(L3D_RASTER_SURFACES_FILL_LAMBERT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_LAMBERT_INL_H
 #undef L3D_RASTER_SURFACES_FILL_LAMBERT_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_levels: grey from levels that were made with the surface, one polygon a lane.
+// fill_levels: interpolates levels that were made with the surface, one polygon a lane.
 #if defined(L3D_RASTER_SURFACES_FILL_LEVELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_LEVELS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_LEVELS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_words: what lanes write into pixels.
+// fill_words: makes the words that lanes write into pixels.
 #if defined(L3D_RASTER_SURFACES_FILL_WORDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_WORDS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_WORDS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixels_in, squares_in: which pixels polygons in a box may cover.
+// pixels_in, squares_in: find the pixels that polygons in a box may cover.
 #ifndef L3D_RASTER_SURFACES_PIXEL_BOX_P_H
 #define L3D_RASTER_SURFACES_PIXEL_BOX_P_H
 

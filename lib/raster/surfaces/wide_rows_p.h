@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wide_rows: rows of large polygons, a vector of pixels at a time.
+// wide_rows: fills rows of large polygons, a vector of pixels at a time.
 #ifndef L3D_RASTER_SURFACES_WIDE_ROWS_P_H
 #define L3D_RASTER_SURFACES_WIDE_ROWS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The characters of l3d_draw_text, drawn as they look, and where those of a line stand.
+// The characters of l3d_draw_text, drawn as they look, and their places in a line.
 #ifndef L3D_RASTER_TEXT_FONT_P_H
 #define L3D_RASTER_TEXT_FONT_P_H
 

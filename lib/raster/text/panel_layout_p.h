@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel_layout: where the words of a panel stand.
+// panel_layout: finds the places of the words of a panel.
 #ifndef L3D_RASTER_TEXT_PANEL_LAYOUT_P_H
 #define L3D_RASTER_TEXT_PANEL_LAYOUT_P_H
 

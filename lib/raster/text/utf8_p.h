@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// take_character: UTF-8, character by character.
+// take_character: reads UTF-8, character by character.
 #ifndef L3D_RASTER_TEXT_UTF8_P_H
 #define L3D_RASTER_TEXT_UTF8_P_H
 

@@ -15,7 +15,7 @@ namespace l3d_detail {
 /// The run of pixels from `begin` on that show one part or nothing.
 struct part_run {
     std::size_t end = 0;
-    bool has_triangles = false; ///< some show a triangle, and have no place yet
+    bool has_triangles = false; ///< whether some pixels show a triangle, and have no place yet
 };
 
 /// Finds the place in the picture for each pixel of a run, and its steps to the next pixels. Beside

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texture_lanes: the light of many places of a texture at once.
+// texture_lanes: looks up the light of many places of a texture at once.
 #ifndef L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 #define L3D_RASTER_TEXTURES_TEXTURE_LANES_P_H
 
@@ -44,7 +44,8 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
 ///        at first.
 struct painted_pixels {
     static constexpr std::size_t most = 64;
-    static constexpr std::size_t room = most + 16; ///< with the widest vector behind the last one
+    static constexpr std::size_t room = most + 16; ///< elements, with the widest vector behind the
+                                                   ///< last one
     template <class T> using row = std::array<T, room>;
     using numbers = row<float>;
 

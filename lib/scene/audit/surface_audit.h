@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_audit: bounds of the distances between a mesh and the surface that it stands for.
+// l3d_surface_audit: bounds of the distances between a mesh and the exact surface.
 #ifndef L3D_SCENE_AUDIT_SURFACE_AUDIT_H
 #define L3D_SCENE_AUDIT_SURFACE_AUDIT_H
 

@@ -25,7 +25,7 @@ struct placing_terms;
 struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
-    std::uint32_t matrix = 0;   ///< for l3d_scene_culling::matrix
+    std::uint32_t matrix = 0;   ///< its index for l3d_scene_culling::matrix
     /// The least w of its box, but not less than near, in the view's units. In a parallel
     /// projection it is counted from a w below which nothing lies.
     float nearest_w = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_left_out: patches that cannot be seen.
+// l3d_left_out: tells which patches cannot be seen.
 #ifndef L3D_SCENE_VISIBILITY_H
 #define L3D_SCENE_VISIBILITY_H
 

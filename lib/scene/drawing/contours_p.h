@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contours_of: the contours of a piece of a surface as polylines with a bound.
+// contours_of: finds the contours of a piece of a surface, as polylines with a bound.
 #ifndef L3D_SCENE_DRAWING_CONTOURS_P_H
 #define L3D_SCENE_DRAWING_CONTOURS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve_chords: curves on surfaces as chords in the picture.
+// curve_chords: turns curves on surfaces into chords in the picture.
 #ifndef L3D_SCENE_DRAWING_CURVE_CHORDS_P_H
 #define L3D_SCENE_DRAWING_CURVE_CHORDS_P_H
 

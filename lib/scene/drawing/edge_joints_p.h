@@ -61,7 +61,7 @@ private:
         std::size_t piece;
         bool is_back; ///< whether the polygon runs against the edge
         bool is_left; ///< whether the piece lies to the left of the edge, in its parameters
-        std::vector<trim_side> sides; ///< by their parameters
+        std::vector<trim_side> sides; ///< in the order of their parameters
         std::vector<std::array<double, 2>> stretches;
 
         std::array<double, 2> place(double t) const;
@@ -84,8 +84,8 @@ private:
     std::span<const image_edge> edges_;
     const drawing_view& view_;
     double tolerance_;
-    std::vector<std::vector<edge_use>> uses_;   ///< by edge
-    std::vector<std::vector<double>> contours_; ///< parameters at which contours end, by edge
+    std::vector<std::vector<edge_use>> uses_;   ///< the uses of each edge
+    std::vector<std::vector<double>> contours_; ///< for each edge, parameters at which contours end
 };
 
 } // namespace l3d_detail

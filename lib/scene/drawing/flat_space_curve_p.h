@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_space_curve: curves in space as chords in the picture.
+// flat_space_curve: turns curves in space into chords in the picture.
 #ifndef L3D_SCENE_FLAT_SPACE_CURVE_P_H
 #define L3D_SCENE_FLAT_SPACE_CURVE_P_H
 

@@ -152,7 +152,7 @@ bool is_beside(const bernstein_net& net, const drawing_view& view);
 /// A net as a parallelogram in the picture, and how far the net is from it.
 struct flat_image {
     image_place middle, along_u, along_v; ///< middle of the net; change over all of u, and of v
-    double error = 0;                     ///< in the picture, in pixels
+    double error = 0;                     ///< bound of the net's distance from it, in pixels
 
     explicit flat_image(const bernstein_net& net);
     /// A bound of the distance of any two places of the net in the picture.

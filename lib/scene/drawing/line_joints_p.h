@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// join_lines: which lines continue each other.
+// join_lines: finds lines that continue each other.
 #ifndef L3D_SCENE_DRAWING_LINE_JOINTS_P_H
 #define L3D_SCENE_DRAWING_LINE_JOINTS_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// line_of_sight: whether a surface lies in front of a place.
+// line_of_sight: tells whether a surface lies in front of a place.
 #ifndef L3D_SCENE_DRAWING_SIGHT_P_H
 #define L3D_SCENE_DRAWING_SIGHT_P_H
 

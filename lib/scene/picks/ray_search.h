@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_ray_search: the nearest point of bicubic patches on a ray.
+// l3d_ray_search: finds the nearest point of bicubic patches on a ray.
 #ifndef L3D_SCENE_PICKS_RAY_SEARCH_H
 #define L3D_SCENE_PICKS_RAY_SEARCH_H
 
@@ -18,7 +18,7 @@ using l3d_ray_net = l3d_image_net;
 /// A place where the ray meets a patch.
 struct l3d_ray_hit {
     std::size_t patch = 0; ///< the patch's number in add()
-    double u = 0, v = 0;   ///< from 0 to 1
+    double u = 0, v = 0;   ///< the parameters, from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
     bool is_proven = false; ///< the hit is proven by Krawczyk's operator

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_jet: point, normal and curvature of a patch where parameters are known to an error.
+// l3d_surface_jet: point, normal and curvature of a patch, at parameters with an error.
 #ifndef L3D_SCENE_PICKS_SURFACE_JET_H
 #define L3D_SCENE_PICKS_SURFACE_JET_H
 

@@ -67,7 +67,8 @@ private:
     const l3d_afd_options& shared_;
     bool prefers_patches_ = false;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::suitable;
-    mutable std::optional<l3d_pipeline_kind> chosen_; ///< once pipeline() was asked
+    mutable std::optional<l3d_pipeline_kind> chosen_; ///< the answer of pipeline(), once it was
+                                                      ///< asked
     bool hidden_lines_ = false, to_origin_ = false;
     l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
     l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OSMesa as far as it is used here, declared by us: its header goes where Mesa 25.1 or later comes.
+// OSMesa as far as it is used here, declared by us: Mesa has no header of it from 25.1 on.
 #ifndef L3D_TOOL_2D_MESA_MESA_OSMESA_P_H
 #define L3D_TOOL_2D_MESA_MESA_OSMESA_P_H
 

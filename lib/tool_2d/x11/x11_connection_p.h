@@ -115,7 +115,7 @@ private:
     int trapped_error_ = 0;
     // Two pictures may be under way; the rest is room for errors that nobody asks about.
     std::array<failure, 16> failures_{};
-    std::size_t failure_count_ = 0; ///< in all; the array is a ring
+    std::size_t failure_count_ = 0; ///< the number of all failures; the array is a ring
 };
 
 /// Whether a window manager looks after the windows of this display. After the call, the errors of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a display lets nobody in, and the lines of --diagnose about it.
+// The reason why a display refuses a program, and the lines of --diagnose about it.
 #ifndef L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 #define L3D_TOOL_2D_X11_X11_DIAGNOSIS_P_H
 

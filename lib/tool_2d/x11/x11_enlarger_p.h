@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_enlarger: small pictures that the server makes large.
+// x11_enlarger: has the server enlarge small pictures.
 #ifndef L3D_TOOL_2D_X11_X11_ENLARGER_P_H
 #define L3D_TOOL_2D_X11_X11_ENLARGER_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image: the way of a window's pictures to the server.
+// x11_image: carries a window's pictures to the server.
 #ifndef L3D_TOOL_2D_X11_X11_IMAGE_P_H
 #define L3D_TOOL_2D_X11_X11_IMAGE_P_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_events: X events become l3d_events.
+// x11_events: turns X events into l3d_events.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_EVENTS_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_EVENTS_P_H
 
@@ -105,12 +105,12 @@ private:
     bool mapped_ = false, exposed_ = false;
     x11_echo keyboard_echo_; ///< its answer says that the keyboard can be read
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
-    std::vector<XEvent> waiting_; ///< for the keymap: its change, and all events after it
+    std::vector<XEvent> waiting_; ///< events that wait for the keymap: its change, and all after it
     bool covered_ = false, unmapped_ = false, away_ = false;
     Time turned_at_ = 0;               ///< time at which a fine wheel last turned
     double turned_ = 0;                ///< notches since the last full one
     bool hidden_ = false;              ///< whether the program was last told of hide
-    bool exposure_is_due_ = false;     ///< is told as soon as the window can be seen
+    bool exposure_is_due_ = false;     ///< expose is told as soon as the window can be seen
     std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
     std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had
     XButtonEvent last_press_{};        ///< may become a double click; button 0: none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_keys: which key an event of the keyboard means, whatever the layout, and the text it types.
+// x11_keys: finds the key that an event means, whatever the layout, and the text it types.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_KEYS_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_KEYS_P_H
 

@@ -46,7 +46,7 @@ private:
     /// A wheel's name: its device, and its number there.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
-        double increment = 0;       ///< how far a notch is; 0: the axis is no wheel
+        double increment = 0;       ///< the length of a notch; 0: the axis is no wheel
         std::optional<double> last; ///< its position; nothing after the pointer was elsewhere
     };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_wm_facts: the state of our window by the window manager, the server and the settings.
+// x11_wm_facts: the state of our window, as window manager, server and settings tell it.
 #ifndef L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 #define L3D_TOOL_2D_X11_WINDOW_X11_WM_FACTS_P_H
 
@@ -20,7 +20,7 @@ namespace l3d_detail {
 struct x11_facts {
     bool managed = false;           ///< a window manager looks after windows
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
-    bool fullscreen = false; ///< by the manager's word, our window is; false without such a manager
+    bool fullscreen = false; ///< the manager says that our window is; false without such a manager
     bool away = false;       ///< our window is minimised, on another workspace, or not viewable
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
     double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
@@ -45,7 +45,7 @@ public:
         net_supported,
         net_supporting_wm_check,
         xsettings,
-        watched_count, ///< others write the properties above
+        watched_count, ///< the number of properties above, which others write
         net_wm_pid = watched_count,
         net_wm_icon,
         xsettings_selection,
@@ -108,7 +108,7 @@ private:
     x11_echo echo_;
     x11_facts facts_;
     stage stage_ = stage::unwatched;
-    bool is_due_ = false; ///< is asked as soon as the connection has room
+    bool is_due_ = false; ///< a question waits until the connection has room
     bool again_ = false;  ///< something changed while a question was under way
     std::array<xcb_intern_atom_cookie_t, name_count> names_{};
     std::array<xcb_atom_t, name_count> atoms_{};
