@@ -42,7 +42,7 @@ public:
         return result;
     }
 
-    /// Unites the sets of two lines that run alike, if each is turned where its place says so.
+    /// Unites the sets of two lines that run the same way, once each is turned as its place says.
     void join(const place& a, const place& b) {
         place root = find(a.line), other = find(b.line);
         const bool turns =
@@ -67,7 +67,7 @@ private:
     struct member {
         place above; ///< another line of the set; the one that stands for it has itself
         std::size_t size = 1;
-        bool runs_both_ways = false; ///< both are valid where the line stands for its set
+        bool runs_both_ways = false; ///< like size, valid for the line that stands for its set
     };
 
     std::vector<member> lines_;

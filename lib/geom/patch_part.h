@@ -15,7 +15,7 @@
 struct l3d_patch_part {
     l3d_image_net net;
     double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< exact
-    int depth = 0;                         ///< cuts that made it
+    int depth = 0;                         ///< the number of cuts that made it
 };
 
 /// A part of a patch, with the polynomial of its normals.

@@ -144,7 +144,7 @@ struct l3d_dice_view {
         return static_cast<float>(1 / w) * static_cast<float>(depth_scale);
     }
 
-    /// The w that a depth stands for.
+    /// The w of a place with this depth.
     double w_at(float depth) const {
         if (is_parallel())
             return w_middle + (double{depth} - middle_depth) / depth_slope();
@@ -183,7 +183,7 @@ struct l3d_dice_view {
     }
 
     /// The near plane for points that have this share of the errors. Nearer than 32 errors of w, w
-    /// and quotients by it are hardly known.
+    /// and quotients by it have few certain digits.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }

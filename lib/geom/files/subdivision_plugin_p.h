@@ -20,7 +20,7 @@ struct subdivision_cage {
     const std::uint32_t* face_ends; ///< per face, the end of its corners in `corners`
     const std::uint32_t* corners;
     std::uint32_t creases;
-    const std::uint32_t* crease_vertices; ///< two of each crease
+    const std::uint32_t* crease_vertices; ///< two for each crease
     const float* crease_sharpness;        ///< subdivisions that keep a crease; 10 is for ever
     std::uint32_t points;                 ///< number of vertices that are sharp themselves
     const std::uint32_t* point_vertices;

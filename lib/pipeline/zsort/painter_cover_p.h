@@ -18,7 +18,7 @@ namespace l3d_detail {
 /// Lives: borrows what begin() was given. Keeps its memory.
 class painter_cover {
 public:
-    /// Forgets all pieces.
+    /// Forgets all pieces, and takes the triangles and cuts of the next ones.
     void begin(l3d_size size, std::span<const l3d_painter_triangle> triangles,
                const std::vector<l3d_painter_cut>& cuts);
 

@@ -60,7 +60,7 @@ public:
         return {items_.data() + first(chunk), kept_[chunk]};
     }
 
-    /// Whether items show nothing but the pixels that they cover: no sides.
+    /// Whether items draw only the pixels that they cover, and no sides.
     bool are_pixels_all() const { return !with_sides_; }
     const std::array<l3d_micro_vertex, 3>& corners(const painter_item& item) const {
         return triangles_[item.triangle].v;

@@ -52,7 +52,7 @@ inline bool are_apart(std::span<const painter_entry> members) {
     return true;
 }
 
-/// For each tile of the picture the triangles that reach it.
+/// The triangles that reach each tile of the picture.
 class painter_tiles {
 public:
     /// Puts items into tiles that are about twice as wide as the mean box, and at least eight

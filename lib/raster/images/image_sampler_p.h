@@ -24,8 +24,8 @@ public:
     /// edges the pixels around it. Empty if nothing is to be drawn.
     l3d_path reach() const;
 
-    /// Whether the image is only moved by whole pixels. Then moved_x() and moved_y() are its way to
-    /// the right and down.
+    /// Whether the image is only moved by whole pixels. Then moved_x() and moved_y() tell how far
+    /// it is moved to the right and down.
     bool is_moved_only() const { return moved_only_; }
     std::int32_t moved_x() const { return moved_x_; }
     std::int32_t moved_y() const { return moved_y_; }

@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// The part of a step that lies between the ends of the pen's way. Units: 1/256 pixel.
+    /// The part of a step that lies between the ends of the pen's path. Units: 1/256 pixel.
     int pen_at(std::int64_t major) const {
         const std::int64_t here = l3d_subpixel_one * major;
         return static_cast<int>(l3d_subpixel_one + std::min(here, last_major_) -

@@ -45,7 +45,7 @@ public:
 
 private:
     /// The memory of one worker.
-    /// Shape: begins at two cache lines, so that workers do not take each other's.
+    /// Shape: begins at two cache lines, so that workers do not share any.
     struct alignas(128) worker_space {
         contour_edges edges;
         border_edges borders;

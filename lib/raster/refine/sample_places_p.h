@@ -41,7 +41,7 @@ struct sample_places {
         return true;
     }
 
-    /// The samples whose coordinate has each of its four bits set.
+    /// For each of the four bits of a coordinate, the samples in which it is set.
     static constexpr std::array<std::uint64_t, 4>
     digits(const std::array<std::int16_t, count>& of) {
         std::array<std::uint64_t, 4> masks{};

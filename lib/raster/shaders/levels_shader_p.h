@@ -104,7 +104,7 @@ private:
         set_error(v, std::abs(bends_[0]) + std::abs(bends_[1]) + std::abs(bends_[2]));
     }
 
-    /// The level in a triangle: the parabola, from the shares of the corners in a place.
+    /// The level in a triangle: the parabola's value at a place, by its barycentric coordinates.
     double in_triangle(double x, double y) const {
         const double area = cross_of(along_u_, along_v_);
         const double b = cross_of({x, y}, along_v_) / area, c = cross_of(along_u_, {x, y}) / area;

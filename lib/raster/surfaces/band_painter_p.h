@@ -24,7 +24,7 @@ struct band_frame {
 
 /// Draws the bands of one worker, with the worker's own memory and counts.
 ///
-/// Shape: begins at a cache line, so that workers do not take each other's.
+/// Shape: begins at a cache line, so that workers do not share one.
 class alignas(64) band_painter {
 public:
     /// Makes room so that drawing bands of this many rows allocates nothing.

@@ -19,7 +19,7 @@ struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 };
 
-/// A table of what is known about a picture's tiles.
+/// A table of facts about a picture's tiles.
 /// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
@@ -60,7 +60,7 @@ public:
     /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// Whether the bounds of tiles alone prove that. No depth is read.
+    /// Whether the bounds of tiles alone prove that they do. No depth is read.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
     /// Finds the farthest depth of each tile of the band into which something was drawn.

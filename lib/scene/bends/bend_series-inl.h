@@ -24,7 +24,7 @@ namespace {
 /// 8 takes a quarter more time than 7.
 constexpr std::size_t series_order = 7;
 
-/// Bounds are wanted of derivatives up to this order, inclusive.
+/// Derivatives are bounded up to this order, inclusive.
 constexpr std::size_t wanted_order = 3;
 
 /// The coefficients of a series: [power of u][power of v], the sum of both powers less than

@@ -62,7 +62,7 @@ public:
     const lanes& steps_u() const { return steps_u_; }
     const lanes& steps_v() const { return steps_v_; }
 
-    /// The whole patch as one block.
+    /// The bends of the whole patch, as one block.
     const l3d_bend_numbers<float>& of_whole() const { return of_whole_; }
 
     /// The bounds of the patch after an affine map, of which the upper left three by three counts.

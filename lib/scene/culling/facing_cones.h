@@ -36,7 +36,7 @@ private:
     using numbers = std::array<double, blocks>;
     struct ball_and_cone {
         vector centre{0.0, 0.0, 0.0}, axis{0.0, 0.0, 0.0};
-        double radius = 0, sine = 2; ///< a sine of 2: anything may be a normal
+        double radius = 0, sine = 2; ///< a sine of 2 means that anything may be a normal
 
         void hold_points(std::span<const vector> points);
         void hold_normals(std::span<const vector> normals);

@@ -47,7 +47,7 @@ struct l3d_patch_model::contents {
     std::vector<l3d_facing_cones> facing;
     std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
-    std::vector<l3d_halved_side> halved;     ///< sides where patches of half the size go on
+    std::vector<l3d_halved_side> halved;     ///< sides at which patches of half the size follow
     std::vector<unsigned char> halved_edges; ///< empty, or per patch as l3d_patch_reach::edges
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
@@ -73,7 +73,7 @@ struct l3d_patch_model::stated {
     /// is_of_points is false where errors of points may turn normals by any angle.
     std::vector<l3d_patch_error> errors;
     double places = 0;  ///< the largest
-    double normals = 0; ///< the largest of pieces of points
+    double normals = 0; ///< the largest of pieces with is_of_points
 };
 
 /// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
