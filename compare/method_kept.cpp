@@ -18,7 +18,7 @@ namespace {
 /// replaces it.
 constexpr double headroom = 1.25, too_fine = 4;
 
-/// Cuts of a patch at most, as l3d_micropolygon_dicer has it.
+/// The most cuts of a patch, as in l3d_micropolygon_dicer.
 constexpr int most_pieces = 1 << 16;
 
 bool fits(int steps, int wanted) {

@@ -58,7 +58,8 @@ struct vertex {
     float position[3], normal[3];
 };
 
-/// Quads along a patch: rounded up to a multiple of this, and at most that, 2^17 triangles a patch.
+/// The number of quads along a patch is rounded up to a multiple of `coarseness`. The most are 2^17
+/// triangles for a patch.
 constexpr int coarseness = 4, most_quads = 256;
 
 /// The steps with which two triangles a cell keep the tolerance all over a net.

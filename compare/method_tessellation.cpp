@@ -88,8 +88,8 @@ double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& v
            accuracy.drawn_error(l3d_vertex_accuracy::in_front + depth_error / accuracy.w_low);
 }
 
-/// Counts patches by the proofs and the bound of all methods; polygons of patches left out here are
-/// left out one by one. In mode `error` each patch is a part in its bound's colour.
+/// Counts patches by the same proofs and bound as all methods do. Polygons of patches that are left
+/// out here are left out one by one. In mode `error` each patch is a part in its bound's colour.
 void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     counts_ = {};

@@ -23,7 +23,7 @@ using l3d_detail::stopwatch;
 /// by more than a corner.
 constexpr double points_per_cell = 2;
 
-/// Steps of a patch at most, along each parameter; no patch in the cube needs more.
+/// The most steps of a patch, along each parameter; no patch in the cube needs more.
 constexpr int most_steps = 1 << 13;
 
 /// A rim of cells around the scene, so that nothing is outside by a rounding.

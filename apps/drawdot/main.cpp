@@ -24,7 +24,7 @@ public:
 
     void resize_event(l3d_size size) override {
         l3d_lesson::resize_event(size);
-        turn(right_, down_); // dots that are outside now start again from the border
+        turn(right_, down_); // dots that are outside now begin again at the border
     }
 
     bool needs_redraw() const override { return moved_; }
@@ -59,7 +59,7 @@ private:
     void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         moved_ = false;
         if (!is_classic())
-            clear(rasterizer); // smooth edges would add up
+            clear(rasterizer); // else smooth edges would add up
         const std::uint32_t green = l3d_rgb(0, 255, 128);
         const double pen = std::floor(size().height / 128.0); // seen in large windows, too
         if (pen < 2)

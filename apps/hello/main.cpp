@@ -60,7 +60,7 @@ public:
         : l3d_lesson(std::move(canvas)), lesson_(which), seed_(seed), random_(seed) {
         if (lesson_ == lesson::event)
             std::cerr << screen().describe() << '\n';
-        // Pictures in files have the built-in face, the same on every machine.
+        // Pictures in files have the built-in font, the same on every machine.
         std::string told_beside_the_caption;
         if (screen().is_window())
             font_ = l3d_font::of_system(told_beside_the_caption);
@@ -124,7 +124,7 @@ private:
                 events_.empty() ? "no event yet" : events_.back(), 0x00FF80, scale);
     }
 
-    /// The built-in face has capitals of seven dots below an empty one, and an em of ten.
+    /// The built-in font has capitals of seven dots below an empty one, and an em of ten.
     void say(l3d_rasterizer_2d& rasterizer, int x, int y, const std::string& text,
              std::uint32_t color, int dot) const {
         font_.draw(rasterizer, x, y - dot, text, color, 10 * dot);

@@ -4,7 +4,7 @@
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>
 
-// Step 2 of 5: what the pipeline shows is the world of spikes; these tumble.
+// Step 2 of 5: the pipeline shows the world of spikes, which tumble here.
 int main(int argc, char** argv) {
     l3d_program program("rotspikes",
                         l3d_caption{.what = "Spikes tumble and fly past the viewer.",

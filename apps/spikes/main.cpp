@@ -4,7 +4,7 @@
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>
 
-// Step 2 of 5: what the pipeline shows is a world, and rotspikes has the same.
+// Step 2 of 5: the pipeline shows a world, which rotspikes has, too.
 int main(int argc, char** argv) {
     l3d_program program("spikes",
                         l3d_caption{.what = "Spikes fly past the viewer.",

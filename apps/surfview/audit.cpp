@@ -112,7 +112,8 @@ mesh_audit::mesh_audit(std::string surface_file, const l3d_patch_model& surface,
     for (std::size_t i = 0; part_.empty() && i < surface.patches().size(); ++i)
         if (surface.piece_of(i) == found_.from_surface.index)
             part_ = surface.parts().name_of(i);
-    // The worst triangle is seen from its outside; what is missing, from away of the middle.
+    // The worst triangle is seen from its outside, and a missing part from the side away from the
+    // mesh's middle.
     const vector usual(1.0, 0.8, 1.4);
     vector out = worst().place - mesh_.centre();
     if (&worst() == &found_.from_mesh) {

@@ -188,7 +188,7 @@ private:
         return by_gl ? *by_gl : any_gl_;
     }
 
-    /// Refuses options that name parts which the model has not.
+    /// Refuses options that name parts which the model does not have.
     void check_names(const l3d_parts& parts) const {
         l3d_part_list list;
         list.set_names(parts.names());

@@ -21,7 +21,7 @@ namespace {
 using teapot_pipeline = l3d_viewer<method_viewer>;
 using comparing_pipeline = l3d_viewer<comparison>;
 
-/// The command line, and what is to be drawn by it.
+/// The command line, and what it asks to draw.
 struct command {
     explicit command(l3d_program& program)
         : afd(program.options()),

@@ -86,7 +86,7 @@ l3d_fd_dicer::scales l3d_fd_dicer::scales_of(const l3d_image_patch& net, int ste
             break;
         }
         result.factor[k] = std::ldexp(1.0, bits);
-        // The walk in double at the same place has no share but the cancelling of differences.
+        // A walk in double at the same place errs only by the cancellation of differences.
         error[k] = l3d_block_walk_error(bits, steps) + walk_error<double>(size[k], steps);
     }
     result.error_xy = std::max(error[0], error[1]);

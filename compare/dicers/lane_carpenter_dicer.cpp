@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Halvings of a patch at most, both directions together.
+/// The most halvings of a patch, both directions together.
 constexpr int deepest = 24;
 
 using point = l3d_vector<double, 3>;

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Cuts of a patch at most. 2^16 pieces of 32 x 32 quads are sixty million.
+/// The most cuts of a patch. 2^16 pieces of 32 x 32 quads are sixty million.
 constexpr int most_pieces = 1 << 16;
 
 /// The tolerance of the polylines along which pieces meet, in pixels.

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Halvings of a patch at most, both directions together: triangles are then 2^-12 of it.
+/// The most halvings of a patch, both directions together: triangles are then 2^-12 of it.
 constexpr int deepest = 24;
 
 l3d_image_curve edge_of(const l3d_image_patch& net, std::size_t side) {

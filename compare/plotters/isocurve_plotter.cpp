@@ -17,7 +17,8 @@ namespace {
 /// curve would cost more to begin than to walk.
 constexpr double least_length = 8;
 
-/// Halvings of a patch in all; and of a curve's step, 2^-20 of which would be a million points.
+/// The most halvings of a patch in all, and of a curve's step: 2^-20 of a curve would be a million
+/// points.
 constexpr int deepest = 40, most_halvings = 20;
 
 /// Bound of a piece's extent along u, in the larger of both image coordinates. Let (X, Y) be the

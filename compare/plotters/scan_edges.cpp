@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Halvings of a curve until it rises or falls from end to end.
+/// The most halvings of a curve until it rises or falls from end to end.
 constexpr int deepest = 16;
 
 /// Whether control points prove that a curve rises, or falls, from end to end: y' has the sign

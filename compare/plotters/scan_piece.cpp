@@ -19,7 +19,7 @@ cubic powers_of(const l3d_image_point& a, const l3d_image_point& b, const l3d_im
 /// Distance outside of the piece at which a root counts: by rounding, its neighbour may miss it.
 constexpr double rim = 1e-9;
 
-/// A difference of the net seen from the box's middle, and its change with the place.
+/// A difference of the net as seen from the box's middle, and by how much other places change it.
 struct direction {
     double x, y, blur;
 };

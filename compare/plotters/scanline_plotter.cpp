@@ -13,7 +13,7 @@ namespace {
 /// Pieces with silhouettes are cut to this size, in pixels: then few hold more than one centre.
 constexpr double smallest = 1;
 
-/// Halvings of a patch in all.
+/// The most halvings of a patch in all.
 constexpr int deepest = 40;
 
 } // namespace

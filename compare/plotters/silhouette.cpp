@@ -88,7 +88,7 @@ std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece,
     return std::nullopt;
 }
 
-/// With y = Y / W: Y_u W - Y W_u = 0, and the same of v.
+/// With y = Y / W: Y_u W - Y W_u = 0, and the same for v.
 std::vector<l3d_scan_root> l3d_level_points(const l3d_scan_piece& piece, int& rounds) {
     constexpr int places = 5;
     constexpr double same = 1e-6, step_at_rest = 1e-9; // in the parameters

@@ -14,7 +14,7 @@ namespace {
 /// Samples of a border between which a silhouette may run into it.
 constexpr int border_samples = 8;
 
-/// Cuts of a patch at most, and the size in pixels below which a piece is not cut any more.
+/// The most cuts of a patch, and the size in pixels below which a piece is not cut any more.
 constexpr int deepest = 24;
 constexpr double smallest = 1;
 
@@ -31,7 +31,7 @@ void l3d_whitted_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& 
     divide({net}, of);
 }
 
-/// Whether w bends little within the piece, as pixels at its depth.
+/// Whether w bends little within the piece, measured in pixels at its depth.
 bool l3d_whitted_plotter::is_nearly_flat(const piece& p, const l3d_plot_task& of) const {
     const double least = l3d_depth_range_of(p.net.points).least;
     return l3d_depth_bounds_of(p.net).triangle_error(1, 1) * of.view.focal <=
@@ -102,8 +102,8 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     }
 }
 
-/// Adds a silhouette as a cubic with its ends and its directions there, (-J_v, J_u), of the length
-/// between the ends.
+/// Adds a silhouette as a cubic from end to end. It has the silhouette's directions there, (-J_v,
+/// J_u), with the length between the ends.
 void l3d_whitted_plotter::add_silhouette(const l3d_scan_piece& powers,
                                          const std::vector<l3d_border_turn>& turns) {
     const l3d_scan_root &from = turns[0].root, &to = turns[1].root;

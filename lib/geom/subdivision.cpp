@@ -37,7 +37,8 @@ class cage_edges {
 public:
     explicit cage_edges(const l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// Why the mesh is no cage, with faces and vertices counted from 1; "" if it is one.
+    /// The error message for a mesh that is no cage, with faces and vertices counted from 1; "" if
+    /// it is one.
     std::string complaint() {
         for (std::size_t i = 0; i < mesh_.faces(); ++i) {
             const std::string what = add(static_cast<std::uint32_t>(i));

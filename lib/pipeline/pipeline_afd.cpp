@@ -26,9 +26,9 @@
 namespace {
 
 /// With the map of doubt, normals of curved models may have an eighth of the usual error: two
-/// levels more. The map tells folds no more exactly than normals are known, and else doubts whole
-/// tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md, section
-/// 25).
+/// levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
+/// whole tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md,
+/// section 25).
 constexpr double finer_for_map = 8;
 
 using l3d_detail::stopwatch;
@@ -170,7 +170,7 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
-    if (scene_.has_trims() && !settings_.method.is_default()) // others draw whole surfaces alone
+    if (scene_.has_trims() && !settings_.method.is_default()) // other methods draw no trims
         take_method({});
     stages_->curved = scene_.choose_levels(
         {.camera = camera_,

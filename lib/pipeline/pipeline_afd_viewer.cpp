@@ -256,8 +256,8 @@ l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     return hidden.empty() ? result : result.without(hidden);
 }
 
-/// Places the models as listed; false, with the list undone, if nothing were left. Placing a model
-/// drops its instance's material and opacity, so they are set again.
+/// Places the models as listed. If nothing would be left, undoes the list and returns false.
+/// Placing a model drops its instance's material and opacity, so they are set again.
 bool l3d_part_switch::apply() {
     list();
     std::vector<l3d_patch_model> models;

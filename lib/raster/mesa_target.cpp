@@ -37,7 +37,7 @@ void mesa_target::make_program(const program_text& text) {
         gl.ShaderSource(shader, 1, &source, nullptr);
         gl.CompileShader(shader);
         gl.AttachShader(program_, shader);
-        gl.DeleteShader(shader); // lives on in the program
+        gl.DeleteShader(shader); // the program keeps it
     }
     unsigned place = 0;
     for (const char* name : text.attributes) {

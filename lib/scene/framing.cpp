@@ -121,7 +121,8 @@ struct wedge {
 
     /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The place across of the deepest eye. Eyes farther away have their middle there, too.
+    /// The sideways place of the deepest eye. The places of farther eyes have it in their middle,
+    /// too.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;

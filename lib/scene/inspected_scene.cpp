@@ -60,7 +60,7 @@ void l3d_inspected_scene::begin(const l3d_camera& camera, const l3d_dice_view& v
     const auto axes = axes_of(camera);
     patches_.eye = camera.eye;
     patches_.focal = camera.focal_length(size);
-    if (camera.is_parallel()) { // the far eye that dicing has
+    if (camera.is_parallel()) { // dicing uses a far eye, too
         const double distance = view.w_middle / view.depth_scale;
         patches_.eye = camera.target - axes[2] * distance;
         patches_.focal = view.focal;

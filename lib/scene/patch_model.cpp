@@ -27,7 +27,7 @@ namespace {
 
 using vector = l3d_patch_model::vector;
 
-/// Why a patch is no piece of a curved model; "" if it is one.
+/// The error message for a patch that is no piece of a curved model; "" if it is one.
 std::string complaint_of(const l3d_patch_points& patch) {
     const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
     const std::string of_degree =
@@ -53,7 +53,8 @@ std::string complaint_of(const l3d_patch_points& patch) {
     return of_trims.empty() ? "" : ": " + of_trims;
 }
 
-/// Why patches make no model, naming the first number at fault; "" if they make one.
+/// The error message for patches that make no model, naming the first number at fault; "" if they
+/// make one.
 std::string complaint_of(const std::vector<l3d_patch_model::patch>& patches) {
     for (std::size_t p = 0; p < patches.size(); ++p)
         for (std::size_t i = 0; i < 16; ++i)

@@ -213,7 +213,7 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
     extent_count_ = 0;
 }
 
-/// Keeps an instance's box, in which it was before its first change.
+/// Keeps the box that an instance had before its first change.
 void l3d_patch_scene::note_change(std::size_t index) {
     if (is_moved_[index])
         return;

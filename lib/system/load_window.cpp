@@ -72,7 +72,7 @@ void load_window::draw(const std::string& file, double share) {
 }
 
 bool load_window::goes_on(const std::string& file, double share) {
-    constexpr std::chrono::milliseconds soon(500); // less is not worth a window
+    constexpr std::chrono::milliseconds soon(500); // a shorter wait needs no window
     if (share >= 1) {
         screen_.reset();
         return !is_stopped_;

@@ -63,7 +63,7 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     });
 }
 
-/// The head of a PPM of some size. ppm_bytes() is the number of bytes behind it.
+/// The head of a PPM of some size. ppm_bytes() is the number of bytes after it.
 std::string ppm_head(l3d_size size) {
     return "P6\n" + std::to_string(size.width) + " " + std::to_string(size.height) + "\n255\n";
 }
@@ -298,7 +298,7 @@ l3d_image l3d_read_image(const std::string& path, std::int64_t most_pixels) {
 }
 
 bool l3d_is_whole_image(const std::string& path, l3d_size size) {
-    // libpng stops reading behind the last row. A file ends with an empty chunk and its checksum.
+    // libpng stops reading after the last row. A file ends with an empty chunk and its checksum.
     constexpr std::string_view last_chunk("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
     try {
         const std::string text = l3d_read_text_file(path);

@@ -52,7 +52,7 @@ public:
         jpeg_read_scanlines(&info_, &row, 1);
         return true;
     }
-    /// Ends the file. Some faults show only behind the last row.
+    /// Ends the file. Some faults show only after the last row.
     bool finish() {
         if (setjmp(back_) != 0)
             return false;

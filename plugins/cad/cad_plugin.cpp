@@ -102,8 +102,7 @@ bool send(int file, std::string_view bytes) {
     return true;
 }
 
-/// Nothing that the parent does on signals is to happen here, and nothing may be left behind when
-/// it dies.
+/// Drops the parent's reactions to signals, and leaves nothing behind when the parent dies.
 void stand_alone(pid_t parent, rlim_t seconds) {
     for (const int one : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGSEGV, SIGBUS, SIGFPE,
                           SIGILL, SIGABRT, SIGCHLD, SIGALRM, SIGXCPU})

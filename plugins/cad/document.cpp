@@ -98,7 +98,7 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Whether a place turns and moves alone, so that lengths and the outside stay what they are.
+/// Whether a place only turns and moves, so that lengths and the outside stay what they are.
 bool is_rigid(const TopLoc_Location& place) {
     constexpr double rounding = 1e-12;
     const gp_Trsf by = place.Transformation();
@@ -203,7 +203,7 @@ private:
         to_.number(one.opacity);
     }
 
-    /// Faces and curves that follow have this look, or that of their shape's place.
+    /// Sets the look of the faces and curves that follow: this one, or that of their shape's place.
     void use(const std::optional<look>& now) {
         if (look_ == now)
             return;
@@ -226,7 +226,7 @@ private:
 /// are written.
 constexpr double when_parsed = 0.2, when_made = 0.7;
 
-/// What the kernel says of its progress with shapes.
+/// Takes the kernel's reports of its progress with shapes.
 class told_share : public Message_ProgressIndicator {
 public:
     explicit told_share(std::atomic<double>& share) : share_(share) {}

@@ -33,8 +33,8 @@ using l3d_detail::cad_record;
 constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
 /// Curves of loops are within this share of the face's range of parameters.
 constexpr double trim_share = 1e-9;
-/// Loops may gape by a 2^-20 of their extent (l3d_trims_complaint). Wider gaps get a line, and so
-/// do those that are nearly as wide.
+/// Loops may gape by 2^-20 of their extent (l3d_trims_complaint). Wider gaps get a line, and so do
+/// those that are nearly as wide.
 constexpr double gap_share = 0x1p-22;
 /// Curves of sound files leave their surface by rounding, or by a period. Beyond so many ranges of
 /// the face, doubles tell their places no better than trim_share.
@@ -59,7 +59,7 @@ std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Cu
     if (edge)
         std::ranges::for_each(edge->map.ends(), add);
     std::ranges::sort(breaks);
-    constexpr int places = 16; // of each smooth stretch; no curve in a file swings more often
+    constexpr int places = 16; // for each smooth stretch; no curve in a file swings more often
     const std::vector<double> smooth = breaks;
     for (std::size_t k = 0; k < 2; ++k)
         for (const double end : (k == 0 ? surface.u : surface.v).map.ends())

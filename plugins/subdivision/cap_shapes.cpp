@@ -91,7 +91,7 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
 }
 
 /// The bicubic Bezier patch of a Gregory patch's twenty points, which are five of each corner: the
-/// corner, the points behind it on both sides, and two for the middle. Of these two, the patch has
+/// corner, the points next to it on both sides, and two for the middle. Of these two, the patch has
 /// the mean.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
@@ -104,8 +104,8 @@ net bezier_of_gregory(const std::array<double, 20>& p) {
 /// As deep as Far goes.
 constexpr int deepest = 10;
 
-/// Around a vertex of however many faces, lengths shrink to at most 0.655 of themselves with each
-/// subdivision, so that after 40 of them less than a 2^-24 is left.
+/// Around a vertex with any number of faces, lengths shrink to at most 0.655 of themselves with
+/// each subdivision, so that after 40 of them less than 2^-24 is left.
 constexpr std::size_t most_stages = 4;
 
 mesh_topology topology_of(const face_ring& ring) {
@@ -139,8 +139,8 @@ struct cap_shapes::weights {
     struct stage {
         /// Differences of control points of exact patches and of the cap's part.
         std::vector<double> differences;
-        /// In the faces that are left: from the cap's first control point there to all that the
-        /// limit surface hangs on, and to all others of the cap.
+        /// Differences in the faces that are left: from the cap's first control point there to all
+        /// points on which the limit surface depends, and to all others of the cap.
         std::vector<double> surface_spread, cap_spread;
     };
     std::size_t vertices = 0;

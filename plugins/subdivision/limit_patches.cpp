@@ -58,8 +58,8 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
     return {of[0][k], of[1][k], of[2][k]};
 }
 
-/// Gives all patches that meet at a vertex or along an edge the same points there, bit for bit.
-/// Those of the coarsest patch are taken; where patches are half as large, by its halves.
+/// Gives all patches that meet at a vertex or along an edge the same points there, bit for bit. It
+/// takes those of the coarsest patch, and those of its halves where patches are half as large.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {

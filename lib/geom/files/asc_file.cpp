@@ -23,7 +23,7 @@ class field_line {
 public:
     explicit field_line(std::string_view text) : rest_(text) { skip_blanks(); }
 
-    /// Takes `word` and the blanks behind it, if it comes next.
+    /// Takes `word` and the blanks after it, if it comes next.
     bool take(std::string_view word) {
         if (!rest_.starts_with(word))
             return false;
@@ -238,7 +238,7 @@ private:
         return true;
     }
 
-    /// Takes "label:" and the number behind it.
+    /// Takes "label:" and the number after it.
     bool labelled(field_line& line, std::string_view label, std::string_view& digits) {
         if (!line.take(label) || !line.take(":"))
             return text_.fail(std::string(label) + ": is missing");

@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// Nobody wants to know it of a file that is read at once.
+    /// Notes the time that reading took, unless it is too short to be noticed.
     void read_effort(cad_reader& from) {
         constexpr double noticed = 1; // second
         const double seconds = from.number(), bytes = from.number();

@@ -74,8 +74,8 @@ std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) cons
     return groups == 0 ? flat : groups | grouped;
 }
 
-/// Divides vertices: one keeps the first normal among its corners, and each other normal gets a new
-/// vertex at the same place.
+/// Gives each vertex one normal: it keeps the first normal among its corners, and each other normal
+/// gets a new vertex at the same place.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
     const bool has_groups = std::ranges::any_of(
         of_faces_, [](std::uint64_t groups) { return groups != 0 && groups != unsaid; });

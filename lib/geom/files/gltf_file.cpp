@@ -46,7 +46,7 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           materials_(document, model, name_, files) {}
 
-    /// Call it before buffers are read: other versions define them otherwise.
+    /// Call it before buffers are read: other versions define them in other ways.
     void check_version() {
         const std::string version = root_.at("asset").at("version").text();
         if (!version.starts_with("2."))

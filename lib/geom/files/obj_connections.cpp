@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// A parameter of a surface in its range, around which closed surfaces come back.
+/// Brings a parameter into a surface's range; on a closed surface, it wraps around.
 double in_range(double at, const l3d_bspline_direction& along, bool is_closed) {
     const double period = along.to - along.from;
     if (is_closed)
@@ -62,11 +62,11 @@ bool obj_surfaces::read_connection() {
     return takes(sizeof(std::array<double, 4>) * edges_.back().curve.points().size());
 }
 
-/// Has the pieces of a trim curve follow an edge, whose parameter runs from 0 to 1.
+/// Makes the pieces of a trim curve follow an edge, whose parameter runs from 0 to 1.
 bool obj_surfaces::follow(const connected& side, std::uint32_t edge) {
     const std::string name = "curve " + std::to_string(side.curve + 1) + " of surface " +
                              std::to_string(side.surface + 1);
-    constexpr double rounding = 0x1p-30; // a part of the range
+    constexpr double rounding = 0x1p-30; // relative to the range
     const auto on_edge = [&](double t) { return (t - side.from) / (side.to - side.from); };
     bool is_found = false;
     const ended_surface& of = surfaces_[side.surface];
@@ -92,7 +92,7 @@ bool obj_surfaces::follow(const connected& side, std::uint32_t edge) {
 
 /// The place of a trim in space: cubics through four points each, as many as it takes.
 std::optional<l3d_model_edge> obj_surfaces::edge_along(const connected& side) const {
-    constexpr double wanted = 0x1p-30; // a part of the edge's extent
+    constexpr double wanted = 0x1p-30; // relative to the edge's extent
     constexpr std::size_t most_cubics = 1024, places = 16;
     const l3d_nurbs_surface& surface = *surfaces_[side.surface].whole;
     const l3d_nurbs_curve& curve = *trim_curves_[side.curve];

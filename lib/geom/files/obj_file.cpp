@@ -186,7 +186,7 @@ private:
         mesh().vertices.push_back(v);
         l3d_polygon_mesh::index_of(mesh().vertices.size());
         // One more number is a weight. Three or four more are a colour, which some programs write,
-        // with a weight of 1 before it or a fourth component behind it.
+        // with a weight of 1 before it or a fourth component after it.
         double more[4];
         std::size_t numbers = 0;
         while (numbers < 4 && text_.next_in_line())
@@ -253,8 +253,8 @@ private:
         return true;
     }
 
-    /// Reads a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal. A slash may
-    /// have nothing behind it.
+    /// Reads a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal. Nothing may
+    /// follow a slash.
     bool read_corner(std::string_view corner) {
         const std::size_t first = std::min(corner.find('/'), corner.size());
         std::uint32_t vertex = 0;

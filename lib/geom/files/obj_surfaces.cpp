@@ -105,7 +105,7 @@ bool obj_surfaces::read_range(l3d_bspline_direction& direction) {
     return direction.from < direction.to || text_.fail("the range of a parameter is empty");
 }
 
-/// Numbers behind a slash are places in pictures, and normals.
+/// Numbers after a slash are places in pictures, and normals.
 bool obj_surfaces::read_points(std::size_t vertices) {
     indices_.clear();
     while (text_.next_in_line()) {
@@ -148,7 +148,7 @@ bool obj_surfaces::read_curve(std::size_t vertices) {
     return read_range(u_) && read_points(vertices);
 }
 
-/// A curve is about to begin.
+/// Checks that a curve may begin here.
 bool obj_surfaces::begins_curve() {
     if (open_ != opened::nothing)
         return text_.fail("a curve begins before the last one's end");
@@ -157,7 +157,7 @@ bool obj_surfaces::begins_curve() {
     return true;
 }
 
-/// u, v and a weight, which are 0 and 1 if they are left out.
+/// Reads u, v and a weight. If v is left out, it is 0; if the weight is, it is 1.
 bool obj_surfaces::read_parameter_vertex() {
     std::array<double, 3>& p = parameter_vertices_.emplace_back(std::array<double, 3>{0, 0, 1});
     if (!number_in_line(p[0], "a parameter"))
@@ -221,7 +221,7 @@ bool obj_surfaces::read_trim(bool is_hole) {
     trims_.push_back(l3d_trim_loop_of(curves, uses));
     std::string why;
     has_outer_trim_ = has_outer_trim_ || !is_hole;
-    // Whether the surface is closed is known at its end.
+    // Only at the surface's end is it known whether the surface is closed; until then it may be.
     const l3d_trim_box box{{u_.from, v_.from}, {u_.to, v_.to}};
     return l3d_unrolled(std::span(&trims_.back(), 1), box, {true, true}, why) || text_.fail(why);
 }
@@ -282,7 +282,7 @@ bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
     }
     if (d.knots.size() < 2 * (n + 1))
         return complain(" has fewer knots than twice the degree and 2");
-    // Where more than n knots are equal, the surface is torn; at the ends they only do nothing.
+    // Where more than n knots are equal, the surface is torn; at its ends, they have no effect.
     for (std::size_t i = 1; i + n + 1 < d.knots.size(); ++i)
         if (d.knots[i] == d.knots[i + n] && d.knots[i] > d.knots[n] &&
             d.knots[i] < d.knots[d.points()])
@@ -313,7 +313,7 @@ bool obj_surfaces::takes(std::size_t bytes) {
                       " times the memory of the text");
 }
 
-/// Those of the control points, if the type is rational. Weights left out are 1.
+/// Finds the weights of the control points, if the type is rational. Weights left out are 1.
 bool obj_surfaces::weights_of(const std::vector<double>& weights, std::vector<double>& of_points) {
     for (const std::uint32_t i : indices_) {
         const double weight = i < weights.size() ? weights[i] : 1;
@@ -390,7 +390,8 @@ bool obj_surfaces::end_trim_curve() {
     return true;
 }
 
-/// Gives each piece of a surface what it needs of the loops. Holes alone are cut out of all of it.
+/// Gives each piece of a surface the parts of the loops that it needs. Holes alone are cut out of
+/// the whole surface.
 bool obj_surfaces::put_trims(std::span<l3d_patch_points> patches) {
     if (trims_.empty())
         return true;

@@ -170,7 +170,7 @@ std::string l3d_write_obj(const l3d_model_file& model) {
     append_window(text, "w ", model.window);
     append_window(text, "s ", model.viewport);
     append_vertices(text, model.mesh);
-    // A material goes on until the next one, so patches, curves and faces without any come first.
+    // A material applies until the next one, so patches, curves and faces without any come first.
     const bool plain_patches = model.patch_materials.empty();
     const bool plain_curves = model.curve_materials.empty();
     const bool plain_faces = model.mesh.face_materials.empty();

@@ -90,7 +90,7 @@ private:
             shortest += order_ ? l3d_detail::ply::bytes_of(p.count.value_or(p.type))
                                : 2; // a digit and a blank
         text_.forget_place();
-        // The last number of a text may have no blank behind it.
+        // No blank need follow the last number of a text.
         const std::size_t room = text_.rest().size() + (order_ ? 0 : 1);
         if (e.count > 0 && static_cast<std::uint64_t>(e.count) > room / shortest)
             return text_.fail("the text is too short for " + std::to_string(e.count) +
@@ -328,7 +328,7 @@ private:
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
-    bool has_places_ = false, has_vertex_places_ = false; ///< corners have, vertices have
+    bool has_places_ = false, has_vertex_places_ = false; ///< for corners, for vertices
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};

@@ -102,6 +102,6 @@ void l3d_pipeline_afd::mark_part(const std::string& name) {
             }
         }
     }
-    const double width = 2 * std::max(1.0, screen_->text_scale()); // to be seen on any ground
+    const double width = 2 * std::max(1.0, screen_->text_scale()); // visible on any ground
     l3d_detail::wire_drawer(rasterizer(), mark_color, true, width).draw(lines.all());
 }

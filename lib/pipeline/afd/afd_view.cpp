@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Whether there are visible patches, and all their normals vanish everywhere.
+/// Whether there are visible patches, and all their normals are zero everywhere.
 bool is_without_area(const l3d_patch_scene& scene) {
     bool has_patches = false;
     for (const l3d_patch_instance& instance : scene.instances()) {

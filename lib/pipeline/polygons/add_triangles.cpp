@@ -124,7 +124,7 @@ public:
         }
     }
 
-    /// Lanes behind the last triangle get meaningless values, which later calls overwrite.
+    /// Lanes after the last triangle get meaningless values, which later calls overwrite.
     HWY_INLINE void add_some(std::size_t i) {
         const std::size_t place = to_.count + i, at = place % l3d_micro_triangles::lanes;
         corner_records records;

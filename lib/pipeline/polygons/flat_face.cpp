@@ -52,7 +52,7 @@ private:
 
     /// Whether the face's border at corner p, in or on a triangle, enters the triangle's inside. A
     /// border that enters by the diagonal between a and c could leave only at a corner inside, or
-    /// at b. These corners are asked, too.
+    /// at b. These corners are tested, too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
         const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;

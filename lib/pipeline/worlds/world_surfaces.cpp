@@ -133,8 +133,8 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
 
 void l3d_world_surfaces::place_all(const frame_input& in,
                                    std::span<const std::unique_ptr<l3d_object>> objects) {
-    // New objects come last. So an entry whose object is not the next one is of an object that has
-    // gone, and its memory serves a new object.
+    // New objects come last. So an entry whose object is not the next one belongs to an object that
+    // has gone. Its memory serves a new object.
     std::size_t kept = 0;
     for (auto& old : placed_)
         if (kept < objects.size() && old->object == objects[kept].get())

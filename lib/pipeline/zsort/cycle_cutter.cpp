@@ -65,8 +65,8 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
     return result;
 }
 
-/// Cuts fragments that go through each other where they meet. False, and nothing done, if there are
-/// too many such pairs: their cuts would make more pieces than division does.
+/// Cuts fragments that go through each other where they meet. Does nothing and returns false if
+/// there are too many such pairs: their cuts would make more pieces than division does.
 bool cycle_cutter::cut_where_they_meet(fragments& set) {
     std::vector<std::vector<std::uint32_t>> cutters(set.size());
     std::size_t crossings = 0;
@@ -125,11 +125,10 @@ void cycle_cutter::arrange(fragments&& set) {
         });
 }
 
-/// The member whose plane cuts fewest members and leaves the most equal halves, among some eight
-/// that are tried.
+/// Among some eight members, the one whose plane cuts fewest others and divides them most equally.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
-    constexpr long price_of_cut = 4; // in members that one half has more than the other
+    constexpr long price_of_cut = 4; // in members by which the halves differ
     std::size_t best = 0;
     long least = -1;
     const std::size_t step = std::max<std::size_t>(set.size() / tried, 1);

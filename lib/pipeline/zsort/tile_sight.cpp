@@ -58,7 +58,7 @@ public:
         return bits;
     }
 
-    /// The farthest depth of what is painted last in any cell; infinite if nothing is painted.
+    /// The farthest depth of the members painted last in any cell; infinite if there are none.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
         int_vec least = order_of(none);

@@ -14,8 +14,8 @@ template <class Real> linear_light_of<Real>::linear_light_of() {
     }
     std::uint8_t level = 0;
     for (std::size_t i = 0; i < guesses; ++i) {
-        // The table is filled for half a step less. So a rounded index cannot give too large a
-        // level.
+        // Each entry belongs to a value half a step lower, so a rounded index cannot give too large
+        // a level.
         const Real least = (static_cast<Real>(i) - Real(0.5)) / (guesses - 1);
         while (level < 255 && begins_[level + 1u] <= least)
             ++level;

@@ -72,7 +72,7 @@ l3d_path image_sampler::reach() const {
     return result;
 }
 
-/// Takes a place of the picture back to the image. The 0.5 is added last, when the numbers are
+/// Maps a place in the picture back to the image. The 0.5 is added last, when the numbers are
 /// small.
 l3d_point_2d image_sampler::back(double x, double y) const {
     const l3d_point_2d a = image_.place.across, d = image_.place.down;
@@ -171,7 +171,7 @@ mixed_color image_sampler::area_mean(std::int32_t x, std::int32_t y) {
             }
         }
     }
-    // A smaller part of a pixel's area is rounding.
+    // A smaller part of a pixel's area is only rounding.
     constexpr double nothing = 1e-12;
     return total * std::abs(determinant_) > nothing ? divided(sum, total) : linear(back(x, y));
 }

@@ -19,11 +19,11 @@ double rise(double before, double here, double after) {
 /// pixel's centre.
 ///
 /// The line may lie on that surface. Over a pixel, the depth of the surface rises by g along an
-/// axis, so the surface at the line's point may be farther by away g. Besides, an error of e pixels
-/// along the normal is e / cos a pixels along the view axis, where a is the angle between both. Let
-/// p be the change of depth over a pixel's size. A plane of that slope has g = p tan a, and the
-/// inverse of cos a is at most 1 + tan a. So the error is at most e (p + g). Roundings of the
-/// floats add 4 ulps.
+/// axis, so the surface at the line's point may be farther by `away` times g. Besides, an error of
+/// e pixels along the normal is e / cos a pixels along the view axis, where a is the angle between
+/// both. Let p be the change of depth over a pixel's size. A plane of that slope has g = p tan a,
+/// and the inverse of cos a is at most 1 + tan a. So the error is at most e (p + g). Roundings of
+/// the floats add 4 ulps.
 ///
 /// Where both neighbours show other surfaces, g is no slope. So it is limited to 8 p, the slope of
 /// a surface that is seen within 7 degrees of its edge. On a sphere with a radius of r pixels, the
@@ -50,8 +50,8 @@ bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double awa
     return here > depth + bias;
 }
 
-/// The first whole pixel whose centre is at or behind a place, held in 0 .. count. Its counterpart
-/// end_pixel() ends the pixels before a place.
+/// The first whole pixel whose centre is at or after a place, limited to 0 .. count. Its
+/// counterpart end_pixel() ends the pixels before a place.
 int first_pixel(double from, int count) {
     return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, double(count)));
 }

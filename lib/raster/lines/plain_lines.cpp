@@ -21,7 +21,7 @@ constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
 /// Walks along a line in memory; strides are in words.
 template <bool x_major, class Minors> struct line_walk {
-    std::uint32_t* at; ///< the next pixel's word, if the minor were as at the line's begin
+    std::uint32_t* at; ///< the next pixel's word, at the minor coordinate of the line's begin
     Minors minors;
     std::ptrdiff_t along; ///< offset of the next word along the longer axis
     std::ptrdiff_t stride;
@@ -76,8 +76,8 @@ template <bool x_major, bool prefetches>
     light_block();
 }
 
-/// Lights the steps of a line that are seen. The numbers are apart, as a struct would be passed in
-/// memory. `at` is the word of the first step, if the minor were as at the line's begin.
+/// Lights the visible steps of a line. It takes separate numbers, as a struct would be passed in
+/// memory. `at` is the word of the first step, but with the minor coordinate of the line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,
@@ -162,7 +162,7 @@ void l3d_detail::mark_seen(line_steps& line, l3d_size size) {
     const std::int64_t minor_size = line.x_major ? size.height : size.width;
     const whole_range among{std::max<std::int64_t>(0, -line.major),
                             std::min<std::int64_t>(line.length, major_size - 1 - line.major)};
-    // The pixels with 0 <= minor < minor_size. The floor in the minor is written out.
+    // The pixels with 0 <= minor < minor_size, where the minor is the floor of a quotient.
     const wide_integer length = line.length;
     const whole_range seen =
         where_within(among, 2 * wide_integer{line.rise}, -2 * length * line.minor - length + 1,

@@ -18,7 +18,7 @@ l3d_detail::smooth_line::smooth_line(l3d_point_2d from, l3d_point_2d to, l3d_siz
     }
     if (a.x > b.x)
         std::swap(a, b);
-    // from the lattice of polygons back to that of samples
+    // Converts from the lattice of polygons to that of samples.
     first_major_ = a.x - half_pixel;
     last_major_ = b.x - half_pixel;
     const std::int64_t minor = a.y - half_pixel;

@@ -36,7 +36,7 @@ HWY_ATTR HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-/// Loads numbers from `at` on. Lanes behind the last number have no meaning.
+/// Loads numbers from `at` on. Lanes after the last number are undefined.
 HWY_ATTR HWY_INLINE int_vec load_from(std::span<const std::int32_t> of, std::size_t at) {
     if (HWY_LIKELY(at + lanes <= of.size()))
         return hn::LoadU(ints(), of.data() + at);

@@ -33,7 +33,7 @@ HWY_INLINE void store_where(hn::Mask<hn::RebindToFloat<D>> mask, hn::Vec<D> valu
     if constexpr (masked_stores_are_cheap) {
         hn::BlendedStore(value, hn::RebindMask(d, mask), d, to);
     } else {
-        // Chosen as floats: g++ 12 puts a comparison before a choice among integers.
+        // Selects as floats: for integers, g++ 12 puts a comparison before the selection.
         const hn::RebindToFloat<D> df;
         const auto there = hn::BitCast(df, hn::LoadU(d, to));
         hn::StoreU(hn::BitCast(d, hn::IfThenElse(mask, hn::BitCast(df, value), there)), d, to);

@@ -171,7 +171,7 @@ private:
         }
     }
 
-    std::mutex mutex; ///< guards all below
+    std::mutex mutex; ///< guards all members below
     std::condition_variable begun, ended;
     const std::function<void(int)>* present = nullptr; ///< work that other threads may join
     std::uint64_t rounds = 0; ///< counts calls of run(), so that nobody joins one twice

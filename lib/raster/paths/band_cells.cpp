@@ -26,8 +26,8 @@ struct band_edge {
     double x, y, end_x, end_y;       ///< its part in the band
     bool begins = true, ends = true; ///< whether its ends lie in the band
 
-    /// For an edge that borders of rows cut: the change of x from row to row, and the least and
-    /// the most x of its ends.
+    /// If borders of rows cut the edge: the change of x from row to row, and the range of x of its
+    /// ends.
     double slope = 0, least = 0, most = 0;
 
     band_edge(const l3d_point_2d& first, const l3d_point_2d& last)
@@ -62,7 +62,7 @@ struct band_edge {
     double x_at(double border) const {
         return std::min(std::max(from.x + (border - from.y) * slope, least), most);
     }
-    /// y by x. Expects: they are not the same.
+    /// dy / dx. Expects: the ends differ in x.
     double steepness() const { return (to.y - from.y) / (to.x - from.x); }
 };
 
@@ -118,7 +118,8 @@ struct band_cells::walk {
     std::uint32_t edges = 0; ///< the number of its edges there
     std::uint32_t ways = 0;  ///< the directions in which they run, as bits of `way`
 
-    /// Adds an edge's part in a pixel. `right` is the part of the row on the right of its middle.
+    /// Adds an edge's part in a pixel. `right` is the distance from its middle to the pixel's right
+    /// side.
     HWY_INLINE void put(cell& at, double x, double y, double end_x, double end_y, double right,
                         std::uint32_t edge) {
         const double height = y - end_y;
@@ -129,7 +130,8 @@ struct band_cells::walk {
         at.last = used++;
     }
 
-    /// Adds an edge's part in a row. `at` is the pixel of its begin. Returns that of its end.
+    /// Adds an edge's part in a row. `at` is the pixel where it begins. Returns the pixel where it
+    /// ends.
     HWY_INLINE cell* add_part(cell* at, const row_part& p, double steepness, std::uint32_t edge) {
         if (p.column == p.end_column) {
             put(*at, p.x, p.y, p.end_x, p.end_y, p.column + 1 - (p.x + p.end_x) / 2, edge);
@@ -188,8 +190,8 @@ struct band_cells::walk {
             pixel->visits = unclear_visits;
             return cell_begin::unclear;
         }
-        // Where edges in a pixel all lead up, down, to the left or to the right, they do not cross
-        // each other. Two that follow each other never do.
+        // Edges in a pixel that all lead up, or all down, to the left or to the right, do not cross
+        // each other. Two successive edges never do.
         if (++edges > 2) {
             if (edges == 3)
                 ways = ways_of(corner[-2], corner[-1]) | ways_of(corner[-1], corner[0]);
@@ -302,7 +304,7 @@ void band_cells::write_row(std::int32_t row, span_writer& to) {
     std::size_t done = 0;
     const auto column = [this](std::size_t of) { return left_ + static_cast<std::int32_t>(of); };
     const auto fill = [&](std::size_t end) {
-        // Windings do not change down a gap, so they are whole but for rounding.
+        // Windings do not change down a gap, so they are whole except for rounding.
         const windings w{
             {static_cast<int>(std::lrint(cover[0])), static_cast<int>(std::lrint(cover[1]))}};
         cover = {static_cast<double>(w.turns[0]), static_cast<double>(w.turns[1])};
@@ -330,8 +332,8 @@ void band_cells::write_row(std::int32_t row, span_writer& to) {
         fill(stride_);
 }
 
-/// Finds the windings' integrals of a run of pixels in a row. `cover` is that down the run's left
-/// side, and then down its right side.
+/// Finds the integrals of the windings for a run of pixels in a row. `cover` comes with the
+/// integral down the run's left side, and leaves with that down its right side.
 void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
     double sum = cover;
     for (double* sums = sums_.data(); at < end; at += group, sums += group) {
@@ -374,17 +376,17 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
     }
 }
 
-/// The area inside of a pixel that outlines pass several times, or an integral that tells it.
+/// The area inside of a pixel that outlines pass several times, or an integral that equals it.
 double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
-    // Each visit adds at most 1 to the sum, so the rest is above 0 wherever in the pixel.
+    // Each visit adds at most 1 to the sum, so the winding is above 0 everywhere in the pixel.
     constexpr double slack = 1e-9; // far above rounding
     if (!rules_.clips && rules_.rule[0] == l3d_winding::nonzero && visits < unclear_visits &&
         std::abs(sums[0]) >= visits - slack)
         return 1;
     const std::uint32_t last = cells_[0][at].last;
     if (!rules_.clips && visits == 2) {
-        // Two edges that follow each other do not cross. If their corner is elsewhere, windings are
-        // the same on both sides of what is between them, and the sum tells the area.
+        // Two successive edges do not cross. If their corner lies outside the pixel, windings are
+        // the same on both sides of the strip between them, and the sum tells the area.
         const edge_record &second = records_[last], &first = records_[second.before];
         if (first.before == 0 && second.index() == first.index() + 1)
             return sums[0];

@@ -37,7 +37,7 @@ struct row_windows {
     std::int32_t groups[rows][2];
 };
 
-/// The first value of a window and the one behind its last. The values form whole groups.
+/// The first value of a window and the one after its last. The values form whole groups.
 struct window_ends {
     integers first, end;
 
@@ -161,7 +161,7 @@ HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
 /// bits.
 std::uint32_t put_rows(const side_pair& pair, std::size_t begin, const row_windows& windows,
                        pair_spans& to) {
-    const side_pair p = pair; // a copy: values may overwrite `pair`, for all the compiler knows
+    const side_pair p = pair; // a copy: for the compiler, `values` may overlap `pair`
     covered_span* span = to.spans + to.span_count;
     std::uint8_t* values = to.values + to.value_count;
     std::size_t place = to.values_before + to.value_count;

@@ -109,7 +109,7 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
 
 /// Adds the integral of the colours from one place to another, times a linear weight. The colours
 /// are red, green and blue times alpha, and alpha. Within a piece they are quadratic at most, so
-/// cubic with the weight, and two points of Gauss are exact.
+/// cubic with the weight, and two Gauss points are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;

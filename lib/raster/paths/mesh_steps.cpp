@@ -13,8 +13,8 @@ namespace {
 /// The largest errors of a dicing: how far a colour may be from its place on the patch, in pixels,
 /// and how far a linear colour may be from the bilinear one, in levels.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The most steps in a quarter. With these, each triangle of a patch covers some 2^-5 pixels in
-/// pictures of 2^14 pixels a side.
+/// The largest number of steps in a quarter. With these, each triangle of a patch covers some 2^-5
+/// pixels in pictures of 2^14 pixels a side.
 constexpr int most_steps = 128;
 
 /// One coordinate of a bicubic patch's control points, or of the control vectors of its second

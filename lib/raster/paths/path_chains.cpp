@@ -86,7 +86,7 @@ void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
     if (reached_.most <= 0 || reached_.least >= width_)
-        return corners_.keep(outline_); // being closed, it winds about no place of the picture
+        return corners_.keep(outline_); // closed and outside, it winds around no pixel
     if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
     const std::size_t last = corners_.size() - 1, first_block = blocks_.size();
@@ -162,7 +162,7 @@ bool path_chains::add_pair(std::size_t last) {
     l3d_point_2d* const room = corners_.room(again);
     std::copy_n(corners_.data() + outline_ + 1, again, room);
     corners_.use(again);
-    if (middle == last) { // level edges at the outline's end go on as the repeated ones do
+    if (middle == last) { // level edges at the outline's end continue with the repeated corners
         const l3d_point_2d* const all = corners_.data();
         middle = static_cast<std::size_t>(
             turn_from(all + middle, all + corners_.size() - 1, !down) - all);

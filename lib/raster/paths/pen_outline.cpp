@@ -14,11 +14,11 @@ namespace {
 /// and arcs of wider pens would have ever more pieces.
 constexpr double widest_pen = 1 << 30;
 
-/// The largest turn from point to point of an arc with which a pixel's area is off by at most
-/// l3d_flat_enough. Chords of a turn u add up to an error of r^2 u^3 / (81 sqrt 2) to one side
-/// before the other side makes up for it. That may happen four times in a pixel. For large circles,
-/// the distance of chords from the rim allows more, as the rim is at most sqrt 2 pixels long in a
-/// pixel. NUMERICS.md, section 20.
+/// The largest turn between neighbouring points of an arc that keeps the error of a pixel's area
+/// within l3d_flat_enough. Chords of a turn u add up to an error of r^2 u^3 / (81 sqrt 2) to one
+/// side before the other side makes up for it. That may happen four times in a pixel. For large
+/// circles, the distance of chords from the rim allows more, as the rim is at most sqrt 2 pixels
+/// long in a pixel. See NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
@@ -203,7 +203,7 @@ void pen_outline::add_cap(l3d_point_2d at, l3d_point_2d arrives) {
 /// the area that it cuts off.
 void pen_outline::find_turns(double angle, std::vector<l3d_point_2d>& turns) const {
     constexpr double at_ends = 1 / std::numbers::sqrt2;
-    constexpr double missing = 2 - 2 * at_ends; // turns by u that both ends together fall short of
+    constexpr double missing = 2 - 2 * at_ends; // 2 u less the turns of both ends, in u
     const int pieces = std::max(angle > most_angle_ ? 2 : 1,
                                 static_cast<int>(std::ceil(angle / most_turn_ + missing)));
     const double turn = angle / (pieces - missing);

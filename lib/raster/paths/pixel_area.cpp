@@ -39,13 +39,13 @@ void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t lay
         edges_.first_clip = edges_.count;
 }
 
-/// The range of the windings, less the corner's, that visits tell.
+/// Finds bounds of the windings, relative to the corner's, from the visits.
 ///
-/// A visit is a way of an outline through the pixel, from side to side. On its one side, the higher
-/// one, the winding is higher by 1 than on the other. One that adds less than 0 has the pixel's top
-/// left corner on its higher side. Two edges that follow each other, and meet elsewhere, do not
-/// cross here. If they turn to the right, each place is on the higher side of one of them, else on
-/// the lower side of one.
+/// A visit is an outline's passage through the pixel, from side to side. On one side of it, the
+/// higher one, the winding is higher by 1 than on the other. A visit that adds less than 0 has the
+/// pixel's top left corner on its higher side. Two successive edges whose corner lies outside the
+/// pixel do not cross inside. If they turn to the right, each place is on the higher side of at
+/// least one of them. If they turn to the left, each place is on the lower side of at least one.
 pixel_area::windings_range pixel_area::find_range() const {
     constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
     windings_range range;
@@ -100,7 +100,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
             beside.turns[0] += static_cast<int>(b.up_left[lane]);
             beside.turns[1] -= static_cast<int>(b.up_left[lane]);
         });
-    // The rest of the sum, without what the pixel's edges add, is that of its corner.
+    // The sum without the parts of the pixel's edges is the winding at the pixel's corner.
     const windings at_corner{{static_cast<int>(std::lrint(sums[0] - left[0])),
                               static_cast<int>(std::lrint(sums[1] - left[1]))}};
     for (std::size_t layer = 0; layer < 2; ++layer)
@@ -116,7 +116,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
     if (is_likely && is_same())
         return rules.inside(at_corner) ? 1 : 0;
     // Fields take some 60 instructions for each of n edges, borders 70 for each of n^2 pairs. But
-    // those of few edges seldom tell.
+    // the fields of few edges seldom decide.
     constexpr std::uint32_t many = 6;
     if (!rules.clips && rules.rule[0] == l3d_winding::nonzero && visits >= many) {
         const std::uint64_t open =
@@ -133,7 +133,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
     return area ? *area : slabs(at_corner, rules);
 }
 
-/// An edge as a border.
+/// Converts an edge to a border.
 row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i) const {
     return {b.x0[lane],
             b.y0[lane],
@@ -143,9 +143,9 @@ row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i
             static_cast<std::uint8_t>(edges_.layer(i))};
 }
 
-/// The area inside, from the parts of edges that have it on one side alone. `beside` are the
+/// The area inside, from the parts of edges with the inside on one side alone. `beside` are the
 /// windings on the left of all edges. Returns nothing if two edges are so close that rounding may
-/// tell wrong which one is on the left.
+/// confuse which one is on the left.
 std::optional<double> pixel_area::between_borders(const windings& corner, const windings& beside,
                                                   const fill_rules& rules) {
     constexpr double same = 1e-12, close = 1e-7;
@@ -182,7 +182,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
                 is_close |= apart > same;
                 begins_left = ends_left = k < i;
             }
-            // On the left or not: above its upper end, below that, above its lower end, below that.
+            // `is_left` may change at four heights: at the top, at `begin`, at the crossing, and at
+            // `end`.
             const int direction = static_cast<int>(other.turns[lane]);
             bool is_left = false;
             const auto set = [&](bool to, double y) {
@@ -230,7 +231,7 @@ void pixel_area::find_changes() {
     sort_few(changes_, is_higher);
 }
 
-/// The area inside that the left side would have on its right if there were no edges.
+/// The area inside on the right of the left side, as if there were no edges.
 double pixel_area::on_left(windings beside, const fill_rules& rules) const {
     double area = 0, top = 0;
     for (const winding_change& c : changes_.all()) {
@@ -241,7 +242,7 @@ double pixel_area::on_left(windings beside, const fill_rules& rules) const {
     return area + (rules.inside(beside) ? 1 - top : 0);
 }
 
-/// The area inside, from slabs.
+/// Computes the area inside from slabs.
 double pixel_area::slabs(const windings& corner, const fill_rules& rules) {
     slabs_.set_width(1);
     slab_edges_.clear();

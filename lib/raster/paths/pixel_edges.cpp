@@ -21,7 +21,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The fields of a pixel, and how far above rounding edges count as those of the next one, too.
+/// The fields of a pixel, and a margin far above rounding: edges that are so near a field count as
+/// in it.
 constexpr int rows = 8, columns = 8;
 constexpr double margin = 1e-9;
 constexpr std::uint64_t all_in_row = (1U << columns) - 1;
@@ -45,7 +46,7 @@ HWY_ATTR HWY_INLINE mask is_less(number a, number b) {
 HWY_ATTR HWY_INLINE hn::Mask<lane_words> words_of(mask m) {
     return hn::RebindMask(lane_words(), m);
 }
-/// A number from 0 on without its fraction.
+/// The whole part of a number that is not negative.
 HWY_ATTR HWY_INLINE words word_of(number x) {
     const auto demoted = hn::DemoteTo(hn::Rebind<std::int32_t, eight_doubles>(), x.v);
     return hn::BitCast(lane_words(),
@@ -110,8 +111,8 @@ edge_sums place_in_lanes(const pixel_edges& edges, const l3d_point_2d& corner) {
 }
 
 /// Each field has a lower bound of its windings. An edge that makes the winding fall counts from
-/// the first field on that it may reach. One that makes it rise counts behind those that it may
-/// reach.
+/// the first field on that it may reach. One that makes it rise counts after the last field that it
+/// may reach.
 ///
 /// Bounds are counted in all fields at once: word i has the bits 2^i of their counters.
 std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign) {
@@ -134,14 +135,14 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
             return word_of(either(to_less, {hn::Floor(scaled.v)}, {hn::Ceil(scaled.v)}));
         };
         const auto rows_from = [&](words row) HWY_ATTR {
-            const words half = hn::ShiftLeft<2>(row); // as a word is not shifted by 64 at once
+            const words half = hn::ShiftLeft<2>(row); // two shifts, as one must not be by 64
             return hn::Shl(hn::Shl(all, half), half);
         };
         const words from = rows_from(whole(hn::Xor(falls, up), loaded(&b.y0[at])));
         const words below = rows_from(whole(hn::Not(hn::Xor(falls, down)), loaded(&b.y1[at])));
         const number column = either(falls, largest(smallest(x0, x1) - same(margin), zero),
                                      smallest(largest(x0, x1) + same(margin), one));
-        // Each byte has the columns before.
+        // Each byte has the bits of the columns before this one.
         const words before = hn::Sub(hn::Shl(first_column, whole(falls, column)), first_column);
         words where = hn::AndNot(hn::Or(before, below), from);
         where = hn::Or(where, hn::IfThenElseZero(words_of(up), hn::Not(from)));
@@ -154,7 +155,7 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
             where = hn::And(where, hn::Xor(counter, borrow));
         }
     });
-    // The sum of all lanes' counters, which has its highest bit if a bound is above 0.
+    // The sum of all lanes' counters. Its highest bit is set if a bound is above 0.
     const std::uint64_t begin =
         (std::uint64_t{1} << high) - 1 + static_cast<std::uint64_t>(sign * beside);
     std::array<std::uint64_t, 64> total;

@@ -35,7 +35,7 @@ void row_areas::add_cluster(std::span<const row_edge> edges, const windings& lef
     sorted_.clear();
     for (const row_edge& p : edges) {
         if (p.y0 >= p.y1)
-            continue; // level: it bounds no area, and only ties others together
+            continue; // a level edge bounds no area, and only joins others
         ends_.push_back(p.y0);
         ends_.push_back(p.y1);
         sorted_.push_back(&p);
@@ -79,8 +79,8 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
         add_ordered(chords_, top, bottom, left, rules);
         return;
     }
-    // Nothing crosses between two groups if all lower ends of the left one are left of those of the
-    // other.
+    // Chords of two groups do not cross if all lower ends of the left group are left of those of
+    // the other.
     least_after_.resize(chords_.size() + 1);
     least_after_.back() = std::numeric_limits<double>::infinity();
     for (std::size_t i = chords_.size(); i-- > 0;)
@@ -142,7 +142,8 @@ windings row_areas::add_crossing(std::span<const chord> chords, double top, doub
         return true;
     };
     // Where several chords cross in one place, rounding may change the order of their crossings. A
-    // crossing of chords that are not yet beside each other waits for those that part them.
+    // crossing of chords that are not yet beside each other waits for the crossings with the chords
+    // between them.
     waiting_.clear();
     for (const crossing& c : crossings_) {
         waiting_.push_back(c);

@@ -28,9 +28,9 @@ l3d_point_2d unit(l3d_point_2d v) {
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
-/// The way between two points, divided by the square of its length. The sum of two of these, for
-/// chords of a circle that meet, has the circle's direction where they meet. For each chord turns
-/// from the circle there by half the angle of its arc.
+/// The vector between two points, divided by the square of its length. The sum of two of these, for
+/// neighbouring chords of a circle, has the circle's direction where they meet. For each chord
+/// turns from the circle there by half the angle of its arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
@@ -57,7 +57,8 @@ struct chord_ends {
     }
     chord_ends() = default;
 
-    /// The direction at a part t of the chord. It turns evenly from end to end, as along a circle.
+    /// The direction at parameter t of the chord. It turns evenly from end to end, as along a
+    /// circle.
     l3d_point_2d at(double t) const {
         return is_set(last) ? unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)})
                             : l3d_point_2d{};
@@ -165,7 +166,7 @@ private:
 
     void start() {
         turn_ = 0;
-        const double twice = 2 * sum_; // an odd number of lengths is run through twice
+        const double twice = 2 * sum_; // an odd number of lengths repeats after two passes
         left_ = std::fmod(pen_.dash_begin, twice);
         if (left_ < 0)
             left_ += twice;
@@ -223,11 +224,11 @@ private:
             turn(dash_.points.back(), ends.last);
     }
 
-    /// In a gap, the length ahead that can be skipped, in whole turns through the dashes that no
-    /// picture shows. It ends a turn before the part that is seen, or before the chord's end.
+    /// In a gap: the length ahead that can be skipped, in whole periods of dashes that no picture
+    /// shows. It ends a period before the visible part, or before the chord's end.
     double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
         const seen_part seen(from, direction, whole, 2 * pen_.width);
-        const double twice = 2 * sum_; // an odd number of lengths is run through twice
+        const double twice = 2 * sum_; // an odd number of lengths repeats after two passes
         const double until = seen.begin < seen.end && done < seen.end ? seen.begin : whole;
         return std::max(0.0, std::floor((until - done - left_) / twice) - 1) * twice;
     }

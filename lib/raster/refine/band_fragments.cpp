@@ -12,7 +12,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The number of fragments before hidden ones are left out for the first time. They take 1 MB, and
+/// The number of fragments at which hidden ones are removed for the first time. They take 1 MB, and
 /// their polygons up to 10 MB. A band of a usual frame has fewer.
 constexpr std::size_t least_most_fragments = std::size_t{1} << 16;
 
@@ -75,7 +75,7 @@ void band_fragments::add_polygon(const quad_corners& corners, std::int32_t count
     const std::size_t room = pixels().size();
     if (fragments_.size() < count_ + room) {
         const std::size_t more = count_ + count_ / 2 + room;
-        fragments_.reserve(more); // resize() alone would double it
+        fragments_.reserve(more); // resize() alone would double the capacity
         fragments_.resize(more);
     }
     const std::size_t covered =

@@ -23,7 +23,7 @@ namespace {
 
 /// Finds the turns of a row's quads, from column `begin` to `end`. Quad c has bit c % 64 of word c
 /// / 64. Differences and products are exact for quads up to 16 pixels, and rounded for larger ones.
-/// Everybody who asks gets the same answer.
+/// Every caller gets the same answer.
 /// Expects: begin is a multiple of 64, and the words are 0.
 void turns_of_row(const l3d_micro_grid& grid, int row, int begin, int end, std::uint64_t* right,
                   std::uint64_t* folded) {

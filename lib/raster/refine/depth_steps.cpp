@@ -107,7 +107,7 @@ void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, const l3d
             marks.set(x, y);
     };
     for (std::int32_t y = where.top; y < where.bottom; ++y) {
-        // Beyond its ends, a picture goes on with its first and its last pixels.
+        // Beyond its borders, the picture repeats its border pixels.
         const std::uint32_t *const above = row_at(y - 1), *const here = row_at(y),
                                    *const below = row_at(y + 1), *const last = row_at(y + 2);
         const auto at = [&](std::int32_t x) { return here[std::clamp(x, 0, picture.width - 1)]; };
@@ -120,7 +120,7 @@ void mark_jumps(const l3d_pixels& picture, const l3d_pixel_box& where, const l3d
             mark(x, y + 1);
         };
         for (std::int32_t x = where.left; x < where.right;) {
-            // A vector needs a pixel before its first one, and two behind its last one.
+            // A vector needs a pixel before its first one, and two after its last one.
             if (vector_pixels == 0 || x == 0 || x + vector_pixels + 1 >= picture.width) {
                 if (is_jump({at(x - 1), here[x], at(x + 1), at(x + 2)}))
                     mark_right(x);

@@ -14,9 +14,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// A slice of a band ends with the row of tiles at which it has so many marked pixels. Bands of
-/// usual frames have fewer. A pixel keeps up to twice the 64 fragments that can be seen, 16 bytes
-/// each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024 pixels and takes 21 MB.
+/// A slice of a band ends with the row of tiles in which it reaches this number of marked pixels.
+/// Bands of usual frames have fewer. A pixel keeps up to twice the 64 fragments that can be seen,
+/// 16 bytes each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024 pixels and
+/// takes 21 MB.
 constexpr std::size_t most_in_slice = 2048;
 
 l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
@@ -42,7 +43,7 @@ void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_d
         std::swap(high, low);
     const std::int32_t first = std::max((high.y - 1) >> l3d_subpixel_bits, box.top);
     const std::int32_t last = std::min((low.y - 1) >> l3d_subpixel_bits, box.bottom - 1);
-    // How far the edge goes to the right per lattice unit downwards, in parts of 2^32.
+    // How far the edge goes to the right per lattice unit downwards, in units of 2^-32.
     const std::int64_t slope =
         low.y > high.y ? (std::int64_t{low.x - high.x} << 32) / (low.y - high.y) : 0;
     const auto place_at = [&](std::int32_t y) {

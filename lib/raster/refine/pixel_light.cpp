@@ -228,7 +228,7 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
             mean.add(sum, shares ? 1 / static_cast<float>(count) : part);
             const float empty = shares ? 0.0f : 1 - part * static_cast<float>(count);
             const std::uint32_t behind =
-                empty > 0 ? shading.background.word(y, target.height) : 0; // not used then
+                empty > 0 ? shading.background.word(y, target.height) : 0; // 0 is not used
             word = word_before(mean, behind, empty, tables);
         });
     };

@@ -248,7 +248,7 @@ HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, see
     return left;
 }
 
-/// Finds a pixel's fragments that are seen, beginning with the one that came last. No two of these
+/// Finds the visible fragments of a pixel, beginning with the one that came last. No two of these
 /// share a sample, so there are 64 at most.
 HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
                                     std::span<const fragment> fragments, const marked_pixel& pixel,

@@ -59,7 +59,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
     // Each step doubles the exact digits. Guesses are right up to a part of a quad.
     constexpr int most_steps = 12;
     constexpr double farthest = 0.5; // from the guess; points further away are on another sheet
-    constexpr double exact = 1e-6;   // pixels that may remain
+    constexpr double exact = 1e-6;   // pixels: the largest offset that may remain
     const patch_parameters guess{std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)};
     patch_parameters at = guess;
     double first_miss = std::numeric_limits<double>::infinity();

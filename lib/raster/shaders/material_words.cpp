@@ -23,7 +23,7 @@ HWY_INLINE void color_pixel(std::uint32_t& word, const std::uint32_t* colors) {
     word = color_of_level(colors[word >> 8], word & 0xff);
 }
 
-#if HWY_TARGET != HWY_SCALAR // has no halves of words
+#if HWY_TARGET != HWY_SCALAR // the scalar target has no halves of words
 constexpr hn::Repartition<std::uint16_t, decltype(words)> halves;
 using half_vec = hn::Vec<decltype(halves)>;
 
@@ -52,7 +52,7 @@ struct color_halves {
     }
 };
 
-/// Colours vectors of words. Most of them are full, and of the material of the one before.
+/// Colours vectors of words. Most vectors are full, and have the material of the one before.
 class word_colorer {
 public:
     HWY_INLINE explicit word_colorer(const std::uint32_t* colors)

@@ -54,8 +54,8 @@ void l3d_rasterizer_2d_mesa_imp::do_set_target(l3d_pixels target) {
                                   static_cast<float>(gl_target_.middle_y()));
 }
 
-/// Clears the picture in memory if the colour is black, which costs less than in GL and the way
-/// back. Other colours are uploaded once something is drawn on them.
+/// Clears the picture in memory if the colour is black, which costs less than clearing in GL and
+/// reading back. Other colours are uploaded once something is drawn on them.
 void l3d_rasterizer_2d_mesa_imp::do_clear_buffer(std::uint32_t color) {
     batch_.clear();
     cpu_.clear_buffer(color);

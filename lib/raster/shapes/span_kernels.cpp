@@ -130,8 +130,8 @@ HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t co
     if (constexpr hn::CappedTag<std::uint32_t, 4> four;
         count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
         return;
-    // A mask keeps words beyond the last from being read. Where it is not cheap, it pays for more
-    // than three words.
+    // A mask keeps words beyond the last from being read. Where masks are not cheap, they pay for
+    // more than three words only.
     constexpr std::size_t few = masked_stores_are_cheap ? 0 : 3;
     if (count - i > few) {
         const auto mask = hn::FirstN(words, count - i);
@@ -162,7 +162,7 @@ struct listed_shares {
 };
 
 #if HWY_MAX_BYTES >= 32
-/// Blends the four columns before a span's middle and the four behind it. Does nothing and returns
+/// Blends the four columns before a span's middle and the four after it. Does nothing and returns
 /// false if a word may be transparent.
 HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const std::uint8_t* values,
                            std::uint32_t color) {
@@ -186,8 +186,8 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Other rows are on other pages of memory, which no processor fetches by itself. If rows are a
-    // power of two of bytes apart, all lines of a shape's side fall into one set of the first
+    // Other rows are on other pages of memory, which no processor prefetches by itself. If rows are
+    // a power of two of bytes apart, all lines of a shape's side fall into one set of the first
     // cache. Most processors have eight or more lines in a set, and two of them may be in use.
     constexpr std::size_t ahead = 6;
     for (std::size_t i = 0; i < spans.size(); ++i) {

@@ -28,7 +28,7 @@ HWY_INLINE lane_bounds nothing() {
 }
 
 /// Takes `count` elements from `begin` on into account, and masks the lanes of others. If the
-/// vector would end behind the last of `size` elements, it starts earlier.
+/// vector would end after the last of `size` elements, it starts earlier.
 /// Expects: size >= 16.
 HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
                      const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {

@@ -23,7 +23,7 @@ void band_painter::reserve_as(const band_painter& other) {
     queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
-/// Draws items. After an item's memory is asked for, it waits for some turns. It is tested again
+/// Draws items. An item waits for some turns after its memory is prefetched. It is tested again
 /// before it is drawn, as others may hide it by then.
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
@@ -80,8 +80,8 @@ void band_painter::draw_item(const band_frame& frame, const fill_band& band, con
     draw_cells(frame, band, list, item);
 }
 
-/// Asks for the memory of an item's triangles. Items come from front to back, so their triangles
-/// lie anywhere.
+/// Prefetches the memory of an item's triangles. Items come from front to back, so their triangles
+/// are scattered in memory.
 void band_painter::fetch(const band_item& item) {
     constexpr std::size_t cache_line = 64;
     if (item.triangle_begin >= item.triangle_end)

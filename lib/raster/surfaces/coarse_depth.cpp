@@ -84,7 +84,7 @@ std::int32_t lanes() {
 /// Sets the depths of tiles to 0.
 void clear(const tile_pixels& p, const fill_band& band) {
     float* to = band.depths + p.depths_at;
-    if (p.width == depth_tile::width) // most often; the compiler then calls no memset
+    if (p.width == depth_tile::width) // the usual case, for which no memset is called
         for (std::int32_t row = 0; row < p.height; ++row, to += band.depth_pitch)
             for (std::int32_t column = 0; column < depth_tile::width; column += lanes())
                 hn::StoreU(hn::Zero(floats), floats, to + column);

@@ -102,7 +102,7 @@ private:
         const int_mask left = hn::Lt(least, zero), right = hn::Gt(most, zero);
         const int_mask level = hn::Not(hn::Or(left, right)); // all on one line: covers nothing
         const int_mask folded = hn::Or(hn::And(left, right), hn::Eq(area2_, zero));
-        // 2 skew > |area2|, without leaving 32 bits; what is skew about a triangle is its d
+        // 2 skew > |area2|, without leaving 32 bits; the skew of a triangle does not count
         const int_vec skew =
             hn::Add(hn::Abs(hn::Sub(turn_a_, turn_c)), hn::Abs(hn::Sub(turn_b_, turn_d_)));
         const int_mask is_quad = hn::Not(hn::Lt(load(to.queue.name + at), zero));

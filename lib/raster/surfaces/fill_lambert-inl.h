@@ -82,7 +82,8 @@ public:
             lit[i] = hn::Mul(set(grey_of_cosine), lit_of(shading, normal));
             away[i] = away_of(shading, at.x[i], at.y[i], normal);
         }
-        // All corners away: turned round as a whole. Some: pixel by pixel.
+        // Normals are turned round as a whole if all corners face away, and pixel by pixel if some
+        // do.
         const auto some_away = hn::Gt(most_of(away), hn::Zero(d));
         const auto all_away = hn::Gt(least_of(away), hn::Zero(d));
         const auto mixed = hn::AndNot(all_away, some_away);

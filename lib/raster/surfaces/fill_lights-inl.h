@@ -53,7 +53,7 @@ template <std::size_t Count> struct light_arrays {
     corner_places at;
 };
 
-/// A vector of an array's elements from `at` on. Unless it is all `inside`, it has zeros behind the
+/// A vector of an array's elements from `at` on. Unless it is all `inside`, it has zeros after the
 /// end.
 template <bool Inside, class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
@@ -147,8 +147,8 @@ HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, 
     });
 }
 
-/// The light of corners in mode `gouraud`: each vertex's grey level. Those of a grid were made
-/// before.
+/// The light of corners in mode `gouraud`: each vertex's grey level. A grid's levels are made
+/// beforehand.
 class vertex_lights {
 public:
     using lanes_type = grey_lanes;

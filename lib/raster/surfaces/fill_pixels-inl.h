@@ -23,7 +23,7 @@ constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
 /// Adds 1 to the lanes of `mask`.
 template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Vec<D> count, D d) {
-    if constexpr (masked_stores_are_cheap) // there masks are no vectors
+    if constexpr (masked_stores_are_cheap) // there, masks are not vectors
         return hn::IfThenElse(mask, hn::Add(count, hn::Set(d, 1)), count);
     else
         return hn::Sub(count, hn::VecFromMask(d, mask));

@@ -115,7 +115,7 @@ struct lane_edge {
 
     HWY_INLINE void step() {
         room = hn::Sub(room, room_step);
-        const int_vec over = hn::BroadcastSignBit(room); // -1 if it is
+        const int_vec over = hn::BroadcastSignBit(room); // -1 if negative
         room = hn::Add(room, hn::And(over, whole));
         column = hn::Sub(hn::Add(column, column_step), over);
     }
@@ -237,7 +237,8 @@ struct lane_corners {
     }
 };
 
-/// A bound of what w's change over a polygon adds to numbers, as a share of their range.
+/// A bound of the error that the change of w over a polygon adds to numbers, as a share of their
+/// range.
 HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     const floats d;
     const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));

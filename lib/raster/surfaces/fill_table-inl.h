@@ -54,8 +54,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// the pixel at `begin`; names with `_x` are changes from column to column.
 struct fill_row {
     lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
-    lane_array<std::int32_t> begin; ///< first run's column: `from`, but at the edge, or if no pixel
-                                    ///< is covered, one where a run fits
+    lane_array<std::int32_t> begin; ///< first run's column: `from`; at the edge, or without pixels,
+                                    ///< one where a run fits
     lane_array<float> inv_w, lit;
 };
 

@@ -28,7 +28,7 @@ template <class D> struct word_maker {
     using word_vec = hn::Vec<tag>;
 
     HWY_INLINE word_maker(const fill_table& table, std::size_t i)
-#if HWY_TARGET == HWY_SCALAR // has no bytes to shuffle
+#if HWY_TARGET == HWY_SCALAR // the scalar target has no bytes to shuffle
         : unit_(hn::Set(tag(), table.words.unit())), material_(hn::Set(tag(), table.material[i])){}
 #else
         : bytes_(hn::LoadDup128(hn::Repartition<std::uint8_t, D>(),

@@ -88,7 +88,7 @@ void l3d_panel::add_lines(const std::string& key, const std::string& text, bool 
 
 int l3d_panel_style::size_for(l3d_size picture, double text_scale) {
     constexpr int part = 50, least = 12, most = 16;
-    constexpr int largest_part = 16; // a line is 1.2 times as high, so 13 lines have room
+    constexpr int largest_part = 16; // lines are 1.2 times as high as letters, so 13 have room
     const int at_usual_dots = std::clamp(picture.height / part, least, most);
     const auto wanted = static_cast<int>(std::lround(at_usual_dots * text_scale));
     return std::min(wanted, std::max(at_usual_dots, picture.height / largest_part));

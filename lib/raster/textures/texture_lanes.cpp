@@ -209,8 +209,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
     const float_vec longer = hn::Sqrt(square);
     const auto has_axis = hn::Gt(longer, zero);
     const float_vec shorter = hn::IfThenElseZero(has_axis, hn::Div(area, longer));
-    // A footprint that is hardly longer than some samples gets no further one, which would only
-    // blur.
+    // A footprint that is hardly longer than a whole number of samples gets no further one, which
+    // would only blur.
     constexpr float round = 1.0F / 16;
     constexpr auto most = static_cast<float>(l3d_texture::most_samples);
     const float_vec wanted = hn::Ceil(hn::Sub(hn::Div(longer, hn::Max(shorter, one)), set(round)));
@@ -225,8 +225,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
         hn::Div(hn::Mul(along_u, scale), set(static_cast<float>(texture.width)));
     const float_vec step_v =
         hn::Div(hn::Mul(along_v, scale), set(static_cast<float>(texture.height)));
-    // A single sample is as wide as the footprint is long. Several ones are at least as wide as it
-    // is wide.
+    // A single sample is as wide as the footprint is long. Several ones are at least as wide as the
+    // footprint.
     const float_vec width =
         hn::IfThenElse(hn::Eq(count, one), longer, hn::Max(shorter, hn::Div(longer, count)));
     const level_pair levels(texture, width);

@@ -27,7 +27,8 @@ using l3d_detail::patch_place;
 using l3d_detail::patch_sheet;
 using vector = l3d_surface_audit::vector;
 
-/// Rounding of all sums and roots, by the largest coordinate: some hundred units in the last place.
+/// Rounding of all sums and roots, relative to the largest coordinate: some hundred units in the
+/// last place.
 constexpr double rounding = 0x1p-45;
 
 /// Where a triangle is cut in two.
@@ -36,9 +37,9 @@ struct cut_place {
     double share;
 };
 
-/// Parts are cut where what they are compared with ends, since nothing is left to be cut again
-/// on either side then. The place that cuts off most of a side is taken. Where
-/// all cut off little, or none is, the longest side is halved, lest parts become slivers.
+/// Chooses where to cut a part: where the surface that it is compared with ends, since neither side
+/// needs another cut there then. The place that cuts off most of a side is taken. Where all cut off
+/// little, or there is none, the longest side is halved, lest parts become slivers.
 class cut_choice {
 public:
     explicit cut_choice(const audit_part& part)
@@ -195,7 +196,7 @@ private:
         return result;
     }
 
-    /// The same, the nearest one being known.
+    /// The same, if the nearest one is known.
     bool is_settled_by(const audit_part& nearest, const audit_part& part, std::size_t first,
                        int cuts, double& most) {
         cut_choice at(part);
@@ -260,7 +261,8 @@ private:
                     inside[k][i] = std::clamp(places[k][i], sheet.least[i], sheet.most[i]);
             };
             find(last_place_);
-            // Beside a pole it fails from most places, but hardly from one farther from the pole.
+            // Beside a pole, the search fails from most places, but hardly from one farther from
+            // the pole.
             if (distance_at(sheet, inside[k], corners[k]) > enough())
                 find(best_of_grid(sheet, corners[k]));
         }
@@ -288,8 +290,9 @@ private:
         }
     }
 
-    /// Cuts that are made before samples are taken and a part is kept, and parts that these have to
-    /// do with. Where more are near, a part of `large` times the distance is cut at once.
+    /// `cuts_at_once` cuts are made before samples are taken and a part is kept. They are tested
+    /// against at most `most_near` parts. Where more are near, a part of `large` times the distance
+    /// is cut at once.
     static constexpr int cuts_at_once = 16;
     static constexpr std::size_t most_near = 256;
     static constexpr double large = 8;

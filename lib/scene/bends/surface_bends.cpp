@@ -138,7 +138,7 @@ void l3d_surface_bends::set_steps() {
 
 l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
                                      const l3d_normal_net& normals) {
-    // 160 KB, more than a host's thread may have for its stack.
+    // On the heap: 160 KB are more than a host's thread may have for its stack.
     const auto bounds = std::make_unique<const bends_of_blocks>(patch, normals);
     for (std::size_t n = 0; n < bend_numbers; ++n) {
         lanes& of = of_blocks_.*bend_members<lanes>[n];

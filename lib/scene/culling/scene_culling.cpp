@@ -16,9 +16,9 @@ namespace {
 
 using l3d_detail::culled_boxes;
 
-/// Patches of the first batch, and of the largest; each batch is twice as large as the one before.
-/// The nearest patches hide most, so the first batches are small. A batch has a price of its own,
-/// some 0.1 ms, for which 1024 patches, diced in 1 ms at least, are enough.
+/// The number of patches in the first batch, and in the largest; each batch is twice as large as
+/// the one before. The nearest patches hide most, so the first batches are small. Each batch costs
+/// some 0.1 ms by itself. That is little beside 1024 patches, which take at least 1 ms to dice.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
 /// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
@@ -180,7 +180,7 @@ void l3d_scene_culling::leave_out(const l3d_patch_instance& instance, std::int64
     left_ -= patches;
 }
 
-/// Puts the patches of the nearest instance into the line, unless the instance is hidden.
+/// Puts the patches of the nearest instance into the waiting line, unless the instance is hidden.
 void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* context) {
     const seen_instance& next = instances_[place_of(instance_line_.back())];
     instance_line_.pop_back();
@@ -203,8 +203,8 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
         });
 }
 
-/// Sorts the nearest patches of the line to its end, the nearest last. A long line is sorted by
-/// eighths: each patch is looked at up to eight times, and sorted once.
+/// Sorts the nearest patches of the waiting line to its end, the nearest last. A long line is
+/// sorted by eighths: each patch is looked at up to eight times, and sorted once.
 void l3d_scene_culling::sort_nearest(std::size_t count) {
     if (sorted_ >= count)
         return;
@@ -215,8 +215,8 @@ void l3d_scene_culling::sort_nearest(std::size_t count) {
     std::sort(nearest, patch_line_.end(), std::greater{});
 }
 
-/// Moves the nearest patches from the line to the batch, except hidden ones. Expects: the line has
-/// that many.
+/// Moves the nearest patches from the waiting line to the batch, except hidden ones. Expects: the
+/// line has that many.
 void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, const void* context) {
     sort_nearest(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -33,7 +33,7 @@ struct side {
     std::array<double, 2> place(double t) const {
         return l3d_side_pairs::place_on(number, on_side(t));
     }
-    /// The place on the whole side of t on the part.
+    /// The parameter on the whole side for parameter t of the part.
     double on_side(double t) const { return from + (to - from) * t; }
     /// The parameter of a place of the part; below 0 for any other place.
     double parameter(double u, double v) const {
@@ -115,7 +115,7 @@ void for_sides_on(const l3d_trim_region& region, std::size_t along, double at, c
         }
 }
 
-/// Whether a piece goes on to a side of its own, but for edges of the model.
+/// Whether a piece extends to one of its sides, not only along edges of the model.
 bool reaches(const image_piece& piece, const side& one) {
     bool result = !piece.is_trimmed;
     if (piece.is_trimmed)
@@ -165,8 +165,8 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
-/// Sides are one if five of their places are, to a thousandth of a pixel or so. A side that meets
-/// no other may meet two of half the size.
+/// Two sides are the same if five of their places are, to a thousandth of a pixel or so. A side
+/// that meets no other may meet two of half the size.
 void border_search::pair_sides() {
     std::vector<placed_side> all;
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
@@ -273,8 +273,8 @@ void border_search::add_side(const met_sides& met) {
         add(sides[0], 0, 1, l3d_line_kind::crease, pieces);
 }
 
-/// Between the ends of contours of either piece, the side is a contour if just one of both pieces
-/// shows its front.
+/// Between neighbouring ends of the pieces' contours, the side is a contour if just one of both
+/// pieces shows its front.
 void border_search::add_contours(const side& a, const side& b, bool turns) {
     std::vector<double> ends{0, 1};
     for (const side* const one : {&a, &b})
@@ -283,7 +283,7 @@ void border_search::add_contours(const side& a, const side& b, bool turns) {
                 if (const double t = one->parameter(end->u, end->v); t >= 0)
                     ends.push_back(one == &a || turns ? t : 1 - t);
     std::ranges::sort(ends);
-    constexpr double least = 1e-9; // smooth to within rounding
+    constexpr double least = 1e-9; // closer ends are the same to within rounding
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         if (ends[i + 1] - ends[i] < least)
             continue;
@@ -405,7 +405,7 @@ std::vector<surface_line> trimmed(const image_piece& piece, const surface_line& 
             if (t == 0 || t == 1)
                 return t == 0 ? a : b;
             surface_vertex c{.piece = a.piece, .u = a.u + du * t, .v = a.v + dv * t};
-            // The place stays on the polygon in parameters, which tell the edge that it is on.
+            // The parameters stay on the polygon, as they tell on which edge the place lies.
             const auto exact = on_contour(piece, c);
             c.at = exact ? exact->at : piece.at(c.u, c.v);
             return c;

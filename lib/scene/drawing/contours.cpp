@@ -14,7 +14,7 @@ namespace {
 /// Each halving adds less than a rounding, 2^-53, for each degree: 44 x 48 of these at most.
 constexpr double relative_rounding = 0x1p-41;
 
-/// Halvings down to 2^-24 of a piece both ways.
+/// The halvings that divide a piece by 2^24 both ways.
 constexpr int most_halvings = 48;
 
 /// A part of a piece.
@@ -23,7 +23,7 @@ struct cell {
     double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
     int halvings = 0;
 
-    /// Expects: the cell's own nets are not asked for afterwards.
+    /// Expects: the cell's own nets are not used afterwards.
     std::pair<cell, cell> halves(bool along_u) {
         auto nets = bernstein_net::halves(std::move(net), along_u);
         auto contours = bernstein_net::halves(std::move(contour), along_u);
@@ -81,7 +81,7 @@ struct edge_values {
                 p[i] += (p[i + 1] - p[i]) * t;
         return p[0];
     }
-    /// A zero between ends of different signs, by the Illinois variant of the false position.
+    /// A zero between ends of different signs, by the Illinois variant of false position.
     double zero() const;
 };
 
@@ -191,7 +191,7 @@ void contour_search::search(cell of) {
     search(std::move(halves.second));
 }
 
-/// True if the contour of a cell is known well enough, and added.
+/// Adds the contour of a cell if it is known well enough. Returns whether it is.
 bool contour_search::settle(const cell& of) {
     const flat_image flat(of.net);
     if (flat.error > tolerance_)
@@ -272,7 +272,7 @@ arc_end contour_search::crossing(const cell& of, std::size_t edge) const {
     return end;
 }
 
-/// Adds what the signs of the corners tell, for a cell that is small in the picture.
+/// Adds the arcs that the signs of the corners imply, for a cell that is small in the picture.
 void contour_search::add_by_signs(const cell& of) {
     const std::array<bool, 4> signs = signs_of(of);
     std::vector<arc_end> ends;

@@ -39,7 +39,7 @@ void curve_chords::add(const bernstein_net& curve,
     add(high, place, middle, to, halvings + 1);
 }
 
-/// Depths may be off four times as much as places: they only tell what is in front.
+/// Depths may be off four times as much as places: they only decide which is in front.
 bool curve_chords::is_flat(const bernstein_net& curve) const {
     const auto place = [](const double* p) {
         return image_place{p[0] / p[2], p[1] / p[2], p[3] / p[2]};

@@ -12,7 +12,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// Parameters nearer than this part of an edge are one.
+/// Parameters that differ by less than this part of an edge count as the same.
 constexpr double same_part = 1e-9;
 
 double length_between(const image_place& a, const image_place& b) {
@@ -25,7 +25,7 @@ l3d_trim_place between(const l3d_trim_place& a, const l3d_trim_place& b, double 
 
 /// Where a place is on a side of a polygon, from 0 to 1; below 0 if it is not.
 double part_on(const l3d_trim_place& a, const l3d_trim_place& b, const surface_vertex& at) {
-    constexpr double rounding = 1e-9; // by cuts at a side, far below any side
+    constexpr double rounding = 1e-9; // cuts at a side err by less; any side is far longer
     const double du = b[0] - a[0], dv = b[1] - a[1], square = du * du + dv * dv;
     const double t = ((at.u - a[0]) * du + (at.v - a[1]) * dv) / square;
     if (!(t >= -rounding && t <= 1 + rounding))
@@ -203,8 +203,8 @@ bool edge_joints::is_smooth(const edge_use& a, const edge_use& b, double from, d
     return true;
 }
 
-/// Between the ends of contours of either piece, a smooth edge is a contour if just one of both
-/// shows its front.
+/// Between neighbouring ends of the pieces' contours, a smooth edge is a contour if just one of
+/// both shows its front.
 void edge_joints::add_joint(std::size_t edge, const edge_use& a, const edge_use& b, double from,
                             double to, bool with_joints, std::vector<drawn_chain>& result) const {
     const std::vector<std::size_t> sides{a.piece, b.piece};

@@ -15,7 +15,7 @@ using l3d_detail::depth_chord;
 using l3d_detail::depth_law;
 using l3d_detail::depth_point;
 
-/// A control point: x, y, what they are divided by, and the depth times that. The pixel is the
+/// A control point: x, y, their divisor, and the depth times the divisor. The pixel is the
 /// picture's centre plus the quotients of the first two by the third.
 using point = l3d_vector<double, 4>;
 using bezier = std::vector<point>;
@@ -54,8 +54,8 @@ public:
 private:
     static constexpr int planes = 7;
 
-    /// Not negative inside of the near and far plane, of the picture with its margin, and in front
-    /// of the section; linear.
+    /// A linear function that is not negative on the inner side of a plane: of the near or far
+    /// plane, of a side of the picture with its margin, or of the section.
     double inside(int plane, const point& p) const {
         if (plane < 2 && law_.step != 0)
             return 1;
@@ -78,8 +78,8 @@ private:
     }
 
     depth_point projected(const point& p) const {
-        // In a parallel projection, surfaces have depths from 1 to 1.25. So what is farther than
-        // eight times their depth is behind all of them, as that depth is.
+        // In a parallel projection, surfaces have depths from 1 to 1.25. A point that is farther
+        // than eight times their depth is behind all of them, and so is a point of the least depth.
         constexpr double least = 0x1p-20;
         const double depth = p[3] / p[2];
         return {centre_x_ + p[0] / p[2], centre_y_ + p[1] / p[2],
@@ -124,8 +124,8 @@ private:
     std::vector<depth_chord> chords_;
 };
 
-/// The section's distance times the weight as a sum of a control point's four numbers, to which
-/// four rows take the places of the world: x, y and w of the image, and the depth.
+/// Expresses the section's distance times the weight by a control point's four numbers. Four rows
+/// map places of the world to these numbers: x, y and w of the image, and the depth.
 point seen_section(const l3d_plane<double>& section, const l3d_matrix<double>& image,
                    const point& depth) {
     l3d_matrix<double> rows = image;
@@ -147,7 +147,7 @@ l3d_detail::flat_space_curve(const l3d_space_curve& curve, const l3d_camera& cam
                              double tolerance, const depth_law& law,
                              const std::optional<l3d_plane<double>>& section) {
     const l3d_matrix<double> to_image = camera.image_matrix(size) * curve.placement();
-    // The depth, linear in the places of a parallel projection, times what they are divided by.
+    // The depth times the divisor. In a parallel projection, the depth is linear in the place.
     const l3d_vector<double, 3> forward = camera.axes().forward;
     const double at_origin = law.base - law.step * l3d_dot(forward, camera.eye);
     const point at_depth = law.step == 0 ? point{0.0, 0.0, 0.0, 1.0}

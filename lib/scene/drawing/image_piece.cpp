@@ -250,9 +250,9 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
     contour = contour_of(net);
 }
 
-/// The most that a change of u, and of v, moves a place in the picture: with P = (x, y) / w in the
-/// net's box, P' = ((x, y)' - P w') / w. Weights far below the largest, as they are beyond the near
-/// plane, are not counted: they would ask for millions of chords of what is hardly seen.
+/// Bounds how far a change of u, and of v, moves a place in the picture: with P = (x, y) / w in the
+/// net's box, P' = ((x, y)' - P w') / w. Weights far below the largest lie beyond the near plane
+/// and are not counted: they would ask for millions of chords for parts that are hardly seen.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];
@@ -260,7 +260,7 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
         most = std::max(most, net.c[i + 2]);
         least = std::min(least, net.c[i + 2]);
     }
-    constexpr double depths = 16; // that are in the picture where a piece reaches the near plane
+    constexpr double depths = 16; // the ratio that counts where a piece reaches the near plane
     if (side_of_near(net, view) != ahead_of_near::all)
         least = most / depths;
     image_bounds box{};
@@ -291,7 +291,8 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
     }
     is_trimmed = true;
     const double off = l3d_flat_trims(loops, lengths, wanted, region);
-    // Trims of files run along sides of pieces but for rounding. They must not be cut off there.
+    // Trims of files run along sides of pieces, except for rounding. They must not be cut off
+    // there.
     constexpr double rounding = 1e-9;
     for (l3d_trim_polygon& polygon : region.polygons)
         for (l3d_trim_corner& corner : polygon)

@@ -14,7 +14,8 @@ namespace {
 /// Side of a square of the grid. Units: pixels.
 constexpr double square = 16;
 
-/// Depths of chords are known less well than places; a line nearer by less may be in front.
+/// Depths of chords are less exact than places. If two differ by less than this, either chord may
+/// be in front.
 constexpr double depth_doubt = 0.5;
 
 struct chord {
@@ -140,7 +141,8 @@ private:
             cut(two, t);
     }
 
-    /// Lines often begin on others, where what hides these begins too.
+    /// Cuts other lines where a line ends on them: the surface that hides these often begins there,
+    /// too.
     void end_on_others(std::size_t chain, const surface_vertex& end) {
         const double reach = 4 * tolerance_; // both lines are within the tolerance
         for_squares(end.at.x - reach, end.at.x + reach, end.at.y - reach, end.at.y + reach,

@@ -29,16 +29,16 @@ using namespace l3d_detail;
 /// on an edge. The rest is for the shear and for rounding.
 constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
-/// A stretch that is shorter takes after its neighbours. Units: pixels.
+/// A stretch that is shorter becomes like its neighbours. Units: pixels.
 constexpr double sliver = 0.75;
 
-/// Lines that pass through a surface are found if they are hidden by it for so many pixels.
+/// A line that passes through a surface is found if the surface hides so many pixels of it.
 constexpr double sample_distance = 32;
 
-/// The first and last sample of a long stretch are so far from its ends. Units: pixels.
+/// The distance of the first and last sample of a long stretch from its ends. Units: pixels.
 constexpr double from_ends = 3;
 
-/// A change between seen and hidden inside a stretch is found to so many pixels.
+/// A change between seen and hidden inside a stretch is found within so many pixels.
 constexpr double break_error = 1.0 / 32;
 
 drawing_view view_of(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size) {
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// From one length along a chain to another.
+    /// A part of a chain, from one length along it to another.
     struct stretch {
         double from, to;
         bool is_seen;
@@ -177,8 +177,8 @@ void append(surface_line& to, const surface_line& line, bool is_back) {
         to.insert(to.end(), line.begin(), line.end());
 }
 
-/// Contours inside of pieces go on in the next pieces. Those along sides stay apart, as another
-/// question tells whether they are seen.
+/// Joins contours inside of pieces where they go on in the next pieces. Contours along sides stay
+/// apart, as another test tells whether they are seen.
 void drawer::join_contours(std::vector<drawn_chain> contours) {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_chain& chain : contours)
@@ -241,7 +241,7 @@ double drawer::share_of_curve(const drawn_chain& chain, const surface_vertex& a,
             break;
         (late > 0 ? high : low) = share;
         (late > 0 ? at_high : at_low) = late;
-        // By turns the false position and the middle, which ends what the first one does not.
+        // Alternates between false position, which converges fast, and halving, which always ends.
         share = i % 2 == 0 ? low + (high - low) * at_low / (at_low - at_high) : (low + high) / 2;
     }
     return share;
@@ -255,11 +255,11 @@ bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& length
     const surface_vertex &a = chain.points[next - 1], &b = chain.points[next];
     const double length = lengths[next] - lengths[next - 1];
     const double t = length > 0 ? (at - lengths[next - 1]) / length : 0;
-    // A chord beside what hides its curve may be seen, so the curve itself is asked for.
+    // A chord may be seen beside the surface that hides its curve, so the curve itself is tested.
     const double share = share_of_curve(chain, a, b, t);
     if (!chain.sides.empty())
         return !sight.is_hidden(on_curve(chain, a, b, share), chain.sides);
-    // A ray beside the contour, where its own fold is not.
+    // Tests a ray just outside the contour, where the surface's own fold does not hide it.
     surface_vertex here = a;
     here.u = std::lerp(a.u, b.u, share);
     here.v = std::lerp(a.v, b.v, share);
@@ -377,7 +377,7 @@ void drawer::add_stretches(const drawn_chain& chain, std::vector<double>& cuts,
     }
 }
 
-/// Joins stretches of one kind, and makes lines of the picture of them.
+/// Joins stretches of one kind, and turns them into lines of the picture.
 void drawer::join() {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_stretch& one : stretches_)

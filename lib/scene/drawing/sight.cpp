@@ -12,7 +12,7 @@ namespace {
 
 constexpr double flat_enough = 1.0 / 256;
 
-/// Halvings down to 2^-20 of a piece both ways, for what crosses the near plane.
+/// The halvings that divide a piece by 2^20 both ways, for pieces that cross the near plane.
 constexpr int most_halvings = 40;
 
 } // namespace
@@ -86,7 +86,7 @@ bool line_of_sight::hides(std::size_t piece, const image_place& at, double gap) 
             double t = (flat->along_u.x * dy - flat->along_u.y * dx) / determinant;
             if (!(std::isfinite(s) && std::isfinite(t)))
                 continue;
-            // The place of the parallelogram that is nearest, but for its slant.
+            // The nearest place of the parallelogram, as if it were a rectangle.
             s = std::clamp(s + 0.5, 0.0, 1.0);
             t = std::clamp(t + 0.5, 0.0, 1.0);
             const image_place here = flat->at(s, t);

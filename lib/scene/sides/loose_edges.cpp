@@ -11,7 +11,7 @@
 #include <vector>
 
 std::vector<l3d_loose_edge> l3d_patch_model::loose_edges() const {
-    constexpr double rounding = 0x1p-40; // a part of the largest coordinates
+    constexpr double rounding = 0x1p-40; // relative to the largest coordinates
     const double least = rounding * std::max(l3d_length(pieces_least()), l3d_length(pieces_most()));
     const auto beyond = [&](const l3d_loose_edge& one) {
         return one.off - std::max(one.tolerance, least);

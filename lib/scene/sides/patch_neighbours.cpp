@@ -72,7 +72,7 @@ l3d_patch_neighbours::l3d_patch_neighbours(const l3d_patch_model& model) {
         for (std::size_t side = 0; side < pairs::sides; ++side) {
             const pairs::beyond& next = beyond.at(i, side);
             if (next.is == pairs::kind::halved)
-                continue; // its halves tell
+                continue; // its halves are compared instead
             const bool smooth = ((next.is == pairs::kind::paired || next.is == pairs::kind::half) &&
                                  is_smooth(model, i, side, next)) ||
                                 (next.is == pairs::kind::point && is_smooth_point(model, i, side));

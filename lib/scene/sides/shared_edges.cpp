@@ -16,7 +16,7 @@ using vector = l3d_vector<double, 3>;
 /// The parameters of an edge between which all faces have it wholly or not at all.
 using stops = std::vector<double>;
 
-/// Parameters nearer than this part of the edge are one place: files round them.
+/// Parameters that differ by less than this part of the edge are one place, as files round them.
 constexpr double same_stop = 0x1p-30;
 
 double range_of(const l3d_nurbs_curve& curve) {
@@ -68,15 +68,16 @@ std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const 
     return result;
 }
 
-/// Gives ends that are nearer than their edges' tolerances, or than the faces are off, one place:
-/// that of the end whose edge is the most exact. So a loose edge moves none that is tighter.
+/// Moves ends to one place if they are nearer than their edges' tolerances, or than the faces are
+/// off. The place is that of the end whose edge is the most exact. So a loose edge moves none that
+/// is tighter.
 void join_ends(std::vector<l3d_shared_edge>& edges) {
     struct end {
         vector at;
         double near;
         std::size_t edge, side;
     };
-    constexpr double rounding = 0x1p-40; // by evaluated ends
+    constexpr double rounding = 0x1p-40; // error of evaluated ends
     std::vector<end> all;
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (const std::size_t side : {0U, 1U})
@@ -86,7 +87,7 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
                            i, side});
     const auto x = [](const end& e) { return e.at[0]; };
     std::ranges::stable_sort(all, {}, x);
-    // From the most exact one on; among equals, by x.
+    // Goes from the most exact end on; among equals, by x.
     std::vector<std::size_t> order(all.size()), place_in_order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i].near; });
@@ -95,7 +96,7 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         const end& one = all[order[i]];
         std::size_t first = i; // in the order, of those that are near enough
-        // Those before are no less exact.
+        // The ends before it are no less exact.
         for (auto other = std::ranges::lower_bound(all, one.at[0] - 2 * one.near, {}, x);
              other != all.end() && other->at[0] - one.at[0] <= 2 * one.near; ++other)
             if (l3d_length(other->at - one.at) <= other->near + one.near)

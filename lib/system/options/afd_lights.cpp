@@ -17,7 +17,7 @@
 
 namespace {
 
-/// Reads the numbers that a list begins with. Returns the text behind the comma that follows them,
+/// Reads the numbers that a list begins with. Returns the text after the comma that follows them,
 /// which may be a colour. Without that comma, the text is empty.
 /// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
 template <std::size_t N>

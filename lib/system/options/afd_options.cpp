@@ -50,7 +50,7 @@ l3d_camera seen_from_above(l3d_camera camera) {
     return camera;
 }
 
-/// Refuses options that would show nothing beside the others.
+/// Refuses options that have no effect together with the others.
 /// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
@@ -321,7 +321,7 @@ l3d_camera l3d_afd_options::asked_camera() const {
         result.eye = file.eye;
         result.target = file.target;
         result.up = camera_.up == teapot_view().up ? file.up : camera_.up;
-        // A file's angle is that of the picture's width, and l3d_camera has that of the height.
+        // A file's angle spans the picture's width, and l3d_camera's spans the height.
         result.fov =
             2 / degree * std::atan(std::tan(file.fov * degree / 2) * size.height / size.width);
     }

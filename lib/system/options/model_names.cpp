@@ -46,7 +46,7 @@ namespace {
 l3d_model_file load_told(const std::string& path, const std::string& name,
                          const l3d_detail::load_watch& watch) {
     using clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds soon(500); // less is not worth a word
+    constexpr std::chrono::milliseconds soon(500); // a shorter wait needs no message
     auto work = l3d_detail::tell_work("reading", name);
     const clock::time_point start = clock::now();
     std::optional<l3d_detail::stop_key> key;

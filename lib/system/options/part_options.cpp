@@ -161,8 +161,8 @@ l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_scene& whole)
     return result;
 }
 
-/// Adds an instance in as many as it has opacities. A part's last opacity counts, in place of those
-/// of its materials. A hidden part has none.
+/// Adds an instance to a scene, as one instance for each of its opacities. A part's last opacity
+/// counts, in place of those of its materials. A hidden part has none.
 void l3d_part_options::add_by_opacity(const l3d_patch_instance& whole, l3d_patch_scene& to) const {
     std::map<std::size_t, double> by_part;
     for (const opacity& o : opacities_)

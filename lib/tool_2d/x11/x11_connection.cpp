@@ -155,7 +155,7 @@ void x11_handlers::remove(x11_connection& connection) {
     std::erase(connections, &connection);
     if (!connections.empty())
         return;
-    // A library that set its handler after us keeps it.
+    // If a library set its handler after ours, that handler stays.
     if (const auto current = XSetErrorHandler(previous_error); current != on_error)
         XSetErrorHandler(current);
     if (const auto current = XSetIOErrorHandler(previous_io_error); current != on_io_error)
@@ -291,7 +291,7 @@ bool has_x11_manager(const x11_connection& connection) {
         xcb_get_window_attributes(xcb, static_cast<xcb_window_t>(connection.root()));
     const unique_reply<xcb_get_window_attributes_reply_t> root(
         xcb_get_window_attributes_reply(xcb, question, nullptr));
-    // By this, Xlib hears of earlier errors and of the server's end.
+    // This call tells Xlib of earlier errors and of the server's end.
     XEventsQueued(connection.display(), QueuedAfterReading);
     // A window manager is the client that redirects the root's children; only one client can.
     return root && (root->all_event_masks & XCB_EVENT_MASK_SUBSTRUCTURE_REDIRECT) != 0;

@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 // a key waits for one piece at most.
 constexpr std::int64_t bytes_at_once = 80'000;
 // The divisor of those bytes for text: up to that part, text goes with a picture, and more text
-// goes alone. As many pixels at rest go with each picture, however much moves beside them.
+// goes alone. Each picture also takes as many pixels at rest, however much moves beside them.
 constexpr std::int64_t small_part = 4;
 // The time without a picture after which things have come to rest. At 15 pictures a second, three
 // are missing by then.
@@ -216,7 +216,7 @@ private:
 
     std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
 
-    /// How many pixels wide and high cells have to be, so that so many pixels can be sent at once.
+    /// The width and height of cells, in pixels, with which so many pixels can be sent at once.
     int factor_for(std::int64_t pixels) const {
         int factor = 1;
         while (factor < x11_enlarger::largest_factor &&

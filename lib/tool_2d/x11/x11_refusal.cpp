@@ -66,7 +66,7 @@ struct address_freer {
 };
 using address_list = std::unique_ptr<addrinfo, address_freer>;
 
-/// The display's number behind the colon, without the screen. It is -1 if there is none.
+/// The display's number after the colon, without the screen. It is -1 if there is none.
 int number_of(const std::string& display, std::size_t colon) {
     int number = -1;
     if (colon != std::string::npos)

@@ -63,7 +63,7 @@ int key_of_keysym(KeySym keysym) {
         return named->second;
     if (keysym >= XK_F1 && keysym <= XK_F10)
         return l3d_key_f1 + static_cast<int>(keysym - XK_F1);
-    // X numbers the characters of ASCII as ASCII does.
+    // The keysyms of ASCII characters are their codes.
     return keysym >= ' ' && keysym <= '~' ? static_cast<int>(keysym) : 0;
 }
 

@@ -28,7 +28,7 @@ int whole(xcb_input_fp1616_t value) {
 }
 
 /// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. There, a number of
-/// XCB's own follows the first 32 bytes. The length counts the words behind those.
+/// XCB's own follows the first 32 bytes. The length counts the words after those.
 Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     constexpr std::size_t head = 32, word = 4;
     const auto* const first = reinterpret_cast<const std::uint8_t*>(wire);
