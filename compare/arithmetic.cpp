@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of arithmetics, and the one of l3d_real.
+// Lists the names of arithmetics, and the one of l3d_real.
 #include "compare/arithmetic.h"
 
 #include "geom/real.h"

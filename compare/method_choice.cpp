@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_choice: names, and the methods that they stand for.
+// l3d_method_choice: reads names of methods, and makes the methods.
 #include "compare/method_choice.h"
 
 #include "base/did_you_mean_p.h"

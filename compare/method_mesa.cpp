@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_mesa: meshes, matrices, shaders.
+// l3d_method_mesa: gives GL meshes, matrices and shaders.
 #include "compare/method_mesa.h"
 
 #include "scene/placed_net.h"

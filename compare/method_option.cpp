@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_option: declaration, and the check of settings that a method can serve.
+// l3d_method_option: declares the option, and checks that the method can serve the settings.
 #include "compare/method_option.h"
 
 #include "base/error.h"

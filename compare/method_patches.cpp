@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_patches: culling, and clipping for methods that do not clip.
+// l3d_method_patches: culls patches, and clips for methods that do not clip.
 #include "compare/method_patches.h"
 
 #include "dice/error_color.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_tessellation: model, frame, bound.
+// l3d_method_tessellation: makes the polygon model, draws its frame, and bounds the error.
 #include "compare/method_tessellation.h"
 
 #include "dice/drawn_error.h"

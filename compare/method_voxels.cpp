@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_voxels: filling, and rays.
+// l3d_method_voxels: fills cells, and follows rays through them.
 #include "compare/method_voxels.h"
 
 #include "scene/dice_view.h"

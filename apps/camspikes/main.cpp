@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camspikes: spikes seen by a camera that flies.
+// camspikes: shows spikes to a camera that flies.
 #include "../spikes/spike.h"
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>

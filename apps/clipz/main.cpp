@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// clipz: large spikes that are cut where they come too near. It shows the faults of pictures
-// without sorting.
+// clipz: cuts large spikes where they come too near. It shows the faults of pictures without
+// sorting.
 #include "../spikes/spike.h"
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// collide: bodies that are pulled to one place, and bounce off each other by their spheres.
+// collide: lets bodies fall to one place, and bounce off each other by their bounding spheres.
 #include "../morph3d/lit_faces.h"
 
 #include <l3d/bounding_sphere.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// curves: a cubic curve with handles, walked by forward differences in three arithmetics, in equal
-// and in adaptive steps.
+// curves: walks along a cubic curve with handles by forward differences, in three arithmetics, in
+// equal and in adaptive steps.
 #include <l3d/forward_difference.h>
 #include <l3d/fixed.h>
 #include <l3d/font.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dots: dots in space, in true perspective: a runway, stars, or snow.
+// dots: shows dots in true perspective: a runway, stars, or snow.
 #include "dot.h"
 
 #include <l3d/random.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// drawdot: a dot that moves and leaves a trail; the smallest program.
+// drawdot: moves a dot that leaves a trail. It is the smallest program.
 #include <l3d/lesson.h>
 #include <l3d/program.h>
 

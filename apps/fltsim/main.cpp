@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fltsim: a world of pyramids to fly through. Ten of them are a class, one is a plug-in.
+// fltsim: flies through a world of pyramids. Ten of them are a class, one is a plug-in.
 #include <l3d/polygon_shapes.h>
 #include <l3d/random.h>
 #include <l3d/pipeline_world.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gallery: coloured models that turn, with smooth edges and the certified error of each frame.
+// gallery: turns coloured models, with smooth edges and the certified error of each frame.
 #include "shapes.h"
 #include <l3d/afd_options.h>
 #include <l3d/camera.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gallery's models: bodies of revolution, a sheet, and the teapot in colour.
+// Makes the gallery's models: bodies of revolution, a sheet, and the teapot in colour.
 #include "shapes.h"
 #include <l3d/material.h>
 

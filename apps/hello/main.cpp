@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hello: the first lessons: a window, its events, and a picture made word by word.
+// hello: gives the first lessons: a window, its events, and a picture made word by word.
 #include <l3d/font.h>
 #include <l3d/lesson.h>
 #include <l3d/random.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// matmul: products of matrices, as text: the order matters.
+// matmul: prints products of matrices, to show that their order matters.
 #include <l3d/transform.h>
 #include <l3d/options.h>
 

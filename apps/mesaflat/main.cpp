@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesaflat: triangles that pile up, drawn by software GL unless told otherwise.
+// mesaflat: piles up triangles, drawn by software GL unless told otherwise.
 #include "../xform/pile_pipeline.h"
 #include <l3d/program.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// modelview: any model file, by any pipeline.
+// modelview: shows any model file by any pipeline.
 #include <l3d/pipeline_afd_viewer.h>
 #include <l3d/pipeline_zbuffer.h>
 #include <l3d/pipeline_zsort.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// morph2d: a polygon on its way through four forms, one of them far wider than the window.
+// morph2d: takes a polygon through four forms, one of them far wider than the window.
 #include <l3d/polygon_2d.h>
 #include <l3d/pipeline.h>
 #include <l3d/polygon_2d_flatshaded.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// morph3d: a ball becomes a cube, a star and a palm tree; they share one list of vertices.
+// morph3d: turns a ball into a cube, a star and a palm tree, which share one list of vertices.
 #include "lit_faces.h"
 
 #include <l3d/pipeline_world.h>

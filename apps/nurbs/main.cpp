@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nurbs: control points and weights of NURBS surfaces, dragged in the window.
+// nurbs: lets users drag control points and weights of NURBS surfaces.
 #include "shapes.h"
 #include <l3d/afd_options.h>
 #include <l3d/camera.h>

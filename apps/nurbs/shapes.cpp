@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes of nurbs: a revolved profile, a B-spline sheet, and the library's exact shapes.
+// Makes the shapes of nurbs: a revolved profile, a B-spline sheet, and the library's exact shapes.
 #include "shapes.h"
 
 #include <array>

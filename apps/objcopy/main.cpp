@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// objcopy: an object is copied, both are cut by a plane, and the halves slide apart and back.
+// objcopy: copies an object, cuts both by a plane, and slides the halves apart and back.
 #include <l3d/polygon_mesh.h>
 #include <l3d/polygon_shapes.h>
 #include <l3d/random.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rotspikes: spikes that tumble about all three axes while they fly past the viewer.
+// rotspikes: tumbles spikes about all three axes while they fly past the viewer.
 #include "../spikes/spikes_world.h"
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>

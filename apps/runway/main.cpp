@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// runway: three rows of dots at different speeds look like depth, and are not.
+// runway: moves three rows of dots at different speeds, which look like depth and are not.
 #include "../dots/dot.h"
 
 #include <l3d/lesson.h>

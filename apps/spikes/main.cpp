@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spikes: polygons in space that share vertices, flying past the viewer.
+// spikes: flies polygons past the viewer, which share vertices.
 #include "spikes_world.h"
 #include <l3d/pipeline_world.h>
 #include <l3d/program.h>

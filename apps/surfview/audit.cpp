@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// audit: the numbers of an audit as JSON, and its picture.
+// audit: writes the numbers of an audit as JSON, and shows its picture.
 #include "audit.h"
 
 #include <l3d/any_model.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// surfview: any file of surfaces or polygons, with its parts, sections and measures.
+// surfview: shows any file of surfaces or polygons, with its parts, sections and measures.
 #include "audit.h"
 #include "part_viewer.h"
 

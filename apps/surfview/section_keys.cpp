@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// section_keys: planes through the middle of a model, moved along their normals.
+// section_keys: lays planes through the middle of a model, and moves them along their normals.
 #include "section_keys.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// comparison: two pipelines with one camera, and their captions.
+// comparison: shows two pipelines with one camera, and their captions.
 #include "comparison.h"
 
 #include "half_screen.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_error_picture: colours for the error of each pixel, and a legend.
+// write_error_picture: colours each pixel by its error, and adds a legend.
 #include "error_picture.h"
 
 #include "base/formatted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// teapot_afd: the Utah teapot (or any bicubic patches) by adaptive forward differencing.
+// teapot_afd: draws the Utah teapot, or any bicubic patches, by adaptive forward differencing.
 #include "compare/method_option.h"
 #include <l3d/afd_options.h>
 #include <l3d/camera.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// method_viewer: the key for methods, settings that a method cannot show, and measured errors.
+// method_viewer: changes methods by a key, drops settings that they cannot show, and shows errors.
 #include "method_viewer.h"
 
 #include "dice/error_color.h"

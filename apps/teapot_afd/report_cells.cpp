@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paths of cells: rays through the teapot's cells, and its curves in cells.
+// Measures paths of cells: rays through the teapot's cells, and its curves in cells.
 #include "report_alternatives.h"
 #include "report_models.h"
 #include "report_rows.h"

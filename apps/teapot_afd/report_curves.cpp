@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of cubic curves: round-off, limits, steps.
+// Makes tables of cubic curves: their rounding errors, limits and steps.
 #include "report_curves.h"
 
 #include "curve_measure.h"

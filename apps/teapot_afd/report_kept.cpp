@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flights over the teapot, with micropolygons that are kept and with others.
+// Measures flights over the teapot, with micropolygons that are kept and with others.
 #include "report_alternatives.h"
 #include "report_models.h"
 #include "report_rows.h"

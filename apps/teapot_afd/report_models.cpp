@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces as functions of two parameters, and the bicubic patches that meet them.
+// Makes models of bicubic patches that approximate surfaces given as functions of two parameters.
 #include "report_models.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report_plan: settings of each method from coarse to fine, four at least.
+// report_plan: lists settings of each method from coarse to fine, four at least.
 #include "report_plan.h"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of comma-separated values, the first four of which are a row's name.
+// Reads and writes lines of comma-separated values, the first four of which are a row's name.
 #include "report_rows.h"
 
 #include "base/formatted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The effort and the pictures of scan line methods.
+// Measures the effort of scan line methods, and draws their pictures.
 #include "frame_measure.h"
 #include "report_alternatives.h"
 #include "report_models.h"

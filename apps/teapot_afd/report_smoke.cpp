@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A jet of polygons that flies through a cloud of cells.
+// Draws a jet of polygons that flies through a cloud of cells.
 #include "report_alternatives.h"
 #include "report_rows.h"
 #include "report_table.h"

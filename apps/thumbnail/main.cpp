@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// thumbnail: a small picture of a model file, as file managers ask for it.
+// thumbnail: makes a small picture of a model file, as file managers ask for it.
 #include <l3d/any_model.h>
 #include <l3d/error.h>
 #include <l3d/image.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vecmath: sums and products of points and vectors, as text.
+// vecmath: prints sums and products of points and vectors.
 #include <l3d/transform.h>
 #include <l3d/options.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vidflat: a model from a file, Videoscape's or any other, by way of a plug-in.
+// vidflat: shows a model from a file, Videoscape's or any other, by way of a plug-in.
 #include <l3d/pipeline_world.h>
 #include <l3d/plugin_loader.h>
 #include <l3d/program.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// xform: triangles thrown about the window and clipped by it, and lines; they pile up.
+// xform: piles up lines, and triangles that are thrown about the window and clipped by it.
 #include "pile_pipeline.h"
 #include <l3d/polygon_2d_flatshaded.h>
 #include <l3d/program.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cloud: light along rays, and pictures of polygons behind it.
+// l3d_cloud: finds the light along rays, and lays a cloud over pictures of polygons.
 #include "compare/cells/cloud.h"
 
 #include "compare/cells/cell_stride.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cubic_frame_buffer: bricks and rays.
+// l3d_cubic_frame_buffer: stores cells in bricks, and follows rays through them.
 #include "compare/cells/cubic_frame_buffer.h"
 
 #include "compare/cells/cell_stride.h"

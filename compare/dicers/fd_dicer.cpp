@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_fd_dicer: scales, registers, walks.
+// l3d_fd_dicer: scales nets to the registers, and walks in them.
 #include "compare/dicers/fd_dicer.h"
 
 #include "geom/block_fixed.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lane_carpenter_dicer: flatness, halves, corners.
+// l3d_lane_carpenter_dicer: halves patches until they are flat, and keeps their corners.
 #include "compare/dicers/lane_carpenter_dicer.h"
 
 #include "dice/near_clip.h"

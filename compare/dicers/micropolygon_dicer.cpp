@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_micropolygon_dicer: split and dice.
+// l3d_micropolygon_dicer: splits patches into small pieces, and dices these.
 #include "compare/dicers/micropolygon_dicer.h"
 
 #include "dice/piece_bounds.h"

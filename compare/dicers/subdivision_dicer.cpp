@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_subdivision_dicer: the recursion.
+// l3d_subdivision_dicer: halves patches recursively until they are flat.
 #include "compare/dicers/subdivision_dicer.h"
 
 #include "geom/step_bound.h"

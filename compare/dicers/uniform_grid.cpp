@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_uniform_grid: parameters, normals, bounds.
+// l3d_uniform_grid: makes the parameters, normals and bounds of a grid.
 #include "compare/dicers/uniform_grid.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_blinn_plotter: tracking edges from line to line, and solving pixels.
+// l3d_blinn_plotter: tracks edges from line to line, and solves pixels.
 #include "compare/plotters/blinn_plotter.h"
 
 #include "dice/normal_columns.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_isocurve_plotter: chooses curves, and walks them.
+// l3d_isocurve_plotter: chooses curves, and walks along them.
 #include "compare/plotters/isocurve_plotter.h"
 
 #include "geom/forward_difference.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_point_canvas: shading a point.
+// l3d_point_canvas: shades a point.
 #include "compare/plotters/point_canvas.h"
 
 #include "raster/shaders/surface_shader_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scan_edge: cutting curves, and meeting scan lines.
+// l3d_scan_edge: cuts curves, and finds where they cross scan lines.
 #include "compare/plotters/scan_edges.h"
 
 #include <algorithm>

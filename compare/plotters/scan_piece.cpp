@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scan_piece: Newton's iteration in two variables.
+// l3d_scan_piece: solves for a pixel by Newton's iteration in two variables.
 #include "compare/plotters/scan_piece.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_scanline_plotter: pieces, borders, spans.
+// l3d_scanline_plotter: cuts patches into pieces, and fills spans between their borders.
 #include "compare/plotters/scanline_plotter.h"
 
 #include "dice/normal_columns.h"

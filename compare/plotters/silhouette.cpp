@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes: determinants, borders, and two kinds of Newton's iteration.
+// Finds silhouettes on borders and on lines, by two kinds of Newton's iteration.
 #include "compare/plotters/silhouette.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_whitted_plotter: pieces, their edges, and the spans between.
+// l3d_whitted_plotter: cuts patches into pieces, finds their edges, and fills the spans between.
 #include "compare/plotters/whitted_plotter.h"
 
 #include "dice/normal_columns.h"

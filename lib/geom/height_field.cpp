@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_height_patches: Catmull-Rom splines along rows, then along columns.
+// l3d_height_patches: makes Catmull-Rom splines along rows, then along columns.
 #include "geom/files/patch_file.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_normal_net: product of the derivative nets, and removal of vanishing factors.
+// l3d_normal_net: multiplies the derivative nets, and removes vanishing factors.
 #include "geom/normal_net.h"
 
 #include "geom/nurbs/bernstein_products_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_jet: Bernstein polynomials, and the fundamental forms.
+// l3d_patch_jet: evaluates Bernstein polynomials, and finds the fundamental forms.
 #include "geom/patch_jet.h"
 
 #include <array>

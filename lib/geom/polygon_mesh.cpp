@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_mesh: checks and changes of its arrays.
+// l3d_polygon_mesh: checks and changes its arrays.
 #include "geom/polygon_mesh.h"
 
 #include "geom/color_between_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simple bodies as polygons, their normals outwards.
+// Makes simple bodies as polygons, with outward normals.
 #include "geom/polygon_shapes.h"
 
 #include <cassert>

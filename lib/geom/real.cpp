@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The symbol and the name of this build's number type.
+// Defines the symbol and the name of this build's number type.
 #include "geom/real.h"
 
 #if defined(L3D_REAL_FLOAT)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds on image errors, from second differences of control nets.
+// Bounds image errors by second differences of control nets.
 #include "geom/step_bound.h"
 
 #include <cmath>

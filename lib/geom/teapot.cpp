@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The teapot's text; the build makes the included file from data/teapot.bpt.
+// Holds the teapot's text; the build makes the included file from data/teapot.bpt.
 #include "geom/teapot.h"
 
 std::string_view l3d_teapot_bpt() {

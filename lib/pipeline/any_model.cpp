@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_load_any_model: one look at the file, and the choice.
+// l3d_load_any_model: looks at the file once, and chooses the kind of model.
 #include "pipeline/any_model.h"
 
 #include "pipeline/polygons/polygon_model.h"

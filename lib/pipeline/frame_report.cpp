@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_report, l3d_polygon_report: JSON and words.
+// l3d_frame_report, l3d_polygon_report: tell about a frame in JSON and in words.
 #include "pipeline/frame_report.h"
 
 #include "base/counted_p.h"

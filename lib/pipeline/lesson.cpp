@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lesson: the keys, the mouse, and the ground.
+// l3d_lesson: handles the keys and the mouse, and draws the ground.
 #include "pipeline/lesson.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_afd: the stages of a frame.
+// l3d_method_afd: runs the stages of a frame.
 #include "pipeline/method_afd.h"
 
 #include "raster/rasterizer_factory.h"

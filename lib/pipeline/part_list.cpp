@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_part_list: states of parts, and the lines that have room.
+// l3d_part_list: keeps the states of parts, and chooses the lines that have room.
 #include "pipeline/part_list.h"
 
 #include "base/counted_p.h"

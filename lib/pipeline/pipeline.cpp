@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_caption: rows of keys as text.
+// l3d_caption: writes rows of keys as text.
 #include "pipeline/pipeline.h"
 
 #include <sstream>

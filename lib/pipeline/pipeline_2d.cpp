@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_2d: screen, rasterizer, resize and the end.
+// l3d_pipeline_2d: keeps the screen and the rasterizer, and handles new sizes and the end.
 #include "pipeline/pipeline_2d.h"
 
 #include <utility>

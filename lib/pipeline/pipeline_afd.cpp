@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: the stages of a frame.
+// l3d_pipeline_afd: runs the stages of a frame.
 #include "pipeline/afd/pipeline_afd_p.h"
 
 #include "pipeline/surface_method.h"

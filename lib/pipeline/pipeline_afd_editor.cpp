@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd_editor: keys, and the way from handles to the scene.
+// l3d_pipeline_afd_editor: handles keys, and takes the handles' changes to the scene.
 #include "pipeline/pipeline_afd_editor.h"
 
 #include "base/formatted_p.h"

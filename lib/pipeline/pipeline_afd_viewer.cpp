@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd_viewer: the keys for patches, and their lines of the status.
+// l3d_pipeline_afd_viewer: handles the keys for patches, and writes their lines of the status.
 #include "pipeline/pipeline_afd_viewer.h"
 
 #include "base/counted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_method_factory: the default, and calls.
+// l3d_method_factory: makes the default method, or calls a program's own function.
 #include "pipeline/surface_method.h"
 
 #include "pipeline/method_afd.h"

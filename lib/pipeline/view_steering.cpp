@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_view_steering: moves of the camera.
+// l3d_view_steering: moves the camera.
 #include "pipeline/viewer_controls.h"
 
 #include "geom/transform.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_viewer_controls: keys, pointer and panels that all viewers share.
+// l3d_viewer_controls: handles the keys, pointer and panels that all viewers share.
 #include "pipeline/viewer_controls.h"
 
 #include "base/formatted_p.h"

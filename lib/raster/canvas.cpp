@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_memory_canvas: a canvas with the system's font.
+// l3d_memory_canvas: makes a canvas with the system's font.
 #include "raster/rasterizer_factory.h"
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspection: colours of numbers and of stripes.
+// l3d_inspection: finds the colours of numbers and of stripes.
 #include "raster/shade.h"
 
 #include "raster/color/linear_light_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesa_target: textures, a framebuffer object and a program. They end with their context.
+// mesa_target: makes textures, a framebuffer object and a program. They end with their context.
 #include "raster/mesa_target_p.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d_imp: coverage for outputs that cannot mix colours, paths for all.
+// l3d_rasterizer_2d_imp: draws coverage for outputs that cannot mix colours, and paths for all.
 #include "raster/rasterizer_2d.h"
 
 #include "raster/images/image_sampler_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_factory_sw: what it makes, which users of the factory need not see.
+// l3d_rasterizer_factory_sw: makes rasterizers whose classes its users need not see.
 #include "raster/rasterizer_factory.h"
 
 #include "raster/paths/path.h"

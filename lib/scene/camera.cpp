@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_camera: axes, image matrix and orbiting.
+// l3d_camera: makes axes and the image matrix, and moves in orbits.
 #include "scene/camera.h"
 
 #include "base/formatted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_camera_shading: the rays of a picture, in floats.
+// l3d_camera_shading: finds the rays of a picture, in floats.
 #include "scene/camera_shading.h"
 
 #include "scene/dice_view.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_drawn_pixels: boxes in the picture, rounded outwards.
+// l3d_drawn_pixels: rounds boxes in the picture outwards.
 #include "scene/drawn_pixels.h"
 
 #include "scene/culling/scene_culling_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_framed: four planes through the eye that touch the model.
+// l3d_framed: lays four planes through the eye that touch the model.
 #include "scene/camera.h"
 
 #include "geom/transform.h"

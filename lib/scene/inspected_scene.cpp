@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_inspected_scene, l3d_usual_curvature: nets in the eye's coordinates, and a curvature's scale.
+// l3d_inspected_scene, l3d_usual_curvature: take nets to eye coordinates, and scale curvature.
 #include "scene/inspected_scene.h"
 
 #include "geom/patch_jet.h"

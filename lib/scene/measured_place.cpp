@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_measured: exact pieces of curved models, and principal curvatures.
+// l3d_measured: measures exact pieces of curved models, and their principal curvatures.
 #include "scene/measured_place.h"
 
 #include "geom/transform.h"

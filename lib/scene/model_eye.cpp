@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_eye_of, l3d_least_w_of: the eye in a model's coordinates, and its box's least w.
+// l3d_eye_of, l3d_least_w_of: find the eye in a model's coordinates, and its box's least w.
 #include "scene/model_eye.h"
 
 #include <cmath>

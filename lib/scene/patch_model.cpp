@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: models from patches, surfaces and files; their materials, parts and levels.
+// l3d_patch_model: makes models of patches, surfaces and files, with materials, parts and levels.
 #include "scene/levels/patch_contents_p.h"
 
 #include "base/counted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene: boxes, normals and materials of placed models.
+// l3d_patch_scene: finds boxes, normals and materials of placed models.
 #include "scene/patch_scene.h"
 
 #include "base/formatted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_scene::from_file: one model for each shape of a file, however often it stands there.
+// l3d_patch_scene::from_file: makes one model for each shape of a file, however often it is placed.
 #include "scene/patch_scene.h"
 
 #include "base/printable_p.h"

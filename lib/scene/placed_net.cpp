@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_placed_net, compiled once for each instruction set.
+// l3d_placed_net: places control points, compiled once for each instruction set.
 #include "scene/placed_net.h"
 
 #undef HWY_TARGET_INCLUDE

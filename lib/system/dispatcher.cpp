@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher: the part that all kinds of dispatchers share.
+// l3d_dispatcher: does the work that all kinds of dispatchers share.
 #include "system/dispatcher.h"
 
 #include "pipeline/captioned_p.h"

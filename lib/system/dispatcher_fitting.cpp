@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_fitting: chooses a window's dispatcher or that of a script.
+// l3d_dispatcher_fitting: chooses a window's dispatcher, or a script's.
 #include "system/dispatcher.h"
 
 #include "system/dispatcher_window.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_script: a loop over frames, with events from a script.
+// l3d_dispatcher_script: loops over frames, with events from a script.
 #include "system/dispatcher.h"
 
 #include "system/present_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_dispatcher_window: the event loop.
+// l3d_dispatcher_window: runs the event loop.
 #include "system/dispatcher_window.h"
 
 #include "raster/parallel/workers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_factory_manager: the table of back-ends, and the ways to choose one of them.
+// l3d_factory_manager: keeps the table of back-ends, and chooses one of them.
 #include "system/factory_manager.h"
 
 #include "tool_2d/screen_memory.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_plugin_loader: the host's side of the interface, and dlopen.
+// l3d_plugin_loader: has the host's side of the interface, and calls dlopen.
 #include "system/plugin_loader.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reason_of: an exception's reason in words for the user.
+// reason_of: gives an exception's reason in words for the user.
 #include "system/reason_p.h"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Image files: PNG by libpng's simplified interface, and PPM and PFM by hand. JPEG is elsewhere.
+// Reads and writes images: PNG by libpng's simplified interface, PPM and PFM by hand; not JPEG.
 #include "tool_2d/image.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen_info: shifts, widths and tables from masks and palettes.
+// l3d_screen_info: finds shifts, widths and tables from masks and palettes.
 #include "tool_2d/screen_info.h"
 
 #include <cassert>

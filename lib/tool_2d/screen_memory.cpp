@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_screen_memory: its own or borrowed pixels, and their conversion when shown.
+// l3d_screen_memory: keeps its own or borrowed pixels, and converts them when they are shown.
 #include "tool_2d/screen_memory.h"
 
 #include "tool_2d/pixel_writer_p.h"

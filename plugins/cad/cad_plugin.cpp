@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plug-in's interface. The kernel works in a process of its own: what it writes to the terminal
-// is not seen, and what makes it crash ends that process alone.
+// Serves the plug-in's interface. The kernel works in a process of its own: its messages to the
+// terminal are not seen, and a crash ends that process alone.
 #include "geom/files/cad_plugin_p.h"
 
 #include "document.h"

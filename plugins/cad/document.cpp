@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_document: the readers of the kernel, and its document of parts and styles.
+// write_document: reads files by the kernel, and writes its document of parts and styles.
 #include "document.h"
 
 #include "faces.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// face_writer: bounds of faces, curves in the plane of parameters, edges.
+// face_writer: bounds faces, and writes their edges and curves in the plane of parameters.
 #include "faces.h"
 
 #include <algorithm>

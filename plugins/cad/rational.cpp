@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conics as rational arcs, surfaces as profiles that turn or move, splines as they are.
+// Turns conics into rational arcs, surfaces into turned or moved profiles, and keeps splines.
 #include "rational.h"
 
 #include <algorithm>

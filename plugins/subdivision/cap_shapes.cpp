@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cap_shapes: the ring alone is subdivided ten times more, and the cap compared with what that
-// gives.
+// cap_shapes: subdivides the ring alone ten times more, and compares the cap with the result.
 #include "cap_shapes.h"
 
 #include "refined_mesh.h"

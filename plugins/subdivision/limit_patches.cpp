@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// limit_patches: as many levels as the error needs; then sides and corners become common.
+// limit_patches: makes as many levels as the error needs; then sides and corners become common.
 #include "limit_patches.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// refined_mesh: Far's refiner and table of patches, walked face by face.
+// refined_mesh: walks Far's refiner and its table of patches face by face.
 #include "refined_mesh.h"
 
 #include <opensubdiv/far/patchTableFactory.h>

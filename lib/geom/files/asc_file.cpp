@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of 3D Studio's .asc: triangles, named objects, materials and cameras, line by line.
+// Reads 3D Studio's .asc: triangles, named objects, materials and cameras, line by line.
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"
 

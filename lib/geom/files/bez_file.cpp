@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of geomview's Bezier patches: BEZ and BBP, text or binary.
+// Reads geomview's Bezier patches: BEZ and BBP, text or binary.
 #include "geom/files/model_reader_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_cad: STEP and IGES, whose surfaces a plug-in gives.
+// l3d_read_cad: reads STEP and IGES, whose surfaces a plug-in gives.
 #include "geom/files/model_file.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gltf_document: containers, buffers and accessors, with every bound checked.
+// gltf_document: reads containers, buffers and accessors, and checks every bound.
 #include "geom/files/gltf_document_p.h"
 
 #include "base/counted_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of glTF 2.0: the scene's nodes become one mesh, in the scene's coordinates.
+// Reads glTF 2.0: the scene's nodes become one mesh, in the scene's coordinates.
 #include "geom/files/gltf_materials_p.h"
 #include "base/counted_p.h"
 #include "base/printable_p.h"

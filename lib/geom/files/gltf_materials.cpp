@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gltf_materials: base colours and their pictures; everything else is noted.
+// gltf_materials: reads base colours and their pictures, and notes everything else.
 #include "geom/files/gltf_materials_p.h"
 
 #include <algorithm>

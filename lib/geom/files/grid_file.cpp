@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of grids of heights, in the text form of geographic programs.
+// Reads grids of heights, in the text form of geographic programs.
 #include "geom/files/model_reader_p.h"
 #include "geom/files/patch_file.h"
 

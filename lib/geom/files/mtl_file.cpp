@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_read_mtl: the colours and highlights of Wavefront's materials.
+// l3d_read_mtl: reads the colours and highlights of Wavefront's materials.
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// obj_surfaces: connections of surfaces, whose trims become edges of the model.
+// obj_surfaces: reads connections of surfaces, whose trims become edges of the model.
 #include "geom/files/obj_surfaces_p.h"
 #include "geom/bezier_patch.h"
 #include "geom/trims/trim_region.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of Wavefront's .obj: polygons here, free-form surfaces and curves in obj_surfaces.
+// Reads Wavefront's .obj: polygons here, free-form surfaces and curves in obj_surfaces.
 #include "base/counted_p.h"
 #include "geom/files/corner_normals_p.h"
 #include "geom/files/model_reader_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// obj_surfaces: Bezier and B-spline surfaces and curves as knots and control points.
+// obj_surfaces: reads Bezier and B-spline surfaces and curves as knots and control points.
 #include "geom/files/obj_surfaces_p.h"
 
 #include "geom/trims/trim_region.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// read_obj_tag: counts first, then the numbers that they promise.
+// read_obj_tag: reads counts first, then the numbers that they promise.
 #include "geom/files/obj_tags_p.h"
 
 #include "base/counted_p.h"

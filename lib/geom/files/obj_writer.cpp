@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_write_obj: polygons, patches as Bezier surfaces, and curves.
+// l3d_write_obj: writes polygons, patches as Bezier surfaces, and curves.
 #include "geom/files/model_file.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/obj_tags_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader and writer of geomview's .off: polygons with colours, text or binary.
+// Reads and writes geomview's .off: polygons with colours, text or binary.
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader and writer of .bpt patch files; degrees raised and reduced to 3.
+// Reads and writes .bpt patch files, and raises or reduces degrees to 3.
 #include "geom/files/patch_file.h"
 
 #include "geom/files/text_cursor_p.h"

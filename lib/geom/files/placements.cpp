@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_flattened, l3d_shape_of: shapes of a model at their places, or alone.
+// l3d_flattened, l3d_shape_of: copy a model's shapes to their places, or take out one shape.
 #include "geom/files/model_file.h"
 
 #include "geom/transform.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of Stanford's .ply: text, and binary of either byte order.
+// Reads Stanford's .ply: text, and binary of either byte order.
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 #include "geom/files/ply_header_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ply::header: formats, elements, properties.
+// ply::header: reads the format, the elements and their properties.
 #include "geom/files/ply_header_p.h"
 
 #include "geom/files/model_reader_p.h"

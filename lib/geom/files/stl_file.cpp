@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of .stl, text or binary: triangles that share nothing, whose corners are welded to
-// vertices again.
+// Reads .stl, text or binary, and welds the corners of its separate triangles to vertices.
 #include "base/counted_p.h"
 #include "base/number_hash_p.h"
 #include "geom/files/model_reader_p.h"

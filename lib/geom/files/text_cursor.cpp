@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text_cursor: tokens, numbers and their limits, errors and notes.
+// text_cursor: reads tokens and numbers, checks their limits, and keeps errors and notes.
 #include "geom/files/text_cursor_p.h"
 
 #include "base/printable_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader of Videoscape's 3DG1: polygons with a colour each.
+// Reads Videoscape's 3DG1: polygons with a colour each.
 #include "base/counted_p.h"
 #include "geom/files/model_reader_p.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: curves in space on the surfaces' picture, hidden by the surfaces' depth.
+// l3d_pipeline_afd: draws curves in space on the surfaces' picture, hidden by the surfaces' depth.
 #include "pipeline/afd/pipeline_afd_p.h"
 
 #include "scene/drawing/edge_lines.h"

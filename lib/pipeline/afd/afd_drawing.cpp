@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: pictures of contours, creases and borders, hidden ones dashed.
+// l3d_pipeline_afd: draws contours, creases and borders, the hidden ones dashed.
 #include "pipeline/afd/pipeline_afd_p.h"
 
 #include "pipeline/wire_p.h"

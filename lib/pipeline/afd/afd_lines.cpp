@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: lines of patches on top of the finished picture.
+// l3d_pipeline_afd: draws lines of patches on top of the finished picture.
 #include "pipeline/afd/pipeline_afd_p.h"
 
 #include "dice/near_clip.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_afd: framing, picks, and the reasons for an empty picture.
+// l3d_pipeline_afd: frames and picks models, and gives the reasons for an empty picture.
 #include "pipeline/pipeline_afd.h"
 
 #include "pipeline/empty_picture_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// corner_tree: halves, boxes, and the search for corners in a triangle.
+// corner_tree: halves sets of corners, boxes them, and searches for corners in a triangle.
 #include "pipeline/polygons/corner_tree_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_face: convex faces as fans, others ear by ear.
+// flat_face: cuts convex faces into fans, and others ear by ear.
 #include "pipeline/polygons/flat_face_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_polygons: the stages of a frame, and the keys for polygons.
+// l3d_pipeline_polygons: runs the stages of a frame, and handles the keys for polygons.
 #include "pipeline/polygons/pipeline_polygons.h"
 
 #include "pipeline/polygons/paint_gatherer_p.h"

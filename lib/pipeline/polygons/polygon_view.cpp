@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_view: one matrix from the model to the picture.
+// l3d_polygon_view: makes the one matrix from the model to the picture.
 #include "pipeline/polygons/polygon_view.h"
 
 #include "geom/transform.h"

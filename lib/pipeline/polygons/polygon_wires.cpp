@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_polygon_wires: Cohen and Sutherland's clipping in homogeneous coordinates.
+// l3d_polygon_wires: clips by Cohen and Sutherland's algorithm in homogeneous coordinates.
 #include "pipeline/polygons/polygon_wires.h"
 
 #include "scene/dice_view.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_polygons: framing, picks, and the reasons for an empty picture.
+// l3d_pipeline_polygons: frames and picks models, and gives the reasons for an empty picture.
 #include "pipeline/polygons/pipeline_polygons.h"
 
 #include "geom/transform.h"

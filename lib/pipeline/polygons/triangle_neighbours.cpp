@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// triangle_neighbours: a table of sides by their ends.
+// triangle_neighbours: pairs sides by a table of their ends.
 #include "pipeline/polygons/triangle_neighbours_p.h"
 
 #include <algorithm>

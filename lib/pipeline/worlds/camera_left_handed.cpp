@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_camera_left_handed: perspective with the book's terms, and the conversion to our own camera.
+// l3d_camera_left_handed: converts perspective in the book's terms to our own camera.
 #include "pipeline/worlds/camera_left_handed.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_moveable: damped motion along and about own axes.
+// l3d_moveable: moves along and about its own axes, with damping.
 #include "pipeline/worlds/camera_left_handed.h"
 
 #include <algorithm>

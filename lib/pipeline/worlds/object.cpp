@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_object: the product of its matrices, and copies.
+// l3d_object: multiplies its matrices, and makes copies.
 #include "pipeline/worlds/object.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_pipeline_world: the effect of keys on the camera, and the status lines.
+// l3d_pipeline_world: moves the camera by keys, and writes the status lines.
 #include "pipeline/worlds/pipeline_world.h"
 
 #include "raster/text/font.h"

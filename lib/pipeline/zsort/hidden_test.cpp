@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hidden_test: compares, tile by tile, what is in front with what the sort paints last.
+// hidden_test: compares, tile by tile, the members in front with those that the sort paints last.
 #include "pipeline/zsort/hidden_test_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_cover: a bit for each pixel, set and tested by rows.
+// painter_cover: sets and tests a bit for each pixel, row by row.
 #include "pipeline/zsort/painter_cover_p.h"
 
 namespace l3d_detail {

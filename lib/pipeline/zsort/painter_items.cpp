@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_items: boxes, depths, and the pixels of small triangles.
+// painter_items: finds boxes and depths of items, and the pixels of small triangles.
 #include "pipeline/zsort/painter_items_p.h"
 
 #include "pipeline/zsort/tile_cover_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_painter_order: sorts by keys, tests tiles, and walks over what hides what.
+// l3d_painter_order: sorts by keys, tests tiles, and walks from items to those that they hide.
 #include "pipeline/zsort/painter_order.h"
 
 #include "geom/radix_sort.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overlaps of triangles in the picture: exact for whole ones, cautious for pieces.
+// Compares overlapping triangles in the picture: exactly for whole ones, cautiously for pieces.
 #include "pipeline/zsort/painter_overlap_p.h"
 
 #include "raster/surfaces/quad_cut_p.h"

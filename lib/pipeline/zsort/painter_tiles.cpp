@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// painter_tiles: each worker finds entries of its share of items; then entries are put by tile.
+// painter_tiles: each worker finds entries of its share of items, which are then sorted by tile.
 #include "pipeline/zsort/painter_tiles_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_cover: edge functions, one pixel in each lane.
+// tile_cover: evaluates edge functions, one pixel in each lane.
 #include "pipeline/zsort/tile_cover_p.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// linear_light: fills the tables.
+// linear_light: fills the tables of conversion.
 #include "raster/color/linear_light_p.h"
 
 #include "raster/color/srgb_light.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// image_sampler: samples, boxes, and the exact areas of slanted pixels.
+// image_sampler: samples points, boxes, and the exact areas of slanted pixels.
 #include "raster/images/image_sampler_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// depth_lines: coverage, depth test and paint of wide lines.
+// depth_lines: covers, depth-tests and paints wide lines.
 #include "raster/lines/depth_lines_p.h"
 
 #include "raster/color/color_mixer_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_draw_seen_sides: a depth test along lines.
+// l3d_draw_seen_sides: tests depth along lines.
 #include "raster/lines/hidden_lines.h"
 
 #include "raster/lines/line_cover_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plain_lines: from steps to words; where a line enters and leaves a picture.
+// plain_lines: turns steps into words, and finds where a line enters and leaves a picture.
 #include "raster/lines/line_steps_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Doubles in lanes, at most eight, with operators; vectors of three of them.
+// Holds doubles in lanes, at most eight, with operators, and vectors of three of them.
 #if defined(L3D_RASTER_PARALLEL_LANE_DOUBLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_DOUBLES_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_DOUBLES_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole numbers of 32 bits in lanes, at most sixteen, and floats beside them.
+// Holds whole numbers of 32 bits in lanes, at most sixteen, and floats beside them.
 #if defined(L3D_RASTER_PARALLEL_LANE_INTEGERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_INTEGERS_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_INTEGERS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lane_pairs: elements of an array, gathered together with the elements behind them.
+// lane_pairs: gathers elements of an array together with those after them.
 #if defined(L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_PAIRS_INL_H

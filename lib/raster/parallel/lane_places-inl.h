@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lane_places: the numbers of lanes.
+// lane_places: makes the numbers of lanes.
 #if defined(L3D_RASTER_PARALLEL_LANE_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_PLACES_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_PLACES_INL_H

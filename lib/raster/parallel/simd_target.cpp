@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The choice of vector instructions: the processor's best ones, unless others are asked for.
+// Chooses vector instructions: the processor's best ones, unless others are asked for.
 #include "raster/parallel/simd_target.h"
 
 #include "raster/parallel/simd_dispatch_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_workers: sleeping threads, and counters that hand out items.
+// l3d_workers: wakes sleeping threads, which take items by counters.
 #include "raster/parallel/workers.h"
 
 #include "base/error.h"

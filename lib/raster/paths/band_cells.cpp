@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_cells: edges cut at rows and columns, and the pixels that outlines pass more than once.
+// band_cells: cuts edges at rows and columns, and finds pixels that outlines pass more than once.
 #include "raster/paths/band_cells_p.h"
 
 #include "raster/paths/area_values_p.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convex_fill: spans between two chains, a row in each lane, for every instruction set that the
-// processor may have.
+// convex_fill: makes spans between two chains, a row in each lane, for every instruction set that
+// the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/convex_fill.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_steps: a bound of the distance between chords and their curve.
+// flat_steps: bounds the distance between chords and their curve.
 #include "raster/paths/flat_curve_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_gradient: means over pixels; l3d_mesh_patch: inner points.
+// l3d_gradient: finds means over pixels. l3d_mesh_patch: finds inner points.
 #include "raster/paths/gradient.h"
 
 #include <algorithm>

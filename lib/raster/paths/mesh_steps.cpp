@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mesh_steps: bounds of second derivatives, and the steps that patches with common borders agree
-// on.
+// mesh_steps: bounds second derivatives, and finds steps on which patches with common borders
+// agree.
 #include "raster/paths/mesh_steps_p.h"
 
 #include <algorithm>

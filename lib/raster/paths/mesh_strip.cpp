@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_strip: triangles are set up in lanes of double, and filled by small_fill.
+// mesh_strip: sets up triangles in lanes of double, which small_fill fills.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/mesh_strip.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_path: every curve becomes a rational cubic.
+// l3d_path: turns every curve into a rational cubic.
 #include "raster/paths/path.h"
 
 #include "geom/transform.h"

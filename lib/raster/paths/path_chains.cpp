@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_chains: cutting outlines into chains, and chains into rows.
+// path_chains: cuts outlines into chains, and chains into rows.
 #include "raster/paths/path_chains_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_scan: outlines between two chains, and bands of all others.
+// path_scan: fills outlines of two chains one by one, and all others in bands.
 #include "raster/paths/path_scan_p.h"
 
 #include <algorithm>

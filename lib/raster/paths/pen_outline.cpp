@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pen_outline: sides, joints and caps.
+// pen_outline: makes sides, joints and caps.
 #include "raster/paths/pen_outline_p.h"
 
 #include <algorithm>

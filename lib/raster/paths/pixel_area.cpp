@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_area: what visits tell of a pixel; fields that are surely inside; borders; slabs.
+// pixel_area: finds an area by visits, by fields that are surely inside, by borders, or by slabs.
 #include "raster/paths/pixel_area_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_edges: edges placed and fields counted in lanes, for every instruction set.
+// pixel_edges: places edges and counts fields in lanes, for every instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/pixel_edges.cpp"
 #include <hwy/foreach_target.h>

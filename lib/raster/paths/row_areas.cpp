@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// row_areas: slabs between ends and crossings, and the area right of a straight border.
+// row_areas: cuts a row into slabs at ends and crossings, and adds areas right of straight borders.
 #include "raster/paths/row_areas_p.h"
 
 #include <algorithm>

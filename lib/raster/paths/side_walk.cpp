@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// side_walk: from the corners of a chain to rows.
+// side_walk: walks along the corners of a chain, row by row.
 #include "raster/paths/convex_fill_p.h"
 
 #include <algorithm>

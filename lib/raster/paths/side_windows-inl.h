@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// side_windows: a chain in rows of pixels, one row in each lane, and the area on its right.
+// side_windows: finds the areas right of a chain in rows of pixels, one row in each lane.
 #if defined(L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H
 #undef L3D_RASTER_PATHS_SIDE_WINDOWS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// span_writer: spans that grow, and those that begin.
+// span_writer: lengthens the last span, or begins a new one.
 #include "raster/paths/span_writer_p.h"
 
 namespace l3d_detail {

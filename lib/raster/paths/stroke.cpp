@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_stroked: chords, dashes, and the pen's outlines beside them.
+// l3d_stroked: finds chords, cuts dashes, and draws the pen's outlines beside them.
 #include "raster/paths/path.h"
 
 #include "raster/paths/flat_curve_p.h"

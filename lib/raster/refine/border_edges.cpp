@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// border_edges: a table of edges by their ends.
+// border_edges: pairs edges by a table of their ends.
 #include "raster/refine/border_edges_p.h"
 
 #include "raster/refine/depth_steps_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contour_edges: the turns of quads in lanes, 64 quads to a word of bits.
+// contour_edges: finds the turns of quads in lanes, 64 quads to a word of bits.
 #include "raster/refine/contour_edges_p.h"
 
 #undef HWY_TARGET_INCLUDE

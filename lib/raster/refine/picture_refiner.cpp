@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture_refiner: contours and jumps mark pixels, and marked pixels are sampled.
+// picture_refiner: marks pixels at contours and jumps, and samples them.
 #include "raster/refine/picture_refiner_p.h"
 
 #include "raster/refine/depth_steps_p.h"

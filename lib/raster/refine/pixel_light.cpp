@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_light: the light of polygons at places, in linear light.
+// pixel_light: finds the light of polygons at places, in linear light.
 #include "raster/refine/picture_refiner_p.h"
 
 #include "raster/color/linear_light_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_samples: sides of polygons against 64 samples, and what is nearest at each.
+// pixel_samples: tests sides of polygons against 64 samples, and finds the nearest polygon at each.
 #include "raster/refine/pixel_samples_p.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// face_painter: planes of triangles in homogeneous space, and what they say of a pixel.
+// face_painter: makes planes of triangles in homogeneous space, and evaluates them at pixels.
 #include "raster/shaders/face_painter_p.h"
 
 #include "raster/color/linear_light_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspection_shader: Newton's method, and the change of normals from pixel to pixel.
+// inspection_shader: finds points by Newton's method, and how normals change between pixels.
 #include "raster/shaders/inspection_shader_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lit_words: lit_shader in lanes, a material at a time.
+// lit_words: does the work of lit_shader in lanes, a material at a time.
 #include "raster/shaders/lit_words_p.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d_mesa_imp: triangles for GL, and the picture's way to GL and back.
+// l3d_rasterizer_2d_mesa_imp: gives GL triangles, and brings the picture to GL and back.
 #include "raster/shapes/rasterizer_2d_mesa.h"
 
 #include "raster/lines/line_steps_p.h"

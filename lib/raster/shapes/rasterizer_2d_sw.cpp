@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_rasterizer_2d_sw_imp: from steps and spans to words.
+// l3d_rasterizer_2d_sw_imp: turns steps and spans into words.
 #include "raster/shapes/rasterizer_2d_sw.h"
 
 #include "raster/images/image_sampler_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// small_triangle: edge functions in lanes, for every instruction set that the processor may have.
+// small_triangle: sets up edges in lanes, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/shapes/small_triangle.cpp"
 #include <hwy/foreach_target.h>

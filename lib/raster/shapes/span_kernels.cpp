@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// span_kernels: for every instruction set that the processor may have.
+// span_kernels: fills and blends spans, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/shapes/span_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// winding_scan: edges come and go from row to row.
+// winding_scan: keeps the edges of each row, which come and go from row to row.
 #include "raster/shapes/winding_scan_p.h"
 
 #include "raster/shapes/polygon_corners_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_lanes: bounds of vertices, for every instruction set that the processor may have.
+// band_lanes: bounds vertices, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/surfaces/band_lanes.cpp"
 #include <hwy/foreach_target.h>

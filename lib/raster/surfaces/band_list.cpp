@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_list: boxes of all items, a radix sort, and the bands they touch.
+// band_list: finds boxes of all items, sorts items by radix, and finds the bands that they touch.
 #include "raster/surfaces/band_list_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// coarse_depth: the walks over tiles, for every instruction set that the processor may have.
+// coarse_depth: walks over tiles, for every instruction set that the processor may have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/surfaces/coarse_depth.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_kernel: polygons are queued, set up a vector at a time, and filled one by one.
+// fill_kernel: queues polygons, sets them up a vector at a time, and fills them one by one.
 #include "raster/surfaces/fill_kernel_p.h"
 
 #undef HWY_TARGET_INCLUDE

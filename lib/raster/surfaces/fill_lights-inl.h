@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_lights: the numbers of polygons' corners that a mode needs, as arrays that can be queued.
+// fill_lights: makes arrays, to be queued, of the numbers that a mode needs for polygons' corners.
 #if defined(L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fill_table: a vector of polygons, set up and cut into rows, as the pixel loops take them.
+// fill_table: holds a vector of polygons, set up and cut into rows, as the pixel loops take them.
 #if defined(L3D_RASTER_SURFACES_FILL_TABLE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_TABLE_INL_H
 #undef L3D_RASTER_SURFACES_FILL_TABLE_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_mesa: the shaders, and triangles for them.
+// l3d_surface_rasterizer_mesa: has the shaders, and makes triangles for them.
 #include "raster/surfaces/surface_rasterizer_mesa.h"
 
 #include "raster/surfaces/band_cells_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_rasterizer_sw: bands, and the workers that fill them.
+// l3d_surface_rasterizer_sw: divides the picture into bands, which workers fill.
 #include "raster/surfaces/surface_rasterizer_sw.h"
 
 #include "raster/refine/picture_refiner_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wide_rows: depth test, light and words of a vector of pixels.
+// wide_rows: tests the depth of a vector of pixels, and finds their light and words.
 #include "raster/surfaces/wide_rows_p.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_font: lines of letters, and the built-in face.
+// l3d_font: draws lines of letters, and has the built-in font.
 #include "raster/text/font.h"
 
 #include "raster/paths/path.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// font_fallbacks: the only source that knows fontconfig.
+// font_fallbacks: asks fontconfig, of which no other source knows.
 #include "raster/text/font_fallbacks_p.h"
 
 #include <fontconfig/fontconfig.h>

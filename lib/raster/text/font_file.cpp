@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_font from files: letters by FreeType.
+// l3d_font from files: draws letters by FreeType.
 #include "raster/text/font.h"
 
 #include "raster/paths/path.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_panel: a search for the largest letters that fit, and the drawing of what was found.
+// l3d_panel: searches for the largest letters that fit, and draws the panel with them.
 #include "raster/text/panel.h"
 
 #include "raster/text/panel_layout_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// quad_places: bilinear quads in homogeneous space, and Newton's method in lanes.
+// quad_places: inverts bilinear quads in homogeneous space by Newton's method, in lanes.
 #include "raster/textures/quad_places_p.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_texture: smaller pictures, each the mean of the next larger one.
+// l3d_texture: makes smaller pictures, each the mean of the next larger one.
 #include "raster/textures/texture.h"
 
 #include "raster/color/linear_light_p.h"

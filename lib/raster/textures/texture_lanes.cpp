@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texture_lanes: the filters of l3d_texture, for a vector of places.
+// texture_lanes: applies the filters of l3d_texture to a vector of places.
 #include "raster/textures/texture_lanes_p.h"
 
 #undef HWY_TARGET_INCLUDE

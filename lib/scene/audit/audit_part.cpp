@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// audit_part: distances to triangles, and how far surfaces are off them.
+// audit_part: finds distances to triangles, and bounds how far surfaces are off them.
 #include "scene/audit/audit_part_p.h"
 
 #include <algorithm>

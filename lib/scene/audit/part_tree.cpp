@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// part_tree: the best-first search by branch and bound.
+// part_tree: searches best-first by branch and bound.
 #include "scene/audit/part_tree_p.h"
 
 #include <algorithm>

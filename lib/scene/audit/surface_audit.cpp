@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_audit: branch and bound over the triangles of one side, by searches of the other.
+// l3d_surface_audit: bounds triangles of one side by searches of the other, by branch and bound.
 #include "scene/audit/surface_audit.h"
 
 #include "base/number_hash_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds of a unit normal's derivatives over parts of a patch, and of bends along the normal.
+// Bounds a unit normal's derivatives over parts of a patch, and bends along the normal.
 #if defined(L3D_SCENE_BENDS_BEND_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
 #undef L3D_SCENE_BENDS_BEND_NORMALS_INL_H

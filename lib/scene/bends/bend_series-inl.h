@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Power series in two variables, cut off at a total order, with bounds of the rest.
+// Computes with power series in two variables, cut off at a total order, with bounds of the rest.
 #if defined(L3D_SCENE_BENDS_BEND_SERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_SCENE_BENDS_BEND_SERIES_INL_H
 #undef L3D_SCENE_BENDS_BEND_SERIES_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_bends: takes the largest bounds of parts, rounded up; and bounds of a placed patch.
+// l3d_surface_bends: takes the largest bounds of parts, rounded up, and bounds placed patches.
 #include "scene/bends/surface_bends.h"
 #include "scene/bends/bends_of_blocks.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a patch in lanes, compiled once for each instruction set.
+// Bounds parts of a patch in lanes, compiled once for each instruction set.
 #include "scene/bends/bend_weights_p.h"
 #include "scene/bends/surface_bends_p.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_facing_cones: cones of the sixteen blocks, made once a model and tested in every frame.
+// l3d_facing_cones: makes cones of sixteen blocks once a model, and tests them in every frame.
 #include "scene/culling/facing_cones.h"
 
 #include "geom/patch_part.h"

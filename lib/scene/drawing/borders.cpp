@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// borders_of: sides that meet, curves as chords.
+// borders_of: finds sides that meet, and cuts curves into chords.
 #include "scene/drawing/borders_p.h"
 
 #include "geom/nurbs/bernstein_products_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contours_of: halving, one arc in each part, arcs joined to lines.
+// contours_of: halves pieces until each part has one arc, and joins arcs to lines.
 #include "scene/drawing/contours_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve_chords: halving by the control points' distances.
+// curve_chords: halves curves until their control points are near chords.
 #include "scene/drawing/curve_chords_p.h"
 
 #include <algorithm>

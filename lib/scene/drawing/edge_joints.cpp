@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge_joints: which pieces have each part of an edge, and what the edge is there.
+// edge_joints: finds which pieces have each part of an edge, and which kind of line it is there.
 #include "scene/drawing/edge_joints_p.h"
 
 #include "scene/drawing/curve_chords_p.h"

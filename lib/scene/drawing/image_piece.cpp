@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// image_piece: Bernstein polynomials of any degree, and the determinant of contours.
+// image_piece: evaluates Bernstein polynomials of any degree, and the determinant of contours.
 #include "scene/drawing/image_piece_p.h"
 
 #include "geom/nurbs/bernstein_products_p.h"

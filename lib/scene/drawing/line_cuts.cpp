@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cut_lines: a grid of the picture in which chords meet.
+// cut_lines: finds crossings of chords by a grid over the picture.
 #include "scene/drawing/line_cuts_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_draw_lines: from pieces to lines, and to what is seen of them.
+// l3d_draw_lines: turns pieces into lines, and finds the visible parts of these.
 #include "scene/line_drawing.h"
 
 #include "base/error.h"

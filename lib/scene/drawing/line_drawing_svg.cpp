@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_svg_of: lines as paths, in two layers.
+// l3d_svg_of: writes lines as paths, in two layers.
 #include "scene/line_drawing.h"
 
 #include <array>

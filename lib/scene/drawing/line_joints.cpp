@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// join_lines: pairs of ends, and walks from line to line.
+// join_lines: pairs ends, and walks from line to line.
 #include "scene/drawing/line_joints_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// line_of_sight: a tree of halves for each piece.
+// line_of_sight: searches a tree of halves for each piece.
 #include "scene/drawing/sight_p.h"
 
 #include <algorithm>

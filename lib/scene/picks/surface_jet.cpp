@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_jet: derivatives as intervals.
+// l3d_surface_jet: bounds derivatives by intervals.
 #include "scene/picks/surface_jet.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_halved_sides: a table of sides, in which halves are looked up.
+// l3d_halved_sides: looks up halves in a table of sides.
 #include "scene/sides/halved_sides.h"
 
 #include "base/number_hash_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_model: edges that are off their faces by more than the file allows.
+// l3d_patch_model: finds edges that are farther off their faces than the file allows.
 #include "base/formatted_p.h"
 #include "geom/files/patch_file.h"
 #include "scene/levels/patch_contents_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_shared_edge: edges of a file, with what their faces need.
+// l3d_shared_edge: finds the edges of a file, with the stops and places that their faces need.
 #include "scene/sides/shared_edges.h"
 
 #include "geom/trims/trim_region.h"

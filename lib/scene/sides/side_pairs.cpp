@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_side_pairs: sides in the order of their control points.
+// l3d_side_pairs: pairs sides by their control points, in sorted order.
 #include "scene/sides/side_pairs.h"
 
 #include "scene/sides/halved_sides.h"

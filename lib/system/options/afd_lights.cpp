@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_afd_options: lights and fog, which are lists of numbers with a colour at the end.
+// l3d_afd_options: reads lights and fog, which are lists of numbers with a colour at the end.
 #include "system/options/afd_options.h"
 
 #include "base/error.h"

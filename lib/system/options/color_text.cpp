@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// color_text: colours as numbers, as digits and by names.
+// color_text: reads colours as numbers, as digits and by names.
 #include "system/options/color_text_p.h"
 
 #include "base/did_you_mean_p.h"

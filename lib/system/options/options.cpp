@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_options: the only source that knows the library behind it, CLI11, which is slow to compile.
+// l3d_options: wraps CLI11, which is slow to compile and which no other source includes.
 #include "system/options/options.h"
 
 #include "base/did_you_mean_p.h"

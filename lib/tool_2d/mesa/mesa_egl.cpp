@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_mesa_egl_surfaceless, open_mesa_egl_device: contexts of libEGL, on the CPU.
+// open_mesa_egl_surfaceless, open_mesa_egl_device: make contexts by libEGL, on the CPU.
 #include "tool_2d/mesa/mesa_egl_p.h"
 #include "tool_2d/mesa/mesa_library_p.h"
 #include "tool_2d/mesa/mesa_platform_p.h"

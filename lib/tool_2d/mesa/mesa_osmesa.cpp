@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_mesa_osmesa: a context of libOSMesa.
+// open_mesa_osmesa: makes a context by libOSMesa.
 #include "tool_2d/mesa/mesa_gl_p.h"
 #include "tool_2d/mesa/mesa_library_p.h"
 #include "tool_2d/mesa/mesa_osmesa_p.h"

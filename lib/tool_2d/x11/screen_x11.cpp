@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A screen that is an X11 window with an image, and the factories that choose how the image reaches
-// the window.
+// l3d_screen_x11: shows an image in an X11 window. Its factories choose how the image gets there.
 #include "tool_2d/x11/screen_x11.h"
 
 #include "tool_2d/image.h"

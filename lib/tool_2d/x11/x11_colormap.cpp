@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_colormap: distances of colours, the search for the largest palette, and cells that are found,
-// shared or written.
+// x11_colormap: searches for the largest palette by distances of colours, and finds, shares or
+// writes its cells.
 #include "tool_2d/x11/x11_colormap_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines of --diagnose about an X11 display.
+// Writes the lines of --diagnose about an X11 display.
 #include "tool_2d/x11/x11_diagnosis_p.h"
 
 #include "tool_2d/x11/x11_shm_segment_p.h"

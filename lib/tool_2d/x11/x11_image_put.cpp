@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_image that sends pictures by XPutImage.
+// An x11_image that sends pictures by XPutImage.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_image that sends changed pixels by XPutImage: text first, and the rest in coarse cells if it
-// is much.
+// An x11_image that sends changed pixels by XPutImage: text first, and the rest in coarse cells if
+// it is much.
 #include "tool_2d/x11/x11_image_p.h"
 
 #include "tool_2d/pixel_writer_p.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_shm_segment: shared files and System V memory, and the proof that two programs see the same
+// x11_shm_segment: shares files or System V memory, and proves that two programs see the same
 // memory.
 #include "tool_2d/x11/x11_shm_segment_p.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_tiles: boxes are cut at tiles when they are added, and joined again when they are taken.
+// x11_tiles: cuts boxes at tiles when they are added, and joins them again when they are taken.
 #include "tool_2d/x11/x11_tiles_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_window: its attributes and its properties.
+// x11_window: sets its attributes and its properties.
 #include "tool_2d/x11/x11_window_p.h"
 
 #include "tool_2d/x11_window/x11_resolution_p.h"

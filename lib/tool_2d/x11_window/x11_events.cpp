@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_events: events of keys, the pointer and the window.
+// x11_events: turns X's events of keys, the pointer and the window into ours.
 #include "tool_2d/x11_window/x11_events_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_fullscreen: fullscreen with a window manager and without one, and the pointer's rest.
+// x11_fullscreen: covers the screen, with or without a window manager, and hides a resting pointer.
 #include "tool_2d/x11_window/x11_fullscreen_p.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// x11_keys: keysyms, layouts of other scripts and the places of keys. x11_text: symbols, one by one
-// or composed.
+// x11_keys: finds keys by keysyms, layouts of other scripts and places. x11_text: finds symbols,
+// one by one or composed.
 #include "tool_2d/x11_window/x11_keys_p.h"
 
 #include "tool_2d/event.h"

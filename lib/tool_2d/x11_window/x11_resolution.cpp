@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_resolution: the resolution by the setting Xft/DPI, or by the resource Xft.dpi.
+// x11_resolution: finds the resolution by the setting Xft/DPI, or by the resource Xft.dpi.
 #include "tool_2d/x11_window/x11_resolution_p.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_scroll: the few messages of XInput 2 that tell of wheels.
+// x11_scroll: exchanges the few messages of XInput 2 that tell of wheels.
 #include "tool_2d/x11_window/x11_scroll_p.h"
 
 #include <cstdlib>

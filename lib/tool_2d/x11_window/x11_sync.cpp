@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x11_sync: one counter of the SYNC extension.
+// x11_sync: keeps one counter of the SYNC extension.
 #include "tool_2d/x11_window/x11_sync_p.h"
 
 #include <array>
