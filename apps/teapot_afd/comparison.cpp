@@ -264,7 +264,7 @@ void comparison::draw_line() {
 }
 
 /// Changes the right tolerance until both halves take the same time, which is about proportional to
-/// 1 / tolerance. A fourth root damps trembling times.
+/// 1 / tolerance. The fourth root damps the noise of times.
 void comparison::seek_equal_time() {
     if (!equal_time_ || !other_method_.keeps_tolerance())
         return;

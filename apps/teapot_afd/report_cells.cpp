@@ -24,7 +24,7 @@ namespace {
 
 using vector = l3d_patch_model::vector;
 
-/// A kind of path, and what tables call it.
+/// A kind of path, and its name in tables.
 struct path_kind {
     const char* name;
     l3d_cell_touch touch;

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Samples of a border between which silhouettes may run into it.
+/// The number of samples of a border. A silhouette that runs into it is found between two of them.
 constexpr int border_samples = 16;
 
 /// Distance outside of a patch at which a silhouette still bounds its inside: a rounding.

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Samples of a border between which a silhouette may run into it.
+/// The number of samples of a border. A silhouette that runs into it is found between two of them.
 constexpr int border_samples = 8;
 
 /// The most cuts of a patch, and the size in pixels below which a piece is not cut any more.

@@ -123,8 +123,7 @@ std::string l3d_frame_writer::file_name(int number) const {
     return before_ + digits + after_;
 }
 
-/// Whether a file is that of some frame: the file's name has a frame's number in place of the
-/// field.
+/// Whether a file holds some frame: its name has a frame's number in place of the field.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     if (kind_ == kind::single)
         return l3d_detail::mean_one_file(before_, file);

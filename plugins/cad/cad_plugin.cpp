@@ -174,7 +174,7 @@ int read(const char* text, std::size_t size, int is_iges, void* to,
         } catch (const std::exception& failure) {
             state.set_fault(std::string("Open CASCADE fails: ") + failure.what());
         }
-        _exit(status); // what the parent registered for its own end does not happen twice
+        _exit(status); // the parent's exit handlers do not run twice
     }
     sent.close();
     std::string bytes(chunk, '\0');

@@ -155,7 +155,7 @@ private:
         XCAFPrs::CollectStyleSettings(label, TopLoc_Location(), styles);
         TopTools_IndexedMapOfShape shapes;
         TopExp::MapShapes(shape, TopAbs_FACE, shapes);
-        // A style of a solid or a shell is that of its faces, unless they have their own. A place
+        // The faces of a solid or a shell have its style, unless they have their own. A place
         // may have another style than the whole shape.
         std::vector<std::optional<look>> by_face(static_cast<std::size_t>(shapes.Size()));
         std::optional<look> whole;

@@ -127,7 +127,7 @@ refined_mesh refined_ring(const face_ring& ring, OpenSubdiv::Sdc::Options option
 /// A face that is left in the middle of a ring after some subdivisions.
 struct rest {
     face_ring ring;
-    std::vector<weighted> vertices; ///< of the ring, by those of the first one
+    std::vector<weighted> vertices; ///< the ring's vertices, as sums of the first ring's
     double u, v, size;              ///< the part of the face
 };
 

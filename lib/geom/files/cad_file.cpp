@@ -82,7 +82,7 @@ public:
     }
 
     bool is_complete() const { return is_complete_; }
-    /// The first note of what is not as the file says; empty if there is none.
+    /// The first note about a difference from the file; empty if there is none.
     const std::string& first_note() const { return first_; }
 
     l3d_model_file finish() {

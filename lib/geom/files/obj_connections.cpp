@@ -45,7 +45,7 @@ bool obj_surfaces::read_connected(connected& side) {
     return obj_index(text_, text_.token(), trim_curves_.size(), side.curve);
 }
 
-/// Two surfaces meet along an edge, whose place is that of the first one's trim.
+/// Reads a connection of two surfaces along an edge, which lies where the first one's trim does.
 bool obj_surfaces::read_connection() {
     if (open_ != opened::nothing)
         return text_.fail("a connection before the end of a surface or curve");

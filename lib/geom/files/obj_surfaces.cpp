@@ -263,7 +263,7 @@ bool obj_surfaces::read_parameters() {
     return true;
 }
 
-/// Makes a knot vector of what parm says, and sees that the range lies in it.
+/// Makes a knot vector from the values of parm, and checks that it holds the range.
 bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
     const auto n = static_cast<std::size_t>(d.degree);
     const auto complain = [&](const std::string& what) {

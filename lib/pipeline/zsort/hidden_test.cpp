@@ -73,7 +73,8 @@ std::size_t hidden_test::count_whole(std::size_t begin, std::size_t end) const {
     return count;
 }
 
-/// Notes what is known of an item. Two workers may do so at once, but they write the same number.
+/// Notes that an item is seen somewhere, or hidden. Two workers may do so at once, but they write
+/// the same number.
 void hidden_test::note(const painter_entry& member, bool is_seen, bool is_hidden) {
     parts& of = parts_[member.number];
     if (is_seen)

@@ -123,7 +123,8 @@ struct l3d_painter_order::work_space {
         l3d_radix_sort(keys, other_keys);
     }
 
-    /// Finds what each item needs of the items sorted after it. Meanwhile one worker sorts.
+    /// Finds the items that each item needs among those sorted after it. Meanwhile one worker
+    /// sorts.
     void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
@@ -160,7 +161,7 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Adds the items that an item needs of those sorted before it and not yet emitted.
+    /// Adds the items that an item needs among those sorted before it and not yet emitted.
     void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {
         const auto is_emitted = [&](const painter_entry& entry) {

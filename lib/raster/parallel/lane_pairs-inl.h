@@ -18,7 +18,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Gathers elements of an array of 32 bits each, and the element behind each of them.
+/// Gathers elements of an array of 32 bits each, and the element after each of them.
 ///
 /// Cost: processors that gather take about as long for an element of 64 bits as for one of 32.
 template <class D> struct lane_pairs {

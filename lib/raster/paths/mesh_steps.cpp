@@ -92,7 +92,7 @@ std::array<net, 4> quarters(const net& p) {
     return {first, second, third, fourth};
 }
 
-/// An upper bound of the length of the vectors in a patch: that of its control vectors.
+/// An upper bound of the length of the vectors in a patch: the longest control vector.
 double longest(const nets& of) {
     curve squares{}; // squares of four vectors at once
     for (std::size_t r = 0; r < 4; ++r)

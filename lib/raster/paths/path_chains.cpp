@@ -135,7 +135,7 @@ void path_chains::add_blocks(std::size_t last) {
 /// Cuts the present outline into two chains. Does nothing and returns false if it turns more often.
 ///
 /// A chain begins at an edge that is not level, where the last such edge led the other way. The
-/// outline's corners before the first turn are repeated behind its last corner, so that each
+/// outline's corners before the first turn are repeated after its last corner, so that each
 /// chain's corners lie side by side. Expects: not all edges are level.
 bool path_chains::add_pair(std::size_t last) {
     // The next edge that leads the other way, or the last corner.

@@ -187,7 +187,7 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
     }
     const auto value = [&](number covered)
                            HWY_ATTR { return truncated(covered * same(full) + same(0.5)); };
-    // Columns behind the known ones lie wholly right of the chain.
+    // Columns after the known ones lie wholly right of the chain.
     const integers rest = value(is_left ? height : same(0));
     number before = same(0);
     integers word = hn::Zero(di);

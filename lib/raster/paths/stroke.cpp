@@ -65,7 +65,7 @@ struct chord_ends {
     }
 };
 
-/// The directions of a curve at its first and its last point. Each is that of the next control
+/// The directions of a curve at its first and its last point. Each leads to the nearest control
 /// point that is elsewhere.
 std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
     const auto from = [&](std::size_t at, std::size_t first, int step) {

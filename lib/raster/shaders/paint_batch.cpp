@@ -24,7 +24,7 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
                 find_triangle_place(part, index - quads, from.x + static_cast<double>(i), from.y, i,
                                     pixels_);
     }
-    // This comes before the light is set, as finish() also changes lanes behind its last pixel.
+    // This comes before the light is set, as finish() also changes lanes after its last pixel.
     add(part.texture, {begin, run.end});
     const linear_light& tables = linear_light_tables();
     for (std::size_t c = 0; c < pixels_.light.size(); ++c)

@@ -245,8 +245,8 @@ HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
 }
 
-/// Notes errors as fill_counts does, in lanes: those of at most `most` in `largest`, and the number
-/// of the others.
+/// Notes errors as fill_counts does, in lanes: the largest one up to `most`, and the number of
+/// larger ones.
 HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
     const floats d;
     const auto tight = hn::Le(error, set(static_cast<float>(most)));

@@ -217,7 +217,7 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 
 /// Bounds of |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
-/// The product is a series whose coefficients are exact but for those of N beyond its order. So
+/// The product is a series whose coefficients are exact except for those of N beyond its order. So
 /// signs are lost only when its terms are added up. Terms of even powers keep their signs.
 class part_points {
 public:

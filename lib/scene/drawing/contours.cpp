@@ -225,8 +225,8 @@ bool contour_search::settle(const cell& of) {
 }
 
 /// A bound of the distance between the arc and its chord in the picture. The contour's polynomial
-/// is linear but for `off`. So the arc lies in a strip of the cell, and the corners of this strip
-/// are no farther from the chord than the bound.
+/// is linear except for `off`. So the arc lies in a strip of the cell, and the corners of this
+/// strip are no farther from the chord than the bound.
 double contour_search::bound_of(const cell& of, const flat_image& flat, const arc& by) const {
     const bernstein_net& f = of.contour;
     const double f00 = *f.at(0, 0), f01 = *f.at(0, f.m), f10 = *f.at(f.n, 0), f11 = *f.at(f.n, f.m);

@@ -380,7 +380,7 @@ image_bounds bounds_of(const bernstein_net& net) {
 }
 
 bool is_beside(const bernstein_net& net, const drawing_view& view) {
-    constexpr double margin = 2; // lines that touch the border, and what hides them
+    constexpr double margin = 2; // lines that touch the border, and pieces that hide them
     const double across = view.size().width / 2.0 + margin;
     const double down = view.size().height / 2.0 + margin;
     std::array<bool, 4> beside{true, true, true, true};

@@ -348,7 +348,7 @@ surface_line drawer::part_of(const drawn_chain& chain, const std::vector<double>
 void drawer::add_stretches(const drawn_chain& chain, std::vector<double>& cuts,
                            line_of_sight& sight) {
     const std::vector<double> lengths = lengths_along(chain.points);
-    constexpr double least = 1e-3; // shorter than what files keep
+    constexpr double least = 1e-3; // files keep nothing shorter
     if (lengths.back() < least)
         return;
     for (const std::size_t cusp : chain.cusps)

@@ -265,7 +265,7 @@ void l3d_afd_options::add_work_options(l3d_options& options) {
     options.prints_result("--pick");
 }
 
-/// Adds what the help says after all options.
+/// Adds the help's text after all options.
 void l3d_afd_options::add_notes(l3d_options& options) {
     options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
                      ". Names are those of CSS: " + l3d_detail::color_names() + '.');
@@ -528,7 +528,7 @@ l3d_patch_scene l3d_afd_options::scene() const {
     });
 }
 
-/// Makes a model or a scene of the file, and prints what there is to be said.
+/// Makes a model or a scene of the file, and prints the notes about it.
 template <class Made>
 Made l3d_afd_options::made_of_file(
     const std::function<std::string(const Made& made)>& edges_note) const {

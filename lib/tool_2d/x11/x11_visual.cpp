@@ -101,7 +101,7 @@ bool is_good(const x11_visual& visual) {
     return has_masks(visual) && fewest_bits(visual) >= 5;
 }
 
-/// Whether pixels have bits beside those of colours, which are alpha. Such windows are drawn in
+/// Whether pixels have more bits than colours need: these are alpha. Such windows are drawn in
 /// memory of their own, and then converted to the default visual.
 bool has_alpha(const x11_visual& visual) {
     const auto& layout = visual.layout;

@@ -100,8 +100,8 @@ bool is_latin(Display* display, unsigned group) {
     return letters >= half_of_alphabet;
 }
 
-/// The Latin letter or sign of a key whose own group has another script. It is that of the first
-/// group with Latin letters, or else that of the key's place.
+/// The Latin letter or sign of a key whose own group has another script. It comes from the first
+/// group with Latin letters, or else from the key's place.
 int latin_key(const XKeyEvent& event, unsigned own_group) {
     const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
     for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {

@@ -82,8 +82,8 @@ void x11_pointer::put_back() {
     XWarpPointer(window_.display(), None, window_.id(), 0, 0, 0, 0, middle().x, middle().y);
 }
 
-/// Whether a place comes after the pointer was put to the middle. An earlier motion may carry the
-/// number of that request, so the distance decides.
+/// Whether a place was reported after the pointer was put to the middle. An earlier motion may
+/// carry the number of that request, so the distance decides.
 bool x11_pointer::has_leapt_to(const place& now) const {
     const auto distance = [&now](const place& from) {
         return std::max(std::abs(now.x - from.x), std::abs(now.y - from.y));
