@@ -61,7 +61,7 @@ private:
         if (!is_classic())
             clear(rasterizer); // else smooth edges would add up
         const std::uint32_t green = l3d_rgb(0, 255, 128);
-        const double pen = std::floor(size().height / 128.0); // seen in large windows, too
+        const double pen = std::floor(size().height / 128.0); // visible in large windows, too
         if (pen < 2)
             return rasterizer.draw_lines(trail_, green);
         for (const l3d_line_2d& line : trail_)

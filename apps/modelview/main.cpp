@@ -56,7 +56,7 @@ private:
                 return show<l3d_pipeline_zsort>(model, camera, settings);
             case l3d_pipeline_kind::mesa:
                 return show<l3d_pipeline_zbuffer>(model, camera, settings, gl(), "mesa");
-            default: // by the back-end's rasterizers
+            default: // drawn by the back-end's rasterizers
                 return show<l3d_pipeline_zbuffer>(model, camera, settings);
             }
         };

@@ -28,7 +28,7 @@ public:
     explicit morph2d_pipeline(l3d_canvas canvas) : l3d_lesson(std::move(canvas)) { begin(); }
 
 private:
-    static constexpr int steps = 50; // from form to form
+    static constexpr int steps = 50; // from one form to the next
 
     void begin() {
         last_ = 0;

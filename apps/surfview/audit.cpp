@@ -160,7 +160,7 @@ std::string mesh_audit::json() const {
 
 std::string mesh_audit::hint() const {
     const double times = l3d_length(mesh_.most() - mesh_.least()) / diagonal_;
-    constexpr double near = 1.05, far = 2; // a mesh is of the same size within these
+    constexpr double near = 1.05, far = 2; // limits of ratios that count as the same size
     struct unit_guess {
         double times;
         const char* text;

@@ -125,7 +125,7 @@ private:
                 return show_by.template operator()<l3d_pipeline_zsort>();
             case l3d_pipeline_kind::mesa:
                 return show_by.template operator()<l3d_pipeline_zbuffer>(gl(), "mesa");
-            default: // by the back-end's rasterizers
+            default: // drawn by the back-end's rasterizers
                 return show_by.template operator()<l3d_pipeline_zbuffer>();
             }
         };

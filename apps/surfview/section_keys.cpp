@@ -30,7 +30,7 @@ std::size_t axis_of(const vector& normal) {
 std::string text_of(const vector& v) {
     std::string result;
     for (int i = 0; i < 3; ++i) {
-        std::array<char, 32> text{};                // the longest double has 24
+        std::array<char, 32> text{};                // the longest double has 24 characters
         const double number = v[i] == 0 ? 0 : v[i]; // no -0
         const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
         result += (i > 0 ? "," : "") + std::string(text.data(), end);

@@ -118,7 +118,7 @@ void comparison::take_next_method() {
 
 void comparison::switch_budget() {
     equal_time_ = !equal_time_;
-    frames_to_settle_ = 60; // a second
+    frames_to_settle_ = 60; // frames: a second
     other_tolerance_ = settings().tolerance;
     controls().say(!equal_time_ ? "both keep the same error"
                    : other_method_.keeps_tolerance()

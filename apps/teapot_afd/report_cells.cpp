@@ -110,7 +110,7 @@ private:
 std::string walk_rays(const cells_of_teapot& of, const path_kind& kind) {
     std::int64_t steps = 0, other = 0;
     double seconds = std::numeric_limits<double>::infinity();
-    for (int repeat = 0; repeat < 3; ++repeat) { // caches have no cells for the first one
+    for (int repeat = 0; repeat < 3; ++repeat) { // the first walk finds no cells in the caches
         steps = other = 0;
         const double before = processor_seconds();
         for (const cell_ray& ray : of.rays()) {
@@ -187,7 +187,7 @@ void write_cell_table(const std::string& folder, l3d_size size, bool quick) {
     const cells_of_teapot cells(teapot, {size.width / 2, size.height / 2}, side);
     std::string text = "along,touch,steps,ns,other_share,farthest_cells\n";
     for (const path_kind& kind : kinds)
-        if (kind.order == l3d_cell_order::near_line) // others bend away from a ray
+        if (kind.order == l3d_cell_order::near_line) // other kinds of paths bend away from a ray
             text += walk_rays(cells, kind);
     for (const path_kind& kind : kinds)
         text += walk_curves(cells, teapot.model, kind, side);

@@ -18,7 +18,7 @@ std::vector<int> doubled(int from, int to) {
     return result;
 }
 
-// The ranges of control points that the literature's figures are for, in pixels.
+// The ranges of control points to which figures in the literature apply, in pixels.
 constexpr double chang_range = 1024, rappoport_range = 131072;
 
 std::string growth(int curves, bool quick) {

@@ -112,7 +112,7 @@ l3d_surface_part part_of(const std::vector<triangle>& triangles, const eye& seen
         const vector across = l3d_cross<double>(vector(t[1] - t[0]), vector(t[2] - t[0]));
         const double size = l3d_length(across);
         if (!(size > 0))
-            continue; // at the tips of the body
+            continue; // triangles at the body's tips are lines
         const vector normal = across / size;
         part.triangles.add(seen_by.vertex(t[0], normal), seen_by.vertex(t[1], normal),
                            seen_by.vertex(t[2], normal));

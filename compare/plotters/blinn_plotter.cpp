@@ -138,7 +138,7 @@ void l3d_blinn_plotter::meet_borders(const l3d_scan_piece& piece, double y,
         of.counts.samples += rounds;
         if (!t) {
             fail(of, rounds);
-            b.is_new = true; // the next line tries from the chord
+            b.is_new = true; // on the next line, the search begins at the chord
             continue;
         }
         effort_.add(true, rounds);
@@ -203,7 +203,7 @@ void l3d_blinn_plotter::scan_span(const l3d_scan_piece& piece, int row, bool fro
     const double y = row + 0.5 - of.view.size.height / 2.0;
     const int end = std::min(of.view.size.width, l3d_first_centre(right.x + centre_x));
     l3d_scan_root last{}, before{};
-    int known = 0; // pixels in a row: two foretell the third
+    int known = 0; // solved pixels in a row; two predict the third
     for (int column = std::max(0, l3d_first_centre(left.x + centre_x)); column < end; ++column) {
         const double x = column + 0.5 - centre_x;
         const l3d_scan_root start =

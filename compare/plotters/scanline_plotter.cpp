@@ -82,7 +82,7 @@ void l3d_scanline_plotter::scan_span(const piece& p, const l3d_scan_piece& power
     const double centre_x = of.view.size.width / 2.0;
     const double y = row + 0.5 - of.view.size.height / 2.0;
     const int end = std::min(of.view.size.width, l3d_first_centre(right.x + centre_x));
-    // Two solved pixels foretell the third.
+    // Two solved pixels predict the third.
     l3d_scan_root last = left.root, before = left.root;
     bool straight_on = false;
     for (int column = std::max(0, l3d_first_centre(left.x + centre_x)); column < end; ++column) {

@@ -173,7 +173,7 @@ std::vector<l3d_panel> captioned::help_pages() const {
 
 /// Hints, from the longest to the key alone.
 std::vector<l3d_panel> captioned::hints() const {
-    constexpr std::size_t most_keys = 4; // as many as one remembers
+    constexpr std::size_t most_keys = 4; // as many as users remember
     l3d_panel what, taught;
     what.add_title(caption_.what);
     taught = what;

@@ -17,7 +17,7 @@ std::vector<l3d_caption_row> l3d_caption::all_keys() const {
 }
 
 std::string l3d_caption::text() const {
-    constexpr std::size_t widest_line = 79; // that of a usual terminal
+    constexpr std::size_t widest_line = 79; // the width of a usual terminal
     std::string result = what + '\n', line;
     const auto add = [&](const std::string& words) {
         if (!line.empty() && line.size() + 1 + words.size() > widest_line)

@@ -57,7 +57,7 @@ unsigned mesa_target::make_texture() {
     const mesa_gl& gl = context_->make_current();
     unsigned texture = 0;
     gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture); // makes it a texture of this kind
+    gl.BindTexture(GL_TEXTURE_2D, texture); // the first binding gives it this kind
     return texture;
 }
 

@@ -86,7 +86,7 @@ private:
         std::atomic<double> share = 0;
         std::array<char, 512> fault{};
     };
-    static_assert(std::atomic<double>::is_always_lock_free); // locks are of one process
+    static_assert(std::atomic<double>::is_always_lock_free); // a lock serves one process
     state& get() { return *static_cast<state*>(at_); }
 
     void* at_;

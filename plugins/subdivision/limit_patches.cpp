@@ -214,7 +214,7 @@ limit_patches::limit_patches(const mesh_topology& mesh, const std::vector<place>
         cage.push_back({at});
     std::unique_ptr<const refined_mesh> chosen;
     level_patches of_chosen;
-    constexpr int most_levels = 10; // of Far
+    constexpr int most_levels = 10; // as many as Far makes
     for (int level = 1; level <= most_levels; ++level) {
         auto refined = std::make_unique<const refined_mesh>(mesh, options, level);
         if (chosen && refined->leaves().size() > most)

@@ -35,7 +35,7 @@ refined_mesh::refined_mesh(const mesh_topology& mesh, OpenSubdiv::Sdc::Options o
 
     far::PatchTableFactory::Options how(static_cast<unsigned>(levels));
     how.useInfSharpPatch = true;
-    how.generateLegacySharpCornerPatches = false; // which are not the limit surface
+    how.generateLegacySharpCornerPatches = false; // legacy patches are not the limit surface
     how.SetEndCapType(far::PatchTableFactory::Options::ENDCAP_GREGORY_BASIS);
     how.SetPatchPrecision<double>();
     const far::ConstIndexArray chosen(only.data(), static_cast<int>(only.size()));

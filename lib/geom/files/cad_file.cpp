@@ -23,7 +23,7 @@ using vector = l3d_nurbs_surface::vector;
 
 constexpr std::size_t most_notes = 20;
 
-/// A text that ends as its format says.
+/// Whether a text ends as its format demands.
 bool is_whole(std::string_view text, bool is_iges) {
     constexpr std::size_t column = 72; // an IGES line has a letter for its kind there
     while (text.ends_with('\n') || text.ends_with('\r') || text.ends_with(' '))
@@ -63,7 +63,7 @@ l3d_bspline_direction direction(std::uint64_t degree, std::vector<double> knots)
     return result;
 }
 
-/// A piece of which the trims leave nothing (l3d_trims_in).
+/// Whether the trims leave nothing of a piece (l3d_trims_in).
 bool is_outside(const l3d_patch_points& piece) {
     return piece.trims.size() == 1 && piece.trims[0].size() == 1 &&
            piece.trims[0][0].points.size() == 2 &&
@@ -280,7 +280,7 @@ std::optional<l3d_model_file> l3d_detail::read_cad(std::string_view text, std::s
     builder made{std::string(name)};
     try {
         made.read(to.bytes);
-    } catch (const l3d_error& error) { // a curve that is none
+    } catch (const l3d_error& error) { // a curve or surface is not valid
         return fail(error.what());
     }
     if (!made.is_complete())

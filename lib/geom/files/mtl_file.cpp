@@ -148,7 +148,7 @@ private:
                               ", which is not from 0 to 1: skipped");
         (word == "d" ? opaque_ : clear_) = value;
         look.opacity = static_cast<float>(opaque_ ? *opaque_ : 1 - *clear_);
-        constexpr double same = 1e-3; // files give them with a few digits
+        constexpr double same = 1e-3; // files round them to a few digits
         if (opaque_ && clear_ && std::abs(*opaque_ + *clear_ - 1) > same)
             text_.note("'Tr' and 'd' do not add up to 1: 'd' is taken");
     }

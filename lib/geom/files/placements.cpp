@@ -45,7 +45,7 @@ public:
         const auto look = [&](std::uint32_t own) {
             return own == l3d_material_of_place ? at.material : own;
         };
-        double squares = 0; // no length grows by more than their root
+        double squares = 0; // lengths grow by at most its root
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < 3; ++column)
                 squares += at.place(row, column) * at.place(row, column);
@@ -85,7 +85,7 @@ private:
         return result;
     }
 
-    /// An edge at a place, which has this number.
+    /// The index of an edge's copy at a place, whose number is `number`.
     std::uint32_t edge(std::uint32_t of, const matrix& place, std::size_t number) {
         const auto next = static_cast<std::uint32_t>(to_.edges.size());
         const auto [at, is_new] = edges_.try_emplace({number, of}, next);

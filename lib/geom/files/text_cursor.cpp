@@ -46,7 +46,7 @@ std::string quoted(std::string_view token) {
 }
 
 void append(std::string& text, double value, char after) {
-    char digits[32]; // -1.2345678901234567e-308 has 24
+    char digits[32]; // -1.2345678901234567e-308 has 24 characters
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
     assert(error == std::errc());
     text.append(digits, end).append(1, after);

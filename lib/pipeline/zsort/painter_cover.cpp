@@ -24,7 +24,7 @@ void painter_cover::add(const l3d_painter_piece& piece) {
 
 bool painter_cover::hides_sides(const l3d_painter_piece& piece) const {
     bool hidden = true;
-    for (const bool smooth : {false, true}) // whichever kind of lines will be drawn
+    for (const bool smooth : {false, true}) // hidden must be both kinds of lines
         visit_sides(triangles_[piece.triangle], placed_, pixels_.size(), smooth,
                     [&](int x, int y, int, double) { hidden = hidden && pixels_.has(x, y); });
     return hidden;

@@ -55,7 +55,7 @@ public:
         for (std::size_t i = 0; i < order.size(); ++i) {
             const painter_entry& own = members[order[i] & 0xffffffff];
             const std::uint64_t own_cells = own.cells;
-            const std::uint64_t end = bits_of(own.nearest) << 32; // from there on wholly in front
+            const std::uint64_t end = bits_of(own.nearest) << 32; // later ones are wholly in front
             for (std::size_t k = i + 1; k < order.size() && order[k] < end; ++k)
                 if ((cells[k] & own_cells) != 0)
                     visit(own, members[order[k] & 0xffffffff]);

@@ -15,7 +15,7 @@ void l3d_draw_seen_sides(l3d_pixels target, const l3d_depth_buffer& depth,
                          const l3d_shading& shading, const l3d_line_look& look) {
     assert(target.size() == depth.size());
     constexpr double rounding = 0x1p-20; // a few ulps of a float
-    constexpr double in_lanes = 1e-5;    // as part of the corners' range, see docs/POLYGONS.md
+    constexpr double in_lanes = 1e-5;    // relative to the corners' range, see docs/POLYGONS.md
     l3d_background().fill(target);
     l3d_depth_buffer line_depths;
     line_depths.resize(shading.fog.is_on() ? target.size() : l3d_size{});

@@ -231,7 +231,7 @@ void pixel_area::find_changes() {
     sort_few(changes_, is_higher);
 }
 
-/// The area inside on the right of the left side, as if there were no edges.
+/// The area inside by the windings at the pixel's left side alone, as if there were no edges.
 double pixel_area::on_left(windings beside, const fill_rules& rules) const {
     double area = 0, top = 0;
     for (const winding_change& c : changes_.all()) {

@@ -135,7 +135,7 @@ std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign)
             return word_of(either(to_less, {hn::Floor(scaled.v)}, {hn::Ceil(scaled.v)}));
         };
         const auto rows_from = [&](words row) HWY_ATTR {
-            const words half = hn::ShiftLeft<2>(row); // two shifts, as one must not be by 64
+            const words half = hn::ShiftLeft<2>(row); // two shifts, as none may be by 64 bits
             return hn::Shl(hn::Shl(all, half), half);
         };
         const words from = rows_from(whole(hn::Xor(falls, up), loaded(&b.y0[at])));

@@ -47,7 +47,7 @@ constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }
 
-/// The heights at which both chains begin and end, in each row.
+/// The heights between which both chains run, in each row.
 struct row_heights {
     number top, bottom;
 

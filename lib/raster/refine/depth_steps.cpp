@@ -66,7 +66,7 @@ HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     return bits & 0x7777777777777777;
 }
 
-/// Whether a channel of some pixels may jump to the pixel on the right, or to that below.
+/// Whether a channel of some pixels may jump between a pixel and the one on its right or below.
 /// Transparency counts as a channel here.
 HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
     const auto here = load(row), beside = load(row + 1), below = load(next);

@@ -106,7 +106,7 @@ void band_scalar::fill(const fill_rest& rest) {
 void band_scalar::fill(const cut_triangle& triangle, std::span<const plane_cut> cuts) {
     target_.cuts = cuts;
     target_.material = target_.coding.of_material(triangle.material);
-    constexpr std::uint32_t no_color = 0; // only the triangles of parts have one in mode `error`
+    constexpr std::uint32_t no_color = 0; // in mode `error`, only triangles of parts have a colour
     with_filler(no_color, [&](auto fill) {
         fill.use_material(triangle.material);
         fill.triangle(triangle.v);

@@ -90,7 +90,7 @@ int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const
         if (r.is_scale) {
             const int names =
                 font_.width(r.key, letter_size_) + gap() + font_.width(r.text, letter_size_);
-            constexpr int least_letters = 12; // a bar's, so that it can be read
+            constexpr int least_letters = 12; // shorter bars could not be read
             width = std::max({width, names, std::min(least_letters * letter_size_, most)});
             continue;
         }

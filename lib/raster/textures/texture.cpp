@@ -53,7 +53,7 @@ std::uint32_t packed(const float* light) {
     return word;
 }
 
-/// The pixel that is seen at a place of at most one pixel beyond the picture's borders.
+/// The index of the pixel that is seen at a place up to one pixel beyond the picture's borders.
 int held(int at, int size, l3d_texture_wrap wrap) {
     return wrap == l3d_texture_wrap::repeat ? (at + size) % size : std::clamp(at, 0, size - 1);
 }

@@ -398,7 +398,7 @@ void drawer::join() {
                     line.pieces.push_back(pieces_[piece].number);
         }
         for (const surface_vertex& v : points) {
-            constexpr double same = 1e-4; // joints, and cuts at vertices
+            constexpr double same = 1e-4; // joints and cuts repeat a vertex
             const l3d_drawn_place p{v.at.x + left, v.at.y + top, view_.depth_of(v.at.z)};
             if (line.points.empty() ||
                 std::hypot(line.points.back().x - p.x, line.points.back().y - p.y) > same)

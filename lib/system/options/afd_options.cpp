@@ -520,7 +520,7 @@ l3d_patch_scene l3d_afd_options::scene() const {
     if (model_file_.empty())
         return l3d_patch_model::teapot();
     return made_of_file<l3d_patch_scene>([](const l3d_patch_scene& scene) {
-        std::string note; // that of the first model that has one
+        std::string note; // the note of the first model that has one
         for (auto at = scene.instances().begin(); note.empty() && at != scene.instances().end();
              ++at)
             note = at->model().edges_note();

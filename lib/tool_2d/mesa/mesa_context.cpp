@@ -75,7 +75,7 @@ bool mesa_context::load(std::string& why) {
         return false;
     }
     const std::string version = text(GL_VERSION);
-    if (std::atoi(version.c_str()) < 3) { // framebuffer objects and depth in float
+    if (std::atoi(version.c_str()) < 3) { // older GL lacks framebuffer objects and depth in float
         why = "GL '" + version + "' is older than 3.0";
         return false;
     }

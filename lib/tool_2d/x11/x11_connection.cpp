@@ -181,7 +181,7 @@ int x11_handlers::on_error(Display* display, XErrorEvent* error) {
 int x11_handlers::on_io_error(Display* display) {
     auto& handlers = instance();
     auto* const connection = handlers.find(display);
-    if (way_out == nullptr) // ours come to on_io_exit next
+    if (way_out == nullptr) // our displays come to on_io_exit next
         return connection != nullptr ? 0 : handlers.previous_io_error(display);
     if (connection != nullptr) {
         on_io_exit(display, connection);
