@@ -127,7 +127,7 @@ l3d_patch_model hills(int n) {
         n, n));
 }
 
-/// A curtain of 3 x 2 patches that folds over itself: seen from the front, each wave hides a part
+/// A curtain of 3 x 2 patches that folds over itself. Seen from the front, each wave hides a part
 /// of its neighbour, and folds begin in cusps where the waves rise.
 l3d_patch_model folds() {
     return l3d_patch_model(patches_of(

@@ -36,8 +36,8 @@ l3d_dice_vertex l3d_subdivision_dicer::vertex_at(const l3d_image_point& h, doubl
     return result;
 }
 
-/// Whether an edge is straight: its chord's error is at most an eighth of the second derivative,
-/// and the chord's w errs by an eighth at most.
+/// Whether an edge is straight. Its chord's error, an eighth of the second derivative, is within
+/// the budget, and the chord's w errs by an eighth at most.
 bool l3d_subdivision_dicer::is_straight(const l3d_image_curve& edge, task& of) {
     const l3d_image_box seen = l3d_image_box_of(edge.points).intersected(of.view.margin());
     if (seen.empty())

@@ -9,8 +9,8 @@ namespace {
 /// The most halvings of a curve until it rises or falls from end to end.
 constexpr int deepest = 16;
 
-/// Whether control points prove that a curve rises, or falls, from end to end: y' has the sign
-/// of y_t - Y w_t at the curve's own Y, which lies between `top` and `bottom`.
+/// Whether control points prove that a curve rises, or falls, from end to end. Its derivative has
+/// the sign of y_t - Y w_t at the curve's own Y, which lies between `top` and `bottom`.
 bool is_monotone(const l3d_image_curve& curve, double top, double bottom) {
     bool rises = true, falls = true;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -16,8 +16,8 @@ using vector = l3d_normal_net::vector;
 constexpr int degree = 5;
 constexpr int order = degree + 1;
 
-/// An edge row counts as vanishing below this part of the largest coefficient: the product sums
-/// 36 terms of double precision, so cancellation leaves at most some 100 * 2^-53 = 1e-14.
+/// An edge row counts as vanishing below this part of the largest coefficient. The product sums 36
+/// terms of double precision, so cancellation leaves at most some 100 * 2^-53 = 1e-14.
 constexpr double vanishing = 1e-12;
 
 double largest(const vector& v) {

@@ -142,8 +142,9 @@ struct wedges {
     double deepest() const { return std::min(across.deepest(), along.deepest()); }
 };
 
-/// Whether a model lies at one side of the picture: beyond nine tenths of the half on this side,
-/// and nowhere beyond two thirds of the other. `slope` is the tangent of the border's angle.
+/// Whether a model lies at one side of the picture. It reaches beyond nine tenths of the half on
+/// this side, and nowhere beyond two thirds of the other half. `slope` is the tangent of the
+/// border's angle.
 bool is_aside(const vector& side, const l3d_camera::frame& axes, const l3d_camera& camera,
               double slope, const l3d_reach& reach) {
     const double depth = l3d_dot(camera.eye, axes.forward), at = l3d_dot(camera.eye, side);

@@ -12,9 +12,9 @@ double power_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
-/// A bound that stays the same while the value changes a little: the value rounded up to 4 bits, by
-/// a 16th of itself at most. Else an object that moves at the end of a scene would change the
-/// errors that all others are diced by. Then the others' pictures would change by a bit.
+/// A bound that stays the same while the value changes a little. It is the value, rounded up to 4
+/// bits, by a 16th of itself at most. Else an object that moves at the end of a scene would change
+/// the errors that all others are diced by. Then the others' pictures would change by a bit.
 double steady_bound(double value) {
     if (!(value > 0))
         return value;

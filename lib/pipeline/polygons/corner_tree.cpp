@@ -59,8 +59,8 @@ void corner_tree::remove(std::size_t corner) {
     }
 }
 
-/// Whether a box may meet a triangle. False only if no point of the box is in the triangle: turn()
-/// is largest at the corner of the box that lies farthest to the left of a side.
+/// Whether a box may meet a triangle. It is false only if no point of the box is in the triangle.
+/// For each side, turn() is largest at the box's corner that lies farthest to its left.
 bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         const flat_place &a = triangle[i], &b = triangle[(i + 1) % 3];

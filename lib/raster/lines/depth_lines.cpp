@@ -19,7 +19,7 @@ double rise(double before, double here, double after) {
 /// pixel's centre.
 ///
 /// The line may lie on that surface. Over a pixel, the depth of the surface rises by g along an
-/// axis, so the surface at the line's point may be farther by `away` times g. Besides, an error of
+/// axis. So the surface at the line's point may be farther by `away` times g. Besides, an error of
 /// e pixels along the normal is e / cos a pixels along the view axis, where a is the angle between
 /// both. Let p be the change of depth over a pixel's size. A plane of that slope has g = p tan a,
 /// and the inverse of cos a is at most 1 + tan a. So the error is at most e (p + g). Roundings of

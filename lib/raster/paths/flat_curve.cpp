@@ -25,7 +25,8 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         weights[i] = plain ? 0 : second(2);
         bends[i] = {second(0) - origin.x * weights[i], second(1) - origin.y * weights[i]};
     }
-    // The largest bend - x weight for places x on chords, which are within `distance` of the hull.
+    // The largest length of bend - x weight for places x on chords, which are within `distance` of
+    // the hull.
     const auto most_of = [&](l3d_point_2d bend, double weight) {
         double most = 0;
         for (const l3d_point_2d& corner : hull) {

@@ -195,9 +195,9 @@ l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     return {(along + root) / inside, change(across), change(down)};
 }
 
-/// The number of parts along either axis that a pixel is cut into. At r pixels from the focus of a
-/// circle, a square of side h errs by a place of h^2 / 4 r if places count as linear in it. With a
-/// focus beside the middle, or an ellipse for a circle, r counts for less.
+/// The number of parts along either axis that a pixel is cut into. If places count as linear in a
+/// square of side h, they err by h^2 / 4 r at r pixels from the focus of a circle. With a focus
+/// beside the middle, or an ellipse for a circle, r counts for less.
 double l3d_gradient::parts_at(l3d_point_2d at) const {
     constexpr double most = 32, exact = 1.0 / 512;
     const l3d_point_2d unit = to_unit_.at(at);

@@ -10,8 +10,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// The largest errors of a dicing: how far a colour may be from its place on the patch, in pixels,
-/// and how far a linear colour may be from the bilinear one, in levels.
+/// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
+/// patch. A linear colour may be `level_error` levels from the bilinear one.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
 /// The largest number of steps in a quarter. With these, each triangle of a patch covers some 2^-5
 /// pixels in pictures of 2^14 pixels a side.

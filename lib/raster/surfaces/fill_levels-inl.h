@@ -19,7 +19,7 @@ namespace {
 /// their sides, which are in the queue.
 ///
 /// The level is a parabola over the polygon. It has the corners' levels. In the middle of each
-/// side, it exceeds the mean of the side's ends by the side's bend; opposite sides of a quad get
+/// side, it exceeds the mean of the side's ends by the side's bend. Opposite sides of a quad get
 /// the mean of their bends. See NUMERICS, section 14.
 class level_lanes {
 public:

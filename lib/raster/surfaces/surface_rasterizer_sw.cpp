@@ -21,9 +21,8 @@ namespace {
 using namespace l3d_detail;
 
 /// The number of rows in a band. A dozen bands let the workers share a picture. Colour and depth of
-/// a band take no more than half a megabyte, which is all or half of the second-level cache of a
-/// core of 2020. The number of workers has no influence, as counts of what is drawn depend on the
-/// bands.
+/// a band take no more than half a megabyte. That is all or half of a second-level cache of 2020.
+/// The number of workers has no influence, as counts of what is drawn depend on the bands.
 int rows_of_band(l3d_size size, bool with_normals) {
     constexpr int most_bytes = 512 << 10, bands_wanted = 12;
     const int bytes_of_pixel = 4 + 4 + (with_normals ? 4 : 0);

@@ -177,8 +177,8 @@ audit_part::audit_part(const patch_sheet& of, const std::array<place, 3>& at_cor
 audit_part::audit_part(const patch_sheet& of, const std::array<place, 3>& at_corners,
                        const std::array<vector, 3>& corners)
     : flat(corners), at(at_corners), sheet(&of), index(of.index) {
-    // The sum of l_i l_j w_k is at most the square of the radius of the least circle around a
-    // triangle with sides of squared lengths w: the variance of its corners.
+    // The sum of l_i l_j w_k is the variance of the corners of a triangle with sides of squared
+    // lengths w. It is at most the square of the radius of the least circle around it.
     const auto [a, b, c] = weights();
     const double most = std::max({a, b, c});
     const bool is_acute = 2 * most < a + b + c;

@@ -8,9 +8,10 @@
 namespace l3d_detail {
 namespace {
 
-/// Limits of good bounds. A bound is good if it is at most `good_enough` times the true number, or
-/// an eighth of the largest of its kind, or too small to matter. A thousandth of a radian is too
-/// small, and so is a bend of 2^-14 of the patch's size: a 16th of a pixel on a thousand pixels.
+/// Limits of good bounds. A bound is good up to `good_enough` times the true number, or up to an
+/// eighth of the largest of its kind. It is good, too, if it is too small to matter. That is a
+/// thousandth of a radian, or a bend of 2^-14 of the patch's size: a 16th of a pixel on a thousand
+/// pixels.
 constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
 constexpr struct {
     std::size_t first, end;

@@ -54,8 +54,8 @@ public:
 private:
     static constexpr int planes = 7;
 
-    /// A linear function that is not negative on the inner side of a plane: of the near or far
-    /// plane, of a side of the picture with its margin, or of the section.
+    /// A linear function that is not negative on the inner side of a plane. The planes are near and
+    /// far, the sides of the picture with its margin, and the section.
     double inside(int plane, const point& p) const {
         if (plane < 2 && law_.step != 0)
             return 1;

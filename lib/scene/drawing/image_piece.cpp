@@ -110,7 +110,8 @@ void divide_by_vanishing(bernstein_net& f) {
 }
 
 /// det(p, dp/du, dp/dv) of the homogeneous places of the picture. It is the third power of w times
-/// the determinant by which the map to the picture turns areas, so it is zero where that folds.
+/// the determinant by which the map to the picture scales areas. So it is zero where that map
+/// folds.
 bernstein_net contour_of(const bernstein_net& p) {
     const bernstein_net by_u = p.derivative(true), by_v = p.derivative(false);
     bernstein_net result(3 * p.m - 1, 3 * p.n - 1, 1);
@@ -250,9 +251,9 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
     contour = contour_of(net);
 }
 
-/// Bounds how far a change of u, and of v, moves a place in the picture: with P = (x, y) / w in the
-/// net's box, P' = ((x, y)' - P w') / w. Weights far below the largest lie beyond the near plane
-/// and are not counted: they would ask for millions of chords for parts that are hardly seen.
+/// Bounds how far a change of u, and of v, moves a place in the picture. With P = (x, y) / w in the
+/// net's box, P' is ((x, y)' - P w') / w. Weights far below the largest lie beyond the near plane
+/// and are not counted. They would ask for millions of chords for parts that are hardly seen.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];

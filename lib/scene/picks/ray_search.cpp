@@ -10,8 +10,8 @@
 
 namespace {
 
-/// A part is inflated by this share at each side before anything is proven of it, so that a point
-/// on the border of two parts, or of two patches, lies inside both.
+/// A part is inflated by this share at each side before anything is proven about it. So a point on
+/// the border of two parts, or of two patches, lies inside both.
 constexpr double margin = 0.125;
 /// The operator's contraction must be at most this where a hit is proven. Then the image of a part
 /// that holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.

@@ -17,7 +17,7 @@ using numbers = std::array<double, 12>;
 struct met_sides {
     std::size_t count = 0;
     l3d_halved_side::place first{};
-    bool forward = false; ///< the first one runs in the direction that sorts first
+    bool forward = false; ///< the first one's points sort before their reverse
 };
 
 } // namespace

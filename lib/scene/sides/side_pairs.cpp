@@ -14,7 +14,7 @@ using numbers = std::array<double, 12>;
 
 struct side_of {
     std::size_t patch, side;
-    bool forward; ///< walked in the direction that sorts first
+    bool forward; ///< its points sort before their reverse
 };
 
 } // namespace
