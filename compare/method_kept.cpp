@@ -67,7 +67,7 @@ void l3d_kept_micropolygons::visit(const l3d_patch_part& p, task& of) {
             grid = grids_.back().get();
             *grid = {p.u0, p.u1, p.v0, p.v1, {}, {}};
         }
-        constexpr int most = 2 * l3d_most_micropolygons; // used up when no cuts are left
+        constexpr int most = 2 * l3d_most_micropolygons; // only if no cuts are left
         dice(*grid, of.patch, std::min(steps_for(wanted_u), most),
              std::min(steps_for(wanted_v), most));
         of.counts.samples += std::int64_t{grid->part.grid.columns} * grid->part.grid.rows;

@@ -70,8 +70,8 @@ void cut_small(const l3d_surface_audit::triangle& t, double longest, const Visit
     cut_small({half, b, c}, longest, visit);
 }
 
-/// How long parts of triangles are for a picture: some pixels, but such that a processor measures
-/// at all of them in seconds. CAD meshes have crowds of long thin triangles.
+/// The longest side of the parts into which a picture cuts triangles: some pixels, but long enough
+/// that a processor measures all parts in seconds. CAD meshes have crowds of long thin triangles.
 double longest_part(const triangles& mesh, double size) {
     constexpr double pixels = 1.0 / 128;
     const double most_parts = 0x1p17 + static_cast<double>(mesh.size());
@@ -160,7 +160,7 @@ std::string mesh_audit::json() const {
 
 std::string mesh_audit::hint() const {
     const double times = l3d_length(mesh_.most() - mesh_.least()) / diagonal_;
-    constexpr double near = 1.05, far = 2; // limits of ratios that count as the same size
+    constexpr double near = 1.05, far = 2; // up to near, a unit fits; beyond far, sizes differ
     struct unit_guess {
         double times;
         const char* text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_lane_carpenter_dicer: halves patches until they are flat, and keeps their corners.
+// l3d_lane_carpenter_dicer: halves patches until they are flat, and makes polygons of these.
 #include "compare/dicers/lane_carpenter_dicer.h"
 
 #include "dice/near_clip.h"

@@ -263,8 +263,8 @@ struct cage_arrays {
     }
 };
 
-/// Tells how exact the patches are. `size` is that of the model, and `asked` the part of it that
-/// the error was to stay below.
+/// Tells how exact the patches are. `size` is the model's size, and `asked` the part of it below
+/// which the error was to stay.
 std::string exactness_of(const l3d_detail::subdivision_outcome& reached, double size,
                          double asked) {
     if (reached.caps == 0)

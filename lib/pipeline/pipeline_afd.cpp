@@ -220,9 +220,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw: none if it is right as it is. The whole is drawn if earlier
-/// drawing on top, whose place is unknown, may have to go. From three quarters of the pixels on it
-/// is drawn, too, since parts cost nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw: none if it is right as it is. The whole picture is drawn for
+/// two reasons. Earlier drawing on top, whose place is unknown, may have to go. Or the parts have
+/// three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)

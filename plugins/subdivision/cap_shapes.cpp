@@ -118,7 +118,7 @@ mesh_topology topology_of(const face_ring& ring) {
             .holes = {}};
 }
 
-/// The ring's faces alone, of which its face is subdivided.
+/// Subdivides a mesh of the ring's faces alone.
 refined_mesh refined_ring(const face_ring& ring, OpenSubdiv::Sdc::Options options, int levels) {
     constexpr int only[] = {0};
     return {topology_of(ring), options, levels, only};

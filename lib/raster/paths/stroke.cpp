@@ -202,8 +202,8 @@ private:
                 direction};
             if (is_set(direction))
                 dash_.along = direction;
-            // A part of a chord may be so short that only the curve's directions tell how the pen
-            // goes on from it.
+            // The drawn part of a chord may be so short that only the curve's directions tell how
+            // the pen continues.
             if (drawing()) {
                 if (dash_.points.back().smooth)
                     turn(dash_.points.back(), ends.first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_edge_lines: draws sides of patches, and borders of their trimmed regions.
+// l3d_edge_lines: makes lines of sides of patches, and of borders of their trimmed regions.
 #include "scene/drawing/edge_lines.h"
 
 #include "geom/trims/trim_region.h"

@@ -261,7 +261,7 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
         most = std::max(most, net.c[i + 2]);
         least = std::min(least, net.c[i + 2]);
     }
-    constexpr double depths = 16; // the ratio that counts where a piece reaches the near plane
+    constexpr double depths = 16; // largest ratio of depths that counts at the near plane
     if (side_of_near(net, view) != ahead_of_near::all)
         least = most / depths;
     image_bounds box{};

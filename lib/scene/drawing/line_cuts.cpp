@@ -76,7 +76,8 @@ private:
 
     void enter(const chord& c) {
         const image_place &a = from(c), &b = to(c);
-        // A long chord is cut into stretches of a square, so that it fills no whole box.
+        // A long chord is cut into stretches as long as a square, so that it enters only squares
+        // near it.
         const double long_side = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
         const int parts = static_cast<int>(std::clamp(long_side / square, 1.0, 4096.0));
         for (int i = 0; i < parts; ++i) {

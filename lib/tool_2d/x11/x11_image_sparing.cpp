@@ -132,7 +132,7 @@ private:
         if (text == text_)
             return;
         text_ = std::move(text);
-        // Cells may still be shown where text appears on an unchanged picture.
+        // The window may still show cells where text appears on an unchanged picture.
         for (const l3d_pixel_box& box : text_)
             for (x11_tiles* tiles : {&changed_, &coarse_}) {
                 for (const l3d_pixel_box& part : tiles->inside(box))
