@@ -218,7 +218,7 @@ private:
     face_writer faces_;
     std::map<std::string, int> names_;
     std::optional<look> look_;
-    NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< of shapes
+    NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< by shape
     std::vector<std::optional<look>> whole_; ///< looks of all of each shape
 };
 

@@ -24,8 +24,8 @@ class face_writer {
 public:
     explicit face_writer(l3d_detail::cad_writer& to) : to_(to) {}
 
-    /// Writes a face, and those of its edges that no face before it had. What cannot be written
-    /// becomes a note.
+    /// Writes a face, and those of its edges that no face before it had. A note tells of anything
+    /// that cannot be written.
     void write(const TopoDS_Face& face);
 
     /// Writes an edge that bounds no face as a curve.

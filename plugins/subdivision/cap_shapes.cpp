@@ -90,8 +90,8 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
 }
 
 /// The bicubic Bezier patch of a Gregory patch's twenty points, which are five of each corner: the
-/// corner, the points next to it on both sides, and two for the middle. Of these two, the patch has
-/// the mean.
+/// corner, the points next to it on both sides, and two for the middle. The patch has the mean of
+/// these two.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
         return (p[5 * corner + 3] + p[5 * corner + 4]) / 2;

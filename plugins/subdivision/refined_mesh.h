@@ -30,9 +30,9 @@ struct mesh_topology {
 
 /// A face that is not subdivided further: one patch.
 struct leaf {
-    int base_face;   ///< of the cage
-    int quad;        ///< among the quads of all faces: n of a face of n corners, one of four
-    int level, face; ///< of its level
+    int base_face;   ///< index of the cage's face that it is a part of
+    int quad;        ///< index among all quads; a face of n corners has n of them, or 1 if n is 4
+    int level, face; ///< the level, and the index among its faces
     /// The part of its quad, whose parameters run from 0 to 1.
     double u, v, size;
     bool is_regular;

@@ -21,7 +21,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "packaging/README.md",
              "docs/**/*.md", "docs/*.7")
-CODE_FOLDERS = ("lib", "apps", "include", "compare", "python", "tests")
+CODE_FOLDERS = ("lib", "apps", "plugins", "compare", "python", "tests")
 RIDDLES_REMAIN = ("tests/",)  # files and folders, by how their paths begin, whose sentences may still begin with a riddle
 
 Sentence = collections.namedtuple("Sentence", "line text words")
